@@ -1,0 +1,63 @@
+# `make serve` and `make test` are all the set-up there is. Everything lands in .venv inside the checkout.
+
+PYTHON ?= python3
+BIN := .venv/bin
+HOST ?= 127.0.0.1
+PORT ?= 8000
+
+.PHONY: help serve test format lint types imports tests bench pictures golden lock clean
+
+help:  ## list the commands
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+
+serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
+	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
+
+test: format lint types imports tests  ## everything that must hold
+
+format: .venv/dev
+	$(BIN)/ruff format --check .
+
+lint: .venv/dev
+	$(BIN)/ruff check .
+
+types: .venv/dev
+	$(BIN)/mypy
+
+imports: .venv/dev
+	$(BIN)/lint-imports
+
+tests: .venv/dev
+	$(BIN)/python scripts/requirements_met.py
+	$(BIN)/pytest -n auto
+
+bench: .venv/dev  ## measure, each figure beside its reference
+	$(BIN)/python -m bench
+
+pictures: .venv/dev  ## picture every page into docs/pictures
+	$(BIN)/python scripts/pictures.py
+
+golden: .venv/dev  ## write the expected outputs of the tests anew
+	$(BIN)/python scripts/golden.py
+
+lock:  ## pin the newest versions that pyproject.toml allows
+	$(PYTHON) -m venv .venv-lock && .venv-lock/bin/pip --quiet install pip-tools
+	.venv-lock/bin/pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --upgrade --output-file requirements.txt pyproject.toml
+	.venv-lock/bin/pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --extra dev --constraint requirements.txt --output-file requirements-dev.txt pyproject.toml
+	rm -rf .venv-lock
+
+clean:
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis dist build
+
+.venv/bin/python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "sigcat needs Python 3.11 or newer; set PYTHON=python3.12 or so")'
+	$(PYTHON) -m venv .venv
+
+.venv/serve: .venv/bin/python requirements.txt pyproject.toml
+	$(BIN)/python -m pip --quiet --disable-pip-version-check install -r requirements.txt
+	$(BIN)/python -m pip --quiet --disable-pip-version-check install --no-deps --editable .
+	@touch $@
+
+.venv/dev: .venv/serve requirements-dev.txt
+	$(BIN)/python -m pip --quiet --disable-pip-version-check install -r requirements-dev.txt
+	@touch $@

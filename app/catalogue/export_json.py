@@ -1,0 +1,52 @@
+"""The tree as JSON, as data equal to what `vspec export json` of vss-tools 6.1 writes."""
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from app.catalogue.definition import CORE_ATTRIBUTES
+from app.catalogue.model import Catalogue, Node
+
+_NOT_EXPORTED = frozenset(("delete", "instantiate", "fqn", "arraysize", "aggregate", "is_instance", "instances_relation"))
+
+
+def tree_data(
+    catalogue: Catalogue, extended_attributes: Iterable[str] = (), *, all_extended: bool = False
+) -> dict[str, Any]:
+    """Roots by name, each with attributes and `children`; struct types under `ComplexDataTypes`.
+
+    vss-tools filters extended attributes at the root only; so does this.
+    """
+    data: dict[str, Any] = {}
+    wanted = frozenset(extended_attributes)
+    for position, root in enumerate(catalogue.roots):
+        tree = _node_data(root)
+        if not all_extended:
+            tree = {k: v for k, v in tree.items() if k in CORE_ATTRIBUTES or k in wanted or k == "children"}
+        if position == 0:
+            data[root.name] = tree
+        else:
+            data["ComplexDataTypes"] = {root.name: tree}
+    return data
+
+
+def tree_json(data: dict[str, Any], *, pretty: bool = False) -> str:
+    """The text of the export: keys sorted, one line or indented by two."""
+    return json.dumps(data, indent=2 if pretty else None, sort_keys=True, default=_json_value)
+
+
+def _node_data(node: Node) -> dict[str, Any]:
+    data = {
+        name: value
+        for name, value in node.definition.values.items()
+        if value is not None and value != [] and name not in _NOT_EXPORTED
+    }
+    if "instances" in data and isinstance(data["instances"], str):
+        data["instances"] = [data["instances"]]
+    if node.children:
+        data["children"] = {child.name: _node_data(child) for child in node.children}
+    return data
+
+
+def _json_value(value: Any) -> Any:
+    return value.isoformat() if hasattr(value, "isoformat") else str(value)

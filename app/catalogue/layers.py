@@ -1,0 +1,173 @@
+"""Layers: a base tree or an overlay with everything that it includes, in the order in which it applies."""
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
+from app.catalogue.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
+from app.findings import Finding
+
+_SUFFIXES = (".vspec", ".yaml", ".yml")
+
+
+class Layer:
+    """Statements of one tree or overlay, included files after the file that includes them. Frozen after reading."""
+
+    def __init__(
+        self,
+        name: str,
+        is_overlay: bool,
+        files: tuple[SourceFile, ...],
+        statements: tuple[Statement, ...],
+        findings: tuple[Finding, ...],
+    ) -> None:
+        self.name = name
+        self.is_overlay = is_overlay
+        self.files = files
+        self.statements = statements
+        self.findings = findings
+
+    def __repr__(self) -> str:
+        return f"<Layer {self.name}: {len(self.statements)} statements from {len(self.files)} files>"
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 over the digests of all files, in order."""
+        return hashlib.sha256("".join(file.digest for file in self.files).encode()).hexdigest()
+
+
+class _Reading(NamedTuple):
+    """What the reading of one layer gathers."""
+
+    is_overlay: bool
+    name: str
+    folders: tuple[Path, ...]
+    allowed: tuple[Path, ...]
+    limits: Limits
+    real: dict[Path, Path]
+    files: dict[Path, VspecFile]
+    statements: list[Statement]
+    findings: list[Finding]
+
+
+def read_layer(
+    path: Path,
+    include_dirs: Sequence[Path] = (),
+    *,
+    is_overlay: bool = False,
+    limits: Limits = DEFAULT_LIMITS,
+) -> Layer:
+    """Read a vspec file and all that it includes.
+
+    Includes are looked for beside `path`, in `include_dirs`, and beside the file that includes, in this order, and
+    may not leave these folders and those below them. What cannot be read is a finding; the rest is read.
+    """
+    folders = (path.parent, *include_dirs)
+    allowed = tuple(folder.resolve() for folder in folders)
+    reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, [], [])
+    file = _read_file(path, reading, None)
+    if file is not None:
+        _apply(file, path, "", reading, (path.resolve(),))
+    return _finished(reading)
+
+
+def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: Limits = DEFAULT_LIMITS) -> Layer:
+    """A layer from text that stands in no file, such as a posted overlay. It cannot include files."""
+    source = SourceFile(name, name if is_overlay else "", hashlib.sha256(text).hexdigest())
+    file = parse_vspec(text, source, limits)
+    refused = tuple(
+        Finding("R010", "error", f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
+        for include in file.includes
+    )
+    return Layer(name, is_overlay, (source,), file.statements, file.findings + refused)
+
+
+def _finished(reading: _Reading) -> Layer:
+    files = tuple(file.source for file in reading.files.values())
+    findings = tuple(finding for file in reading.files.values() for finding in file.findings)
+    statements = tuple(reading.statements)
+    return Layer(reading.name, reading.is_overlay, files, statements, findings + tuple(reading.findings))
+
+
+def _apply(file: VspecFile, path: Path, prefix: str, reading: _Reading, above: tuple[Path, ...]) -> None:
+    reading.statements.extend(file.statements if not prefix else [s.placed(prefix) for s in file.statements])
+    for include in file.includes:
+        for found, target in _included(file, path, include, reading, above):
+            deeper = ".".join(part for part in (prefix, include.prefix) if part)
+            _apply(found, target, deeper, reading, (*above, _real(target, reading)))
+
+
+def _included(
+    file: VspecFile, path: Path, include: Include, reading: _Reading, above: tuple[Path, ...]
+) -> Iterator[tuple[VspecFile, Path]]:
+    """The file that an include names, or nothing and a finding."""
+    place = (file.source.name, include.line, include.column)
+    target = _find(include.target, (*reading.folders, path.parent))
+    if target is None:
+        looked = ", ".join(str(folder) or "." for folder in dict.fromkeys((*reading.folders, path.parent)))
+        message = f"Include {include.target!r} does not exist; looked in {looked}."
+        reading.findings.append(Finding("R008", "error", message, *place))
+    elif _real(target, reading) in above:
+        message = f"Include {include.target!r} leads back to a file that includes this one."
+        reading.findings.append(Finding("R009", "error", message, *place))
+    elif not any(folder in _real(target, reading).parents for folder in reading.allowed):
+        message = f"Include {include.target!r} leaves the folders that may be read."
+        fix = "Add its folder as an include folder (-I)."
+        reading.findings.append(Finding("R010", "error", message, *place, fix=fix))
+    elif len(above) * len(reading.statements) > reading.limits.values or _too_many(reading):
+        if not any(finding.rule == "R015" for finding in reading.findings):
+            message = "Includes multiply: the limit of included files and statements is reached."
+            reading.findings.append(Finding("R015", "error", message, *place))
+    else:
+        found = _read_file(target, reading, place)
+        if found is not None:
+            yield found, target
+
+
+def _real(path: Path, reading: _Reading) -> Path:
+    """`path` with links resolved; asked for often, so the file system is asked once."""
+    if path not in reading.real:
+        reading.real[path] = path.resolve()
+    return reading.real[path]
+
+
+def _too_many(reading: _Reading) -> bool:
+    return len(reading.files) > reading.limits.files or len(reading.statements) > reading.limits.nodes
+
+
+def _find(target: str, folders: Sequence[Path]) -> Path | None:
+    names = [target] if Path(target).suffix else [target + suffix for suffix in _SUFFIXES]
+    for folder in dict.fromkeys(folders):
+        for name in names:
+            candidate = folder / name
+            try:
+                if candidate.exists():
+                    return candidate
+            except (OSError, ValueError):  # a name too long or with a zero byte
+                return None
+    return None
+
+
+def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None) -> VspecFile | None:
+    if path in reading.files:
+        return reading.files[path]
+    try:
+        size = path.stat().st_size
+        data = path.read_bytes() if size <= reading.limits.file_bytes else None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        where = place or (str(path), 0, 0)
+        reading.findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", *where))
+        return None
+    if data is None:
+        message = f"The file has {size:,} bytes; the limit is {reading.limits.file_bytes:,}."
+        reading.findings.append(Finding("R003", "error", message, str(path)))
+        return None
+    overlay = reading.name if reading.is_overlay else ""
+    source = SourceFile(str(path), overlay, hashlib.sha256(data).hexdigest())
+    file = parse_vspec(data, source, reading.limits)
+    reading.files[path] = file
+    return file

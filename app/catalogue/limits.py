@@ -1,0 +1,22 @@
+"""How much input is taken before it is refused: every limit has a number here and a finding where it is met."""
+
+from typing import NamedTuple
+
+
+class Limits(NamedTuple):
+    """Bounds on input. The defaults are far above any real tree and far below what would hurt the process."""
+
+    file_bytes: int = 32 * 1024 * 1024
+    nesting: int = 64
+    """Levels of YAML collections inside each other (VSS needs four)."""
+    values: int = 2_000_000
+    """Values in one file, with every alias counted as often as it is used."""
+    files: int = 10_000
+    """Files that one tree may include, a file counted as often as it is included."""
+    nodes: int = 1_000_000
+    """Nodes of a tree after the expansion of instances."""
+    path_names: int = 64
+    """Names in one path."""
+
+
+DEFAULT_LIMITS = Limits()

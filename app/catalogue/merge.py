@@ -1,0 +1,56 @@
+"""Merge layers: which statements speak of which node, in the order in which they apply."""
+
+from collections.abc import Iterable, Mapping
+from fnmatch import translate
+from re import compile as compile_pattern
+from typing import NamedTuple
+
+from app.catalogue.definition import Definition, Scope, define
+from app.catalogue.layers import Layer
+from app.catalogue.vspec_file import Statement
+from app.findings import Finding
+
+Stacks = dict[str, tuple[Statement, ...]]
+"""For every path, the statements of it from the first layer to the last."""
+
+
+class Merged(NamedTuple):
+    """Definitions by path, in the order in which the paths were first written."""
+
+    definitions: Mapping[str, Definition]
+    findings: tuple[Finding, ...]
+
+
+def merge(layers: Iterable[Layer], scope: Scope, known: Mapping[str, Definition] | None = None) -> Merged:
+    """Merge layers in order; later statements win, attribute by attribute.
+
+    `known` are definitions of an earlier merge within the same scope: a node of which the same statements speak
+    keeps its definition, so that a change of one overlay costs little.
+    """
+    stacks: Stacks = {}
+    findings: list[Finding] = []
+    for layer in layers:
+        for statement in layer.statements:
+            for path in _paths(statement, stacks, findings):
+                stacks[path] = (*stacks[path], statement) if path in stacks else (statement,)
+    known = known or {}
+    definitions = {path: _definition(path, stack, scope, known.get(path)) for path, stack in stacks.items()}
+    return Merged(definitions, tuple(findings))
+
+
+def _definition(path: str, stack: tuple[Statement, ...], scope: Scope, known: Definition | None) -> Definition:
+    if known is not None and known.statements == stack:
+        return known
+    return define(path, stack, scope)
+
+
+def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Iterable[str]:
+    """The path of a statement; for a pattern such as `Vehicle.*.Speed`, every path so far that it matches."""
+    if "*" not in statement.path:
+        return (statement.path,)
+    matches = compile_pattern(translate(statement.path)).match
+    paths = [path for path in stacks if matches(path)]
+    if not paths:
+        message = f"Pattern {statement.path!r} matches no node."
+        findings.append(Finding("O001", "warning", message, *statement.origin()[:3], statement.path))
+    return paths

@@ -1,0 +1,259 @@
+"""One vspec file: its statements (a path with attributes) and its includes, each with its position.
+
+Meaning and spelling follow the vspec language as vss-tools 6.1 reads it: dotted keys, `#include FILE [PREFIX]`
+lines, and `includes:` lists on branches.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from yaml.nodes import MappingNode, Node, ScalarNode
+
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
+from app.catalogue.yaml_document import (
+    Builder,
+    Unbuildable,
+    collector_paused,
+    duplicate_keys,
+    merged_pairs,
+    position,
+    read_document,
+)
+from app.findings import Finding
+
+_INCLUDE_LINE = re.compile(r"^[ \t]*#include.*$", re.MULTILINE)
+_COLUMN_BITS = 12
+_LINES_BETWEEN_BITS = 12
+_MOST_COLUMNS = (1 << _COLUMN_BITS) - 1
+_MOST_LINES = (1 << _LINES_BETWEEN_BITS) - 1
+
+
+class Origin(NamedTuple):
+    """Where a value was written: file, line and column (from 1), and the overlay, if it stands in one."""
+
+    file: str
+    line: int
+    column: int
+    overlay: str = ""
+
+
+class SourceFile(NamedTuple):
+    """A file that was read. `overlay` is the name of the overlay it belongs to, empty in the base tree."""
+
+    name: str
+    overlay: str
+    digest: str
+    """SHA-256 of the bytes, in hexadecimal."""
+
+
+class Statement:
+    """What one file says of one node: its key and the attributes under it, in the order of the file.
+
+    Positions are packed into one integer for each attribute, aligned with `values`: a tree of 100,000 signals
+    has half a million attributes, and a position is asked for only when something is shown.
+    """
+
+    __slots__ = ("_key_mark", "_marks", "file", "path", "values")
+
+    def __init__(
+        self, path: str, file: SourceFile, values: Mapping[str, Any], key_mark: int, marks: tuple[int, ...]
+    ) -> None:
+        self.path = path
+        self.file = file
+        self.values = values
+        self._key_mark = key_mark
+        self._marks = marks
+
+    def __repr__(self) -> str:
+        origin = self.origin()
+        return f"<Statement {self.path} {origin.file}:{origin.line}>"
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Position of the value of `attribute`; of the node's key if the attribute is empty or not here."""
+        mark = self._mark(attribute)
+        line_of_key, _, lines_between, column = _unpack(mark)
+        return Origin(self.file.name, line_of_key + lines_between + 1, column + 1, self.file.overlay)
+
+    def origin_of_key(self, attribute: str) -> Origin:
+        """Position of the name of an attribute."""
+        line, column, _, _ = _unpack(self._mark(attribute))
+        return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
+
+    def placed(self, prefix: str) -> "Statement":
+        """The same statement below `prefix`, as an include with a prefix places it."""
+        return Statement(f"{prefix}.{self.path}", self.file, self.values, self._key_mark, self._marks)
+
+    def _mark(self, attribute: str) -> int:
+        if attribute in self.values:
+            return self._marks[list(self.values).index(attribute)]
+        return self._key_mark
+
+
+class Include(NamedTuple):
+    """A request to read another file, its keys placed below `prefix`."""
+
+    target: str
+    prefix: str
+    line: int
+    column: int
+
+
+class VspecFile(NamedTuple):
+    """What one file says, before any include is followed."""
+
+    source: SourceFile
+    statements: tuple[Statement, ...]
+    includes: tuple[Include, ...]
+    findings: tuple[Finding, ...]
+
+
+def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS) -> VspecFile:
+    """Read the bytes of one vspec file. What is not a statement is a finding; the rest is still read."""
+    document = read_document(data, source.name, limits)
+    findings = list(document.findings)
+    statements: list[Statement] = []
+    includes: list[Include] = []
+    if isinstance(document.root, MappingNode):
+        with collector_paused():
+            _read_statements(document.root, source, Builder(limits), statements, includes, findings)
+    elif document.root is not None and not _is_null(document.root):
+        line, column = position(document.root)
+        message = "The file is not a mapping of node paths to attributes."
+        findings.append(Finding("R007", "error", message, source.name, line, column))
+    includes.extend(_include_lines(document.text, source.name, findings))
+    return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
+
+
+def _read_statements(
+    root: MappingNode,
+    source: SourceFile,
+    builder: Builder,
+    statements: list[Statement],
+    includes: list[Include],
+    findings: list[Finding],
+) -> None:
+    _report_duplicates(root, source.name, "Node", "", findings)
+    places: dict[str, int] = {}
+    try:
+        pairs = merged_pairs(root)
+    except Unbuildable as error:
+        findings.append(_unbuildable(error, source.name, ""))
+        return
+    for key, node in pairs:
+        statement = _read_statement(key, node, source, builder, includes, findings)
+        if statement is None:
+            continue
+        if statement.path in places:
+            statements[places[statement.path]] = statement
+        else:
+            places[statement.path] = len(statements)
+            statements.append(statement)
+
+
+def _read_statement(
+    key: Node, node: Node, source: SourceFile, builder: Builder, includes: list[Include], findings: list[Finding]
+) -> Statement | None:
+    try:
+        path = builder.key(key)
+        if not isinstance(path, str) or not path:
+            raise Unbuildable(f"{path!r} is not the path of a node.", key)
+        if not isinstance(node, MappingNode):
+            raise _NotAttributes(f"{path!r} has no attributes: a mapping belongs here.", node)
+        values, marks = _attributes(node, builder)
+    except Unbuildable as error:
+        findings.append(_unbuildable(error, source.name, key.value if isinstance(key, ScalarNode) else ""))
+        return None
+    if len(values) != len(node.value):
+        _report_duplicates(node, source.name, "Attribute", path, findings)
+    mark = key.start_mark
+    statement = Statement(path, source, values, _pack(mark.line, mark.column, 0, mark.column), tuple(marks.values()))
+    if "includes" in values and values.get("type") == "branch":
+        includes.extend(_include_list(statement, findings))
+        del values["includes"], marks["includes"]
+        statement = Statement(path, source, values, statement._key_mark, tuple(marks.values()))
+    return statement
+
+
+class _NotAttributes(Unbuildable):
+    """The value of a node's key is not a mapping."""
+
+
+def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], dict[str, int]]:
+    values: dict[str, Any] = {}
+    marks: dict[str, int] = {}
+    for key, value in merged_pairs(node):
+        name = builder.key(key)
+        if not isinstance(name, str):
+            raise Unbuildable(f"{name!r} is not the name of an attribute.", key)
+        start = key.start_mark
+        end = value.start_mark
+        values[name] = builder.scalar(value) if isinstance(value, ScalarNode) else builder.value(value)
+        marks[name] = _pack(start.line, start.column, end.line - start.line, end.column)
+    return values, marks
+
+
+def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findings: list[Finding]) -> None:
+    for key in duplicate_keys(node):
+        if key.value == "<<":
+            continue
+        line, column = position(key)
+        message = f"{what} {key.value!r} is given twice; only the last one counts."
+        findings.append(
+            Finding("R006", "error", message, file, line, column, path or key.value, fix="Remove one of the two.")
+        )
+
+
+def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
+    line, column = position(error.node)
+    rule = "R007" if isinstance(error, _NotAttributes) else "R005" if "alias" in str(error) else "R014"
+    return Finding(rule, "error", str(error), file, line, column, path)
+
+
+def _include_list(statement: Statement, findings: list[Finding]) -> Iterator[Include]:
+    listed = statement.values["includes"]
+    origin = statement.origin("includes")
+    entries = listed if isinstance(listed, list) else [listed]
+    for entry in entries:
+        parts = entry.split() if isinstance(entry, str) and isinstance(listed, list) else []
+        if not parts:
+            message = "`includes` takes a list of file names."
+            place = (statement.file.name, origin.line, origin.column, statement.path)
+            findings.append(Finding("R011", "error", message, *place))
+            continue
+        yield Include(parts[0], statement.path, origin.line, origin.column)
+
+
+def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[Include]:
+    if "#include" not in text:
+        return
+    for match in _INCLUDE_LINE.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        column = match.group().index("#") + 1
+        _, *parts = match.group().split()
+        if not parts:
+            message = "An include names a file, and optionally a prefix: `#include FILE [PREFIX]`."
+            findings.append(Finding("R011", "error", message, file, line, column))
+            continue
+        if len(parts) > 2:
+            message = f"An include takes a file and a prefix; {' '.join(parts[1:])!r} is ignored."
+            findings.append(Finding("R011", "warning", message, file, line, column))
+        yield Include(parts[0], parts[1] if len(parts) == 2 else "", line, column)
+
+
+def _is_null(node: Node) -> bool:
+    return isinstance(node, ScalarNode) and node.tag.endswith(":null")
+
+
+def _pack(line: int, column: int, lines_between: int, value_column: int) -> int:
+    packed = (line << _COLUMN_BITS) | min(column, _MOST_COLUMNS)
+    packed = (packed << _LINES_BETWEEN_BITS) | min(max(lines_between, 0), _MOST_LINES)
+    return (packed << _COLUMN_BITS) | min(value_column, _MOST_COLUMNS)
+
+
+def _unpack(mark: int) -> tuple[int, int, int, int]:
+    value_column = mark & _MOST_COLUMNS
+    mark >>= _COLUMN_BITS
+    lines_between = mark & _MOST_LINES
+    mark >>= _LINES_BETWEEN_BITS
+    return mark >> _COLUMN_BITS, mark & _MOST_COLUMNS, lines_between, value_column

@@ -1,0 +1,42 @@
+"""The one finding type: what is wrong, where, and what to do about it."""
+
+from typing import Literal, NamedTuple
+
+Severity = Literal["error", "warning", "info"]
+
+SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
+
+
+class Finding(NamedTuple):
+    """One problem in one place.
+
+    Lines and columns count from 1; 0 means that the finding concerns the file as a whole.
+    """
+
+    rule: str
+    severity: Severity
+    message: str
+    file: str = ""
+    line: int = 0
+    column: int = 0
+    path: str = ""
+    """Path of the VSS node or name of the interface that the finding is about."""
+    pointer: str = ""
+    """RFC 6901 pointer into a JSON or YAML document, where the input is one."""
+    fix: str = ""
+    """What to do, as an instruction; empty if the message already says it."""
+
+    @property
+    def place(self) -> tuple[str, int, int, str, str]:
+        """Sort key: findings are reported in the order in which a reader meets them."""
+        return (self.file, self.line, self.column, self.rule, self.message)
+
+
+def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
+    """Whether any finding is an error."""
+    return any(finding.severity == "error" for finding in findings)
+
+
+def in_order(findings: "tuple[Finding, ...] | list[Finding]") -> tuple[Finding, ...]:
+    """Findings by file, line and column, each once."""
+    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.place))

@@ -1,0 +1,56 @@
+"""Names: the only casing code, and the search for names that were probably meant."""
+
+import re
+from collections.abc import Iterable
+
+_CAMEL_WORD = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+")
+
+
+def words(name: str) -> list[str]:
+    """Words of a CamelCase, snake_case or dotted name: `ABSIsActive` → `ABS`, `Is`, `Active`."""
+    return _CAMEL_WORD.findall(name)
+
+
+def camel_case(name: str) -> str:
+    """CamelCase with the capitals of abbreviations kept: `wheel_speed` → `WheelSpeed`."""
+    parts = re.split(r"[^A-Za-z0-9]+", name)
+    return "".join(part[:1].upper() + part[1:] for part in parts)
+
+
+def snake_case(name: str) -> str:
+    """lower_snake_case: `ABSIsActive` → `abs_is_active`; digits stay with the word before them."""
+    joined = "_".join(words(name)).lower()
+    return re.sub(r"_(?=[0-9])", "", joined)
+
+
+def screaming_snake_case(name: str) -> str:
+    """UPPER_SNAKE_CASE, as in VSS's enumeration keys."""
+    return snake_case(name).upper()
+
+
+def parent_path(path: str) -> str:
+    """Path of the branch above: `A.B.C` → `A.B`; empty for a root."""
+    return path.rpartition(".")[0]
+
+
+def last_name(path: str) -> str:
+    """Last name of a dotted path: `A.B.C` → `C`."""
+    return path.rpartition(".")[2]
+
+
+def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float = 75.0) -> tuple[str, ...]:
+    """The candidates that `name` was probably meant to be, best first; case does not count.
+
+    `cutoff` is the least similarity, from 0 to 100.
+    """
+    from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
+
+    choices = {candidate: candidate.lower() for candidate in candidates}
+    matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
+    return tuple(key for _, _, key in matches)
+
+
+def did_you_mean(name: str, candidates: Iterable[str]) -> str:
+    """A sentence that proposes the nearest names, or nothing."""
+    near = nearest(name, candidates)
+    return f"Did you mean {' or '.join(repr(candidate) for candidate in near)}?" if near else ""
