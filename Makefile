@@ -28,8 +28,8 @@ imports: .venv/dev
 	$(BIN)/lint-imports
 
 tests: .venv/dev
-	$(BIN)/python scripts/requirements_met.py
-	$(BIN)/pytest -n auto
+	$(BIN)/python scripts/browser.py
+	$(BIN)/pytest -n auto --dist loadgroup
 
 bench: .venv/dev  ## measure, each figure beside its reference
 	$(BIN)/python -m bench

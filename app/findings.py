@@ -31,6 +31,13 @@ class Finding(NamedTuple):
         """Sort key: findings are reported in the order in which a reader meets them."""
         return (self.file, self.line, self.column, self.rule, self.message)
 
+    @property
+    def line_of_text(self) -> str:
+        """`file:line:column: severity RULE message`, the form that editors and build logs make clickable."""
+        place = ":".join(str(part) for part in (self.file, self.line or "", self.column or "") if part)
+        advice = f" {self.fix}" if self.fix else ""
+        return f"{place}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": ")
+
 
 def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
     """Whether any finding is an error."""

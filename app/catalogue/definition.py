@@ -377,7 +377,12 @@ def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
         return
     for value in allowed:
         if not holds(datatype, value):
-            yield Problem("V012", "allowed", f"Allowed value {_shown(value)} is no value of {datatype}.")
+            fix = (
+                "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
+                if value in (True, False)
+                else ""
+            )
+            yield Problem("V012", "allowed", f"Allowed value {_shown(value)} is no value of {datatype}.", fix)
 
 
 def _default_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:

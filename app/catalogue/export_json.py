@@ -7,7 +7,9 @@ from typing import Any
 from app.catalogue.definition import CORE_ATTRIBUTES
 from app.catalogue.model import Catalogue, Node
 
-_NOT_EXPORTED = frozenset(("delete", "instantiate", "fqn", "arraysize", "aggregate", "is_instance", "instances_relation"))
+_NOT_EXPORTED = frozenset(
+    ("delete", "instantiate", "fqn", "arraysize", "aggregate", "is_instance", "instances_relation")
+)
 
 
 def tree_data(

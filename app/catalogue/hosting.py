@@ -1,32 +1,18 @@
 """The catalogues that one process hosts: where each comes from, and its latest good state."""
 
-from collections.abc import Iterable
-from pathlib import Path
+from collections.abc import Iterable, Iterator
 from threading import Lock
 from typing import NamedTuple
 
-from app.catalogue.compose import read_catalogue
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
 from app.catalogue.search import SearchIndex
-from app.data import OVERLAYS, ROOT_FILE, VSPEC
+from app.catalogue.sources import Source, load, shipped_sources
 from app.errors import NotFound
 from app.findings import Finding, has_errors
 from app.names import nearest
 
-
-class Source(NamedTuple):
-    """Where a catalogue comes from: a tree, its overlays in order, and its vocabulary."""
-
-    id: str
-    """Name in addresses and on the command line."""
-    title: str
-    spec: Path
-    overlays: tuple[Path, ...] = ()
-    units: tuple[Path, ...] = ()
-    quantities: tuple[Path, ...] = ()
-    types: tuple[Path, ...] = ()
-    include_dirs: tuple[Path, ...] = ()
+__all__ = ["Hosted", "Library", "Source", "load", "shipped_sources"]
 
 
 class Hosted(NamedTuple):
@@ -34,38 +20,9 @@ class Hosted(NamedTuple):
 
     source: Source
     catalogue: Catalogue
-    index: SearchIndex
+    search_index: SearchIndex
     rejected: tuple[Finding, ...] = ()
     """Findings of a newer state that has errors and was therefore not taken."""
-
-
-SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
-
-
-def shipped_sources() -> tuple[Source, ...]:
-    """The trees that sigcat ships: the standard tree alone, and with the interface overlays."""
-    units = tuple(path for path in SHIPPED_UNITS if path.is_file())
-    overlays = tuple(
-        OVERLAYS / f"{name}.vspec" for name in ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
-    )
-    return (
-        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays, units),
-        Source("vss", "VSS 6.0", ROOT_FILE),
-    )
-
-
-def load(source: Source, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
-    """Read and compose the catalogue of a source."""
-    return read_catalogue(
-        source.spec,
-        source.overlays,
-        include_dirs=source.include_dirs,
-        units=source.units,
-        quantities=source.quantities,
-        types=source.types,
-        name=source.id,
-        limits=limits,
-    )
 
 
 class Library:
@@ -76,7 +33,7 @@ class Library:
         self._lock = Lock()
         self._hosted = {source.id: self._load(source) for source in sources}
 
-    def __iter__(self) -> Iterable[Hosted]:
+    def __iter__(self) -> Iterator[Hosted]:
         return iter(tuple(self._hosted.values()))
 
     @property

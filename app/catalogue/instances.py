@@ -151,7 +151,10 @@ def _with_instances(draft: Draft, instances: list[Any], expansion: _Expansion) -
         if not instance.children:
             instance.children.update(added)
     if beside:
-        return [holder.finished(), *(child.finished() for child in top.children.values() if isinstance(child, _Growing))]
+        return [
+            holder.finished(),
+            *(child.finished() for child in top.children.values() if isinstance(child, _Growing)),
+        ]
     result = holder.finished()
     refined = {
         name: _refined(child, moved[name], expansion.scope) if name in moved else child
@@ -198,13 +201,11 @@ def _refined(draft: Draft, refinement: Draft, scope: Scope) -> Draft:
 def _refined_definition(definition: Definition, refinement: Definition, scope: Scope) -> Definition:
     """Empty values refine nothing. A refinement that is complete in itself brings the defaults of its attributes."""
     update = {name: value for name, value in refinement.values.items() if value is not None and value != []}
-    is_instance = definition.is_instance
-    if not refinement.problems:
+    if not any(problem.severity == "error" for problem in refinement.problems):
         defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
         update = {**_where_present(defaults, definition.values), **update}
-        is_instance = is_instance and refinement.type != BRANCH
     statements = definition.statements + refinement.statements
-    return checked(definition.path, statements, overlaid(definition.values, update), scope, is_instance)
+    return checked(definition.path, statements, overlaid(definition.values, update), scope, definition.is_instance)
 
 
 def _where_present(defaults: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

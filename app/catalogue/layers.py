@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
-from app.findings import Finding
+from app.findings import Finding, Severity
 
 _SUFFIXES = (".vspec", ".yaml", ".yml")
 
@@ -70,6 +70,9 @@ def read_layer(
     reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, [], [])
     file = _read_file(path, reading, None)
     if file is not None:
+        if not (file.statements or file.includes or file.findings):
+            severity: Severity = "warning" if is_overlay else "error"
+            reading.findings.append(Finding("R013", severity, "The file says nothing: it has no nodes.", str(path)))
         _apply(file, path, "", reading, (path.resolve(),))
     return _finished(reading)
 
@@ -107,7 +110,7 @@ def _included(
     place = (file.source.name, include.line, include.column)
     target = _find(include.target, (*reading.folders, path.parent))
     if target is None:
-        looked = ", ".join(str(folder) or "." for folder in dict.fromkeys((*reading.folders, path.parent)))
+        looked = ", ".join(f"'{folder}'" for folder in dict.fromkeys((*reading.folders, path.parent)))
         message = f"Include {include.target!r} does not exist; looked in {looked}."
         reading.findings.append(Finding("R008", "error", message, *place))
     elif _real(target, reading) in above:

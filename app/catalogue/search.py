@@ -7,6 +7,7 @@ nodes then take microseconds, so that every key press can be answered with ranke
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import PurePath
 from typing import NamedTuple
 
 from app.catalogue.interfaces import category_of
@@ -163,13 +164,23 @@ def _facet(nodes: tuple[Node, ...], value_of: Callable[[Node], str]) -> dict[str
     return {value: _bits(numbers[value]) for value in sorted(numbers)}
 
 
+def overlay_name(overlay: str) -> str:
+    """What an overlay is called in filters and on pages: the name of its file, without folder and suffix."""
+    return PurePath(overlay).stem
+
+
+def _last_overlay(node: Node) -> str:
+    statements = reversed(node.definition.statements)
+    return next((overlay_name(each.file.overlay) for each in statements if each.file.overlay), "")
+
+
 _FACET_VALUES: Mapping[str, Callable[[Node], str]] = {
     "type": lambda node: node.type,
     "datatype": lambda node: str(node.values.get("datatype") or ""),
     "unit": lambda node: str(node.values.get("unit") or ""),
     "category": lambda node: category_of(node.path) or "",
     "asil": lambda node: str(node.values.get("ASILlevel") or ""),
-    "overlay": lambda node: next((s.file.overlay for s in reversed(node.definition.statements) if s.file.overlay), ""),
+    "overlay": _last_overlay,
     "deprecated": lambda node: "yes" if node.values.get("deprecation") else "no",
 }
 

@@ -64,7 +64,7 @@ def read_vocabulary(
     findings: list[Finding] = []
     sources: list[SourceFile] = []
     quantities = {
-        key: _quantity(key, entry) for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
+        key: _quantity(entry) for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
     }
     units: dict[str, Unit] = {}
     names: dict[str, Unit] = {}
@@ -111,16 +111,14 @@ def _entries(
     return list(entries.items())
 
 
-def _quantity(key: str, entry: Statement) -> Quantity:
+def _quantity(entry: Statement) -> Quantity:
     values = entry.values
-    return Quantity(
-        entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin()
-    )
+    return Quantity(entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin())
 
 
 def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[Finding]) -> Unit | None:
     values = entry.values
-    if not isinstance(values.get("definition"), str) or "unit" not in values and "label" not in values:
+    if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
         message = f"Unit {entry.path!r} needs a `definition` and a `unit`."
         findings.append(_about(entry, "U003", "error", message))
         return None

@@ -5,6 +5,7 @@ lines, and `includes:` lists on branches.
 """
 
 import re
+import sys
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -12,9 +13,9 @@ from yaml.nodes import MappingNode, Node, ScalarNode
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.yaml_document import (
+    TEXT,
     Builder,
     Unbuildable,
-    collector_paused,
     duplicate_keys,
     merged_pairs,
     position,
@@ -115,8 +116,7 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     statements: list[Statement] = []
     includes: list[Include] = []
     if isinstance(document.root, MappingNode):
-        with collector_paused():
-            _read_statements(document.root, source, Builder(limits), statements, includes, findings)
+        _read_statements(document.root, source, Builder(limits), statements, includes, findings)
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
         message = "The file is not a mapping of node paths to attributes."
@@ -166,12 +166,14 @@ def _read_statement(
         return None
     if len(values) != len(node.value):
         _report_duplicates(node, source.name, "Attribute", path, findings)
-    mark = key.start_mark
-    statement = Statement(path, source, values, _pack(mark.line, mark.column, 0, mark.column), tuple(marks.values()))
+    includes_at = None
     if "includes" in values and values.get("type") == "branch":
-        includes.extend(_include_list(statement, findings))
-        del values["includes"], marks["includes"]
-        statement = Statement(path, source, values, statement._key_mark, tuple(marks.values()))
+        includes_at = (values.pop("includes"), marks.pop("includes"))
+    mark = key.start_mark
+    key_mark = _pack(mark.line, mark.column, 0, mark.column)
+    statement = Statement(path, source, values, key_mark, tuple(marks.values()))
+    if includes_at is not None:
+        includes.extend(_include_list(statement, *includes_at, findings))
     return statement
 
 
@@ -183,7 +185,7 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], di
     values: dict[str, Any] = {}
     marks: dict[str, int] = {}
     for key, value in merged_pairs(node):
-        name = builder.key(key)
+        name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
             raise Unbuildable(f"{name!r} is not the name of an attribute.", key)
         start = key.start_mark
@@ -210,18 +212,17 @@ def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
     return Finding(rule, "error", str(error), file, line, column, path)
 
 
-def _include_list(statement: Statement, findings: list[Finding]) -> Iterator[Include]:
-    listed = statement.values["includes"]
-    origin = statement.origin("includes")
+def _include_list(statement: Statement, listed: Any, mark: int, findings: list[Finding]) -> Iterator[Include]:
+    line, _, lines_between, column = _unpack(mark)
+    place = (line + lines_between + 1, column + 1)
     entries = listed if isinstance(listed, list) else [listed]
     for entry in entries:
         parts = entry.split() if isinstance(entry, str) and isinstance(listed, list) else []
         if not parts:
             message = "`includes` takes a list of file names."
-            place = (statement.file.name, origin.line, origin.column, statement.path)
-            findings.append(Finding("R011", "error", message, *place))
+            findings.append(Finding("R011", "error", message, statement.file.name, *place, statement.path))
             continue
-        yield Include(parts[0], statement.path, origin.line, origin.column)
+        yield Include(parts[0], statement.path, *place)
 
 
 def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[Include]:
@@ -246,9 +247,11 @@ def _is_null(node: Node) -> bool:
 
 
 def _pack(line: int, column: int, lines_between: int, value_column: int) -> int:
-    packed = (line << _COLUMN_BITS) | min(column, _MOST_COLUMNS)
-    packed = (packed << _LINES_BETWEEN_BITS) | min(max(lines_between, 0), _MOST_LINES)
-    return (packed << _COLUMN_BITS) | min(value_column, _MOST_COLUMNS)
+    if column > _MOST_COLUMNS or value_column > _MOST_COLUMNS or not 0 <= lines_between <= _MOST_LINES:
+        column, value_column = min(column, _MOST_COLUMNS), min(value_column, _MOST_COLUMNS)
+        lines_between = min(max(lines_between, 0), _MOST_LINES)
+    packed = ((line << _COLUMN_BITS) | column) << _LINES_BETWEEN_BITS
+    return ((packed | lines_between) << _COLUMN_BITS) | value_column
 
 
 def _unpack(mark: int) -> tuple[int, int, int, int]:

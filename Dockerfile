@@ -1,0 +1,32 @@
+# syntax=docker/dockerfile:1
+
+# Build: the pinned dependencies and sigcat itself, into one folder that the last stage takes over whole.
+FROM python:3.12.12-slim-bookworm AS build
+WORKDIR /source
+ENV PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_CACHE_DIR=1
+RUN python -m venv /opt/sigcat
+COPY requirements.txt .
+RUN /opt/sigcat/bin/pip install --requirement requirements.txt
+COPY pyproject.toml README.md LICENSE ./
+COPY app app
+COPY vspec vspec
+COPY overlays overlays
+COPY interface_rules interface_rules
+COPY examples examples
+RUN /opt/sigcat/bin/pip install --no-deps .
+
+FROM python:3.12.12-slim-bookworm
+LABEL org.opencontainers.image.title="sigcat" \
+      org.opencontainers.image.description="Signal catalogue and interface standardization service" \
+      org.opencontainers.image.licenses="Apache-2.0"
+RUN useradd --system --uid 10001 --no-create-home sigcat
+COPY --from=build /opt/sigcat /opt/sigcat
+ENV PATH=/opt/sigcat/bin:$PATH PYTHONUNBUFFERED=1 PYTHONDONTWRITEBYTECODE=1
+USER 10001
+WORKDIR /tmp
+EXPOSE 8000
+HEALTHCHECK --interval=30s --timeout=3s --start-period=10s \
+  CMD ["python", "-c", "import urllib.request as r; r.urlopen('http://127.0.0.1:8000/health/ready', timeout=2)"]
+STOPSIGNAL SIGTERM
+ENTRYPOINT ["sigcat"]
+CMD ["serve", "--host", "0.0.0.0", "--port", "8000"]

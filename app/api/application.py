@@ -1,0 +1,40 @@
+"""The REST service: routes over a library, and nothing else."""
+
+from fastapi import FastAPI
+from fastapi.routing import APIRoute
+
+from app import __version__
+from app.api import catalogues
+from app.api.problems import install_problems
+from app.api.settings import DEFAULT_SETTINGS, Settings
+from app.catalogue.hosting import Library
+
+_DESCRIPTION = """\
+A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
+overlays, rules for names and fields, and functions built from them.
+
+Every error is `application/problem+json` (RFC 9457) and says what is wrong, where, and what to do.
+"""
+
+
+def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
+    """The API over a library. Pages for people are put on top of it by `app.web.site.create_site`."""
+    app = FastAPI(
+        title="sigcat",
+        version=__version__,
+        description=_DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        generate_unique_id_function=_operation_id,
+    )
+    app.state.library = library
+    app.state.settings = settings
+    for router in (catalogues.listing, catalogues.router):
+        app.include_router(router)
+    install_problems(app)
+    return app
+
+
+def _operation_id(route: APIRoute) -> str:
+    """Name of the route's function: what a generated client calls its method."""
+    return route.name

@@ -1,0 +1,196 @@
+"""What the catalogue knows, in the schemas of the API."""
+
+import datetime as dt
+import os
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from math import isfinite
+from typing import Any
+
+from app.api.schemas import (
+    AttributeSchema,
+    CatalogueDetail,
+    CatalogueSummary,
+    FindingCounts,
+    FindingSchema,
+    HistoryEntry,
+    LayerSchema,
+    NodeDetail,
+    NodeSummary,
+    Place,
+    QuantitySchema,
+    TreeNode,
+    UnitSchema,
+)
+from app.catalogue.definition import CORE_ATTRIBUTES
+from app.catalogue.hosting import Hosted
+from app.catalogue.interfaces import category_of, interface_name
+from app.catalogue.layers import Layer
+from app.catalogue.model import Catalogue, Node
+from app.catalogue.search import overlay_name
+from app.catalogue.vocabulary import Quantity, Unit
+from app.catalogue.vspec_file import Origin
+from app.data import VSPEC
+from app.findings import Finding
+
+
+_SHIPPED = f"{VSPEC.parent}{os.sep}"
+
+
+def plain(value: Any) -> Any:
+    """A YAML value as JSON has it: dates and whatever else JSON lacks become text."""
+    if isinstance(value, Mapping):
+        return {plain_text(str(key)): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(item) for item in value]
+    if isinstance(value, float) and not isfinite(value):
+        return str(value)
+    if value is None or isinstance(value, bool | int | float):
+        return value
+    if isinstance(value, dt.date | dt.time):
+        return value.isoformat()
+    return plain_text(str(value))
+
+
+def plain_text(text: str) -> str:
+    """Text that can be sent as UTF-8: half surrogate pairs are replaced."""
+    return text.encode("utf-8", "replace").decode()
+
+
+def place(origin: Origin) -> Place:
+    """Where something was written."""
+    return Place(
+        file=shown_file(origin.file), line=origin.line, column=origin.column, overlay=overlay_name(origin.overlay)
+    )
+
+
+def shown_file(file: str) -> str:
+    """A file as readers know it: what sigcat ships is named from its folder on, wherever it is installed."""
+    return plain_text(file.removeprefix(_SHIPPED))
+
+
+def finding_schema(finding: Finding) -> FindingSchema:
+    """A finding as the API has it."""
+    fields: dict[str, Any] = {n: plain_text(v) if isinstance(v, str) else v for n, v in finding._asdict().items()}
+    return FindingSchema(**{**fields, "file": shown_file(finding.file)})
+
+
+def finding_counts(findings: Iterable[Finding]) -> FindingCounts:
+    """How many findings there are of each severity."""
+    counts = Counter(finding.severity for finding in findings)
+    return FindingCounts(error=counts["error"], warning=counts["warning"], info=counts["info"])
+
+
+def catalogue_summary(hosted: Hosted) -> CatalogueSummary:
+    """A hosted catalogue in a list."""
+    return CatalogueSummary(**_summary_fields(hosted))
+
+
+def catalogue_detail(hosted: Hosted) -> CatalogueDetail:
+    """A hosted catalogue with layers and findings."""
+    return CatalogueDetail(
+        **_summary_fields(hosted),
+        layers=[_layer(layer) for layer in hosted.catalogue.layers],
+        problems=[finding_schema(finding) for finding in hosted.catalogue.findings],
+        rejected=[finding_schema(finding) for finding in hosted.rejected],
+    )
+
+
+def node_summary(node: Node) -> NodeSummary:
+    """A node in a list."""
+    return NodeSummary(**_node_fields(node))
+
+
+def node_detail(catalogue: Catalogue, node: Node) -> NodeDetail:
+    """Everything about one node."""
+    parent = catalogue.parent(node)
+    siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
+    position = siblings.index(node.path)
+    unit = catalogue.unit(node)
+    return NodeDetail(
+        path=node.path,
+        name=node.name,
+        type=node.type,
+        template=node.template,
+        category=category_of(node.path),
+        interface_name=interface_name_of(node),
+        parent=parent.path if parent else None,
+        previous=siblings[position - 1] if position else None,
+        next=siblings[position + 1] if position + 1 < len(siblings) else None,
+        origin=place(catalogue.origin(node)),
+        unit=unit_schema(unit) if unit else None,
+        attributes=attributes(node),
+        children=[node_summary(child) for child in node.children],
+    )
+
+
+def interface_name_of(node: Node) -> str | None:
+    """Name of the interface that a node of a function's own branch stands for; None for data and for branches."""
+    category = category_of(node.path)
+    return interface_name(node.path) if category is not None and category != "data" else None
+
+
+def attributes(node: Node) -> list[AttributeSchema]:
+    """Attributes of a node with their origin and history, in the order in which they were written."""
+    return [
+        AttributeSchema(
+            name=plain_text(name),
+            value=plain(value),
+            origin=place(node.definition.origin(name)),
+            is_extended=name not in CORE_ATTRIBUTES,
+            history=[HistoryEntry(value=plain(v), origin=place(o)) for v, o in node.definition.history(name)],
+        )
+        for name, value in node.values.items()
+    ]
+
+
+def tree_node(node: Node, depth: int) -> TreeNode:
+    """A node and what stands below it, `depth` levels down."""
+    children = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
+    return TreeNode(**_node_fields(node), children=children)
+
+
+def unit_schema(unit: Unit) -> UnitSchema:
+    """A unit as the API has it."""
+    fields = unit._asdict()
+    return UnitSchema(**{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": place(unit.origin)})
+
+
+def quantity_schema(quantity: Quantity) -> QuantitySchema:
+    """A quantity as the API has it."""
+    return QuantitySchema(**{**quantity._asdict(), "origin": place(quantity.origin)})
+
+
+def _summary_fields(hosted: Hosted) -> dict[str, Any]:
+    catalogue = hosted.catalogue
+    return {
+        "id": hosted.source.id,
+        "title": hosted.source.title,
+        "digest": catalogue.digest,
+        "nodes": len(catalogue.nodes),
+        "types": dict(Counter(plain_text(node.type) for node in catalogue.nodes.values())),
+        "roots": [plain_text(root.path) for root in catalogue.roots],
+        "findings": finding_counts(catalogue.findings),
+    }
+
+
+def _layer(layer: Layer) -> LayerSchema:
+    return LayerSchema(name=shown_file(layer.name), is_overlay=layer.is_overlay, files=len(layer.files), digest=layer.digest)
+
+
+def _node_fields(node: Node) -> dict[str, Any]:
+    return {
+        "path": plain_text(node.path),
+        "name": plain_text(node.name),
+        "type": plain_text(node.type),
+        "datatype": _text(node.values.get("datatype")),
+        "unit": _text(node.values.get("unit")),
+        "description": _text(node.values.get("description")) or "",
+        "category": category_of(node.path),
+        "deprecated": bool(node.values.get("deprecation")),
+        "child_count": len(node.children),
+    }
+
+
+def _text(value: Any) -> str | None:
+    return None if value is None else plain_text(str(value))

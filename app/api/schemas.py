@@ -1,0 +1,196 @@
+"""One schema for each noun of the API."""
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+
+class Schema(BaseModel):
+    """Base of all: frozen, and closed to fields that it does not name."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Place(Schema):
+    """Where something was written. Lines and columns count from 1; 0 means the file as a whole."""
+
+    file: str
+    line: int
+    column: int
+    overlay: str = Field("", description="The overlay that the file belongs to; empty in the base tree.")
+
+
+class FindingSchema(Schema):
+    """One problem in one place, and what to do about it."""
+
+    model_config = ConfigDict(title="Finding")
+
+    rule: str
+    severity: Literal["error", "warning", "info"]
+    message: str
+    file: str = ""
+    line: int = Field(0, description="From 1; 0: the file as a whole.")
+    column: int = Field(0, description="From 1; 0: the file as a whole.")
+    path: str = Field("", description="Path of the node, or name of the interface, that the finding is about.")
+    pointer: str = Field("", description="RFC 6901 pointer into the document, where there is one.")
+    fix: str = Field("", description="What to do; empty if the message already says it.")
+
+
+class Problem(Schema):
+    """RFC 9457 problem details, with findings that say what is wrong and where."""
+
+    type: str = Field(description="Stable address of a page about this kind of problem.")
+    title: str
+    status: int
+    detail: str
+    findings: list[FindingSchema] = Field(default_factory=list)
+    nearest: list[str] = Field(default_factory=list, description="Names that exist and are near the one asked for.")
+
+
+class FindingCounts(Schema):
+    """How many findings there are of each severity."""
+
+    error: int = 0
+    warning: int = 0
+    info: int = 0
+
+
+class LayerSchema(Schema):
+    """A base tree or an overlay, in the order in which it applies."""
+
+    model_config = ConfigDict(title="Layer")
+
+    name: str
+    is_overlay: bool
+    files: int
+    digest: str
+
+
+class CatalogueSummary(Schema):
+    """A hosted catalogue in a list."""
+
+    id: str
+    title: str
+    digest: str = Field(description="SHA-256 of the content: equal for equal trees.")
+    nodes: int
+    types: dict[str, int] = Field(description="Nodes by type.")
+    roots: list[str]
+    findings: FindingCounts
+
+
+class CatalogueDetail(CatalogueSummary):
+    """A hosted catalogue with its layers and everything that is wrong with it."""
+
+    layers: list[LayerSchema]
+    problems: list[FindingSchema] = Field(description="Findings of the catalogue as it is served.")
+    rejected: list[FindingSchema] = Field(description="Findings of a newer state that was therefore not taken.")
+
+
+class Catalogues(Schema):
+    """The hosted catalogues, the default one first."""
+
+    catalogues: list[CatalogueSummary]
+
+
+class NodeSummary(Schema):
+    """A node in a list."""
+
+    path: str
+    name: str
+    type: str
+    datatype: str | None
+    unit: str | None
+    description: str
+    category: str | None = Field(description="Interface category: data, error, safety_reaction, mode or scheduling.")
+    deprecated: bool
+    child_count: int
+
+
+class HistoryEntry(Schema):
+    """A value that one layer gave an attribute."""
+
+    value: Any
+    origin: Place
+
+
+class AttributeSchema(Schema):
+    """An attribute of a node: its value, where that was written, and what it was before."""
+
+    model_config = ConfigDict(title="Attribute")
+
+    name: str
+    value: Any
+    origin: Place
+    is_extended: bool = Field(description="Whether VSS does not define the attribute.")
+    history: list[HistoryEntry] = Field(description="Every value that the layers gave it, first to last.")
+
+
+class UnitSchema(Schema):
+    """A unit of measurement."""
+
+    model_config = ConfigDict(title="Unit")
+
+    key: str = Field(description="What trees write.")
+    name: str = Field(description="The unit in words.")
+    definition: str
+    quantity: str
+    allowed_datatypes: list[str]
+    deprecation: str
+    origin: Place
+
+
+class QuantitySchema(Schema):
+    """A kind of property that units measure."""
+
+    model_config = ConfigDict(title="Quantity")
+
+    key: str
+    definition: str
+    remark: str
+    origin: Place
+
+
+class Units(Schema):
+    """Units of a catalogue."""
+
+    units: list[UnitSchema]
+
+
+class Quantities(Schema):
+    """Quantities of a catalogue."""
+
+    quantities: list[QuantitySchema]
+
+
+class NodeDetail(Schema):
+    """Everything about one node."""
+
+    path: str
+    name: str
+    type: str
+    template: str = Field(description="Path of the definition; for an instance, without the names of instances.")
+    category: str | None
+    interface_name: str | None = Field(description="Name of the interface that the node stands for.")
+    parent: str | None
+    previous: str | None
+    next: str | None
+    origin: Place
+    unit: UnitSchema | None
+    attributes: list[AttributeSchema]
+    children: list[NodeSummary]
+
+
+class TreeNode(NodeSummary):
+    """A node with what stands below it; `children` is null where the depth asked for ends."""
+
+    children: "list[TreeNode] | None"
+
+
+class SearchPage(Schema):
+    """One page of search results, best first."""
+
+    total: int
+    nodes: list[NodeSummary]
+    facets: dict[str, dict[str, int]] = Field(description="How many results have each value of each filter.")
+    did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
+    next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")

@@ -1,0 +1,114 @@
+"""Put definitions into a tree, and freeze a tree into nodes."""
+
+from collections.abc import Iterable, Mapping
+
+from app.catalogue.definition import BRANCH, STRUCT, Definition, Problem
+from app.catalogue.instances import Draft
+from app.catalogue.limits import Limits
+from app.catalogue.model import Node
+from app.findings import Finding
+from app.names import last_name, parent_path
+
+
+def draft_tree(definitions: Mapping[str, Definition], limits: Limits, findings: list[Finding]) -> Draft | None:
+    """The tree of the first root, or None if there is no root. A branch that nobody defined is made."""
+    usable = [path for path in definitions if _usable_path(path, definitions[path], limits, findings)]
+    usable.sort(key=lambda path: path.count("."))
+    root = _single_root(usable, definitions, findings)
+    placed: dict[str, Draft] = {}
+    orphans: list[str] = []
+    for path in usable:
+        draft = placed[path] = Draft(last_name(path), definitions[path], {})
+        parent = parent_path(path)
+        if parent in placed:
+            _children(placed[parent])[draft.name] = draft
+        elif parent:
+            orphans.append(path)
+    for path in orphans:
+        _connect(path, placed, root, findings)
+    return placed[root] if root else None
+
+
+def frozen_tree(root: Draft, findings: list[Finding]) -> Node:
+    """The draft as frozen nodes, without what is to be deleted; the problems of each definition are told once."""
+    return _node(root, root.name, None, set(), findings)
+
+
+def _children(draft: Draft) -> dict[str, Draft]:
+    """The children of a draft that is still being filled."""
+    children = draft.children
+    assert isinstance(children, dict)
+    return children
+
+
+def _usable_path(path: str, definition: Definition, limits: Limits, findings: list[Finding]) -> bool:
+    names = path.split(".")
+    if "" in names:
+        message = f"Path {path!r} has an empty name."
+    elif len(names) > limits.path_names:
+        message = f"The path has {len(names)} names; the limit is {limits.path_names}."
+    else:
+        return True
+    findings.append(Finding("V024", "error", message, *definition.origin()[:3], path))
+    return False
+
+
+def _single_root(paths: list[str], definitions: Mapping[str, Definition], findings: list[Finding]) -> str:
+    roots = [path for path in paths if "." not in path]
+    if not roots and paths:
+        message = "The tree has no root: no path is without a branch above it."
+        findings.append(Finding("V022", "error", message, *definitions[paths[0]].origin()[:3], paths[0]))
+    for extra in roots[1:]:
+        message = f"The tree has a second root {extra!r} beside {roots[0]!r}."
+        findings.append(Finding("V021", "error", message, *definitions[extra].origin()[:3], extra))
+    return roots[0] if roots else ""
+
+
+def _connect(path: str, placed: dict[str, Draft], root: str, findings: list[Finding]) -> None:
+    """Hang a node whose parent nobody defined into the tree, with branches made for the missing ones."""
+    definition = placed[path].definition
+    child, parent = placed[path], parent_path(path)
+    while parent and parent not in placed:
+        placed[parent] = Draft(last_name(parent), _made_branch(parent, path, definition), {child.name: child})
+        child, parent = placed[parent], parent_path(parent)
+    if parent:
+        _children(placed[parent])[child.name] = child
+    elif root:
+        message = f"{path!r} stands under no root of the tree."
+        findings.append(Finding("V022", "error", message, *definition.origin()[:3], path))
+
+
+def _made_branch(path: str, below: str, definition: Definition) -> Definition:
+    message = f"Branch {path!r} is not defined; it is made because {below!r} stands below it."
+    fix = f"Define {path!r} with `type: branch` and a description."
+    problem = Problem("V020", "", message, fix, "warning")
+    return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,))
+
+
+def _node(draft: Draft, path: str, above: Definition | None, told: set[int], findings: list[Finding]) -> Node:
+    definition = draft.definition
+    if id(definition) not in told:
+        told.add(id(definition))
+        findings.extend(_findings(definition, path, above))
+    prefix = path + "."
+    children = tuple(
+        [
+            _node(child, prefix + child.name, definition, told, findings)
+            for child in draft.children.values()
+            if not child.definition.values.get("delete")
+        ]
+    )
+    return Node(path, definition, children)
+
+
+def _findings(definition: Definition, path: str, above: Definition | None) -> Iterable[Finding]:
+    for problem in definition.problems:
+        refines_an_instance = problem.rule == "V020" and above is not None and above.values.get("instances")
+        if not refines_an_instance:
+            yield definition.finding(problem, path)
+    if above is not None and definition.type and above.type:
+        allowed = {"property": (STRUCT,), STRUCT: (STRUCT, BRANCH)}.get(definition.type, (BRANCH,))
+        if above.type not in allowed:
+            message = f"A node of type {definition.type} cannot stand below one of type {above.type}."
+            fix = f"Only {' or '.join(allowed)} can have it below."
+            yield Finding("V019", "error", message, *definition.origin("type")[:3], path, fix=fix)

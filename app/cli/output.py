@@ -1,0 +1,34 @@
+"""Write results: to standard output, or to a file that appears whole or not at all."""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from app.errors import UsageError
+
+
+def write_text(text: str, output: Path | None) -> None:
+    """Write `text` to `output`, or to standard output. A file that stood there stays until the new one is complete."""
+    if output is None or str(output) == "-":
+        sys.stdout.write(text)
+        return
+    if output.is_dir():
+        raise UsageError(f"{output}: is a folder")
+    if not output.parent.is_dir():
+        raise UsageError(f"{output.parent}: there is no such folder")
+    handle, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        Path(temporary).chmod(output.stat().st_mode & 0o777 if output.exists() else 0o666 & ~_umask())
+        Path(temporary).replace(output)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

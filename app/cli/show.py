@@ -1,0 +1,40 @@
+"""`sigcat show PATH`: a node with every attribute and where it was written."""
+
+import argparse
+
+from app.cli.tree_options import add_tree_options, read_tree
+from app.errors import NotFound
+from app.names import nearest
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "show",
+        help="show a node: every attribute, and where it was written",
+        description="Show a node with every attribute, where it was written, and what stands below it.",
+    )
+    parser.add_argument("path", metavar="PATH", help="such as Vehicle.Speed")
+    add_tree_options(parser)
+    parser.set_defaults(run=show)
+
+
+def show(arguments: argparse.Namespace) -> int:
+    """Print one node. Raises NotFound with the nearest paths."""
+    catalogue = read_tree(arguments)
+    node = catalogue.get(arguments.path)
+    if node is None:
+        near = nearest(arguments.path, catalogue.nodes)
+        hint = f" Did you mean {' or '.join(near)}?" if near else ""
+        raise NotFound(f"there is no node {arguments.path!r}.{hint}", near)
+    print(node.path)
+    for name, value in node.values.items():
+        for position, (written, origin) in enumerate(reversed(node.definition.history(name))):
+            by = f" ({origin.overlay})" if origin.overlay else ""
+            shown = value if position == 0 else f"was {written}"
+            print(f"  {name if position == 0 else '':14} {shown}  [{origin.file}:{origin.line}{by}]")
+    if node.template != node.path:
+        print(f"  {'instance of':14} {node.template}")
+    for child in node.children:
+        print(f"  {child.name + ('.' if child.children else ''):28} {child.type}")
+    return 0

@@ -1,0 +1,63 @@
+"""The options that name a tree, spelled as those of `vspec export`."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.errors import InputRefused, UsageError
+from app.findings import has_errors
+
+if TYPE_CHECKING:
+    from app.catalogue.model import Catalogue
+
+
+def add_tree_options(parser: argparse.ArgumentParser) -> None:
+    """Add -s, -l, -I, -u, -q and -t. Without -s, the tree that sigcat ships is meant."""
+    group = parser.add_argument_group("the tree")
+    group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="root .vspec file (default: the shipped tree)")
+    _add_many(group, "-l", "--overlays", "overlay, applied in the order given")
+    _add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
+    _add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
+    _add_many(group, "-q", "--quantities", "quantities (default: quantities.yaml beside the tree)")
+    _add_many(group, "-t", "--types", "struct types")
+
+
+def _add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, metavar: str = "FILE") -> None:
+    group.add_argument(
+        short, name, type=Path, action="append", default=[], metavar=metavar, help=f"{text}; may be repeated"
+    )
+
+
+def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catalogue":
+    """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused."""
+    from app.catalogue.compose import read_catalogue
+
+    spec, units, overlays = tree_files(arguments)
+    catalogue = read_catalogue(
+        spec,
+        overlays,
+        include_dirs=arguments.include_dirs,
+        units=units,
+        quantities=arguments.quantities,
+        types=arguments.types,
+        expanded=expanded,
+    )
+    if has_errors(catalogue.findings):
+        raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
+    for finding in catalogue.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    return catalogue
+
+
+def tree_files(arguments: argparse.Namespace) -> tuple[Path, tuple[Path, ...], tuple[Path, ...]]:
+    """Root file, units and overlays that the options name, or those that sigcat ships."""
+    from app.catalogue.sources import shipped_sources
+
+    for path in (arguments.vspec, *arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
+        if path is not None and not path.is_file():
+            raise UsageError(f"{path}: there is no such file")
+    if arguments.vspec is not None:
+        return arguments.vspec, tuple(arguments.units), tuple(arguments.overlays)
+    shipped = shipped_sources()[0]
+    return shipped.spec, (*shipped.units, *arguments.units), (*shipped.overlays, *arguments.overlays)

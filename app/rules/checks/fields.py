@@ -1,0 +1,141 @@
+"""Checks of tables of fields: which fields an interface has to have, and what each may hold.
+
+A table is a mapping of field names to records with `required`, `datatype` (text, number, integer, boolean, value,
+list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, `fields` of its own.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from app.catalogue.definition import Definition
+from app.names import did_you_mean
+from app.rules.checks.attributes import is_empty
+from app.rules.checks.kind import BadOption, NodeTest, is_number, shown
+from app.rules.flaw import Flaw, Repair
+from app.rules.patterns import compile_pattern
+from app.rules.record import Rule
+from app.rules.tree import Tree
+
+_DATATYPES: Mapping[str, Callable[[Any], bool]] = {
+    "text": lambda value: isinstance(value, str),
+    "number": is_number,
+    "integer": lambda value: isinstance(value, int) and not isinstance(value, bool),
+    "boolean": lambda value: isinstance(value, bool),
+    "value": lambda value: not isinstance(value, dict),
+    "list": lambda value: isinstance(value, list),
+    "text or list": lambda value: isinstance(value, str | list),
+    "mapping": lambda value: isinstance(value, dict),
+}
+_KEYS = frozenset(
+    ("required", "datatype", "unit", "values", "min", "max", "pattern", "fields", "description", "repairs", "title")
+)
+
+
+def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
+    """Every field that the table requires is there."""
+    needed = tuple(name for name, field in _table(rule.options["fields"]).items() if field.get("required"))
+    table = rule.options["fields"]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for name in needed:
+            if is_empty(definition.values.get(name)):
+                unit = f" in {table[name]['unit']}" if "unit" in table[name] else ""
+                message = f"The interface has no `{name}`."
+                facts = {"attribute": name}
+                yield Flaw(definition, message, "", f"Add `{name}`{unit}.", facts)
+        yield from _nested_missing(definition, table)
+
+    return test
+
+
+def field_values(rule: Rule, _tree: Tree) -> NodeTest:
+    """Every field of the table that is there has a value of its datatype, among its values and in its range."""
+    table = _table(rule.options["fields"])
+    tests = {name: _value_test(name, field, rule) for name, field in table.items()}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for name, value in definition.values.items():
+            if name in tests and value is not None:
+                for message, fix, repair in tests[name](value):
+                    yield Flaw(definition, message, name, fix, {"attribute": name, "value": value}, repair)
+
+    return test
+
+
+_Wrong = Iterator[tuple[str, str, Repair | None]]
+
+
+def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
+    for name, field in fields.items():
+        if not isinstance(field, dict):
+            raise BadOption(f"Field {name!r} of the table takes a mapping.")
+        for key in field:
+            if key not in _KEYS:
+                raise BadOption(f"Field {name!r} has the unknown key {key!r}.", did_you_mean(str(key), _KEYS))
+        if field.get("datatype", "value") not in _DATATYPES:
+            raise BadOption(f"Field {name!r} has no datatype of {', '.join(_DATATYPES)}.")
+    table: Mapping[str, Mapping[str, Any]] = fields
+    return table
+
+
+def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Flaw]:
+    for name, field in table.items():
+        value = definition.values.get(name)
+        if "fields" not in field or not isinstance(value, dict):
+            continue
+        for inner, inner_field in _table(field["fields"]).items():
+            if inner_field.get("required") and is_empty(value.get(inner)):
+                message = f"`{name}` has no `{inner}`."
+                yield Flaw(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
+
+
+def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], _Wrong]:
+    datatype = field.get("datatype", "value")
+    fits = _DATATYPES[datatype]
+    pattern = compile_pattern(field["pattern"], trusted=rule.trusted) if "pattern" in field else None
+    inner = {
+        key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()
+    }
+
+    def test(value: Any) -> _Wrong:
+        if not fits(value):
+            yield f"`{name}` {shown(value)} is no {datatype}.", _expected(field), None
+            return
+        for item in value if isinstance(value, list) else [value]:
+            yield from _wrong_item(name, field, item, pattern)
+        if isinstance(value, dict):
+            yield from _wrong_inner(name, inner, value)
+
+    return test
+
+
+def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Any) -> _Wrong:
+    values = field.get("values")
+    if values is not None and (isinstance(item, list | dict) or item not in values):
+        meant = field.get("repairs", {}).get(item) if isinstance(item, str) else None
+        fix = did_you_mean(str(item), map(str, values)) or _expected(field)
+        yield f"`{name}` {shown(item)} is none of {', '.join(map(str, values))}.", fix, meant and Repair("replace", meant)
+    elif pattern is not None and not (isinstance(item, str) and pattern.matches(item)):
+        yield f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field), None
+    elif is_number(item):
+        low, high = field.get("min"), field.get("max")
+        if low is not None and item < low:
+            yield f"`{name}` {item} is below {low}.", _expected(field), None
+        if high is not None and item > high:
+            yield f"`{name}` {item} is above {high}.", _expected(field), None
+
+
+def _wrong_inner(name: str, inner: Mapping[str, Callable[[Any], _Wrong]], value: Mapping[str, Any]) -> _Wrong:
+    for key, item in value.items():
+        if key in inner:
+            if item is not None:
+                yield from inner[key](item)
+        elif inner:
+            yield f"`{name}` has the unknown field {key!r}.", did_you_mean(str(key), inner), None
+
+
+def _expected(field: Mapping[str, Any]) -> str:
+    unit = f" in {field['unit']}" if "unit" in field else ""
+    if "values" in field:
+        return f"Use one of {', '.join(map(str, field['values']))}."
+    return f"Give a {field.get('datatype', 'value')}{unit}." if unit or "datatype" in field else ""

@@ -1,0 +1,73 @@
+"""Checks of a branch and what stands below it."""
+
+from collections.abc import Iterator, Mapping
+
+from app.catalogue.definition import BRANCH, Definition
+from app.catalogue.interfaces import category_of
+from app.names import did_you_mean, last_name, parent_path
+from app.rules.checks.kind import NodeTest, listed
+from app.rules.flaw import Flaw
+from app.rules.patterns import compile_pattern
+from app.rules.record import Rule
+from app.rules.tree import Tree
+
+ASIL_ORDER: Mapping[str, int] = {"QM": 0, "A": 1, "B": 2, "C": 3, "D": 4}
+
+
+def companions(rule: Rule, tree: Tree) -> NodeTest:
+    """A child matching each pattern of `required` stands below, and every child matches one of `known`."""
+    needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options.get("required", ())]
+    known = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options.get("known", ())]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        children = [last_name(child.path) for child in tree.children.get(definition.path, ())]
+        missing = [pattern.text for pattern in needed if not any(pattern.matches(name) for name in children)]
+        if missing:
+            present = listed(children) if children else "nothing"
+            message = f"{definition.path!r} has {present}, but no {listed(missing, 'or')}."
+            yield Flaw(definition, message, fix=f"Add {listed(missing)}.")
+        for child in tree.children.get(definition.path, ()) if known else ():
+            if not any(pattern.matches(last_name(child.path)) for pattern in known):
+                expected = [pattern.text for pattern in known]
+                fix = did_you_mean(last_name(child.path), expected)
+                yield Flaw(child, f"{last_name(child.path)!r} is none of {listed(expected, 'or')}.", fix=fix)
+
+    return test
+
+
+def type_of(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's type is one of `types`."""
+    types = tuple(rule.options["types"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        if definition.type and definition.type not in types:
+            message = f"The node is of type {definition.type}; it has to be of type {' or '.join(types)}."
+            yield Flaw(definition, message, "type", f"Use {' or '.join(types)}.")
+
+    return test
+
+
+def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
+    """The ASIL of a step is not below that of any of the interfaces that its function provides (`provides`)."""
+    provided = frozenset(rule.options["provides"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = ASIL_ORDER.get(str(definition.values.get("ASILlevel")))
+        function = parent_path(parent_path(definition.path))
+        if own is None or definition.type != BRANCH:
+            return
+        for other in _below(function, tree):
+            level = str(other.values.get("ASILlevel"))
+            if category_of(other.path) in provided and ASIL_ORDER.get(level, 0) > own:
+                message = f"ASIL {definition.values['ASILlevel']} is below ASIL {level} of {other.path!r}."
+                yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
+
+    return test
+
+
+def _below(path: str, tree: Tree) -> Iterator[Definition]:
+    waiting = [path]
+    while waiting:
+        for child in tree.children.get(waiting.pop(), ()):
+            yield child
+            waiting.append(child.path)

@@ -1,0 +1,97 @@
+"""Checks of names as other languages see them: reserved words, lengths, and names that meet after conversion."""
+
+from collections.abc import Callable, Iterator, Mapping
+
+from app.catalogue.definition import Definition
+from app.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
+from app.rules.checks.kind import BadOption, NodeTest, TreeTest
+from app.rules.flaw import Flaw
+from app.rules.patterns import compile_pattern
+from app.rules.record import Rule
+from app.rules.tree import Tree
+
+CASES: Mapping[str, Callable[[str], str]] = {
+    "snake": snake_case,
+    "camel": camel_case,
+    "screaming": screaming_snake_case,
+    "unchanged": str,
+}
+
+
+def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's name, converted to `case`, is none of `words`."""
+    convert = _case(rule)
+    words = frozenset(map(str, rule.options["words"]))
+    target = rule.options["target"]
+    known: dict[str, str] = {}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = last_name(definition.path)
+        converted = known.get(own)
+        if converted is None:
+            known[own] = converted = convert(own)
+        if converted in words:
+            message = f"Name {own!r} becomes {converted!r}, a reserved word of {target}."
+            fix = f"Say more, as in {parent_path(definition.path).rpartition('.')[2] + own!r}."
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": converted})
+
+    return test
+
+
+def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's name, converted to `case`, matches `pattern` as a whole."""
+    convert = _case(rule)
+    pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
+    target = rule.options["target"]
+    known: dict[str, str] = {}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = last_name(definition.path)
+        if own not in known:
+            converted = convert(own)
+            known[own] = "" if pattern.matches(converted) else converted
+        if known[own]:
+            message = f"Name {own!r} becomes {known[own]!r}, which is no name in {target} ({pattern.text})."
+            yield Flaw(definition, message, facts={"name": own, "converted": known[own]})
+
+    return test
+
+
+def name_length(rule: Rule, _tree: Tree) -> NodeTest:
+    """The name (`of: name`) or the path joined by underscores (`of: path`) has at most `most` characters."""
+    most, target = rule.options["most"], rule.options["target"]
+    of_path = rule.options.get("of") == "path"
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        subject = definition.path if of_path else last_name(definition.path)
+        if len(subject) > most:
+            what = "The path" if of_path else f"Name {subject!r}"
+            yield Flaw(definition, f"{what} has {len(subject)} characters; {target} takes {most}.")
+
+    return test
+
+
+def collision(rule: Rule, tree: Tree) -> TreeTest:
+    """No two children of a branch (`of: name`), or paths of the tree (`of: path`), are equal after conversion."""
+    convert = _case(rule)
+    of_path = rule.options.get("of") == "path"
+    target = rule.options["target"]
+
+    def test() -> Iterator[Flaw]:
+        seen: dict[tuple[str, str], str] = {}
+        for path, definition in tree.definitions.items():
+            above = "" if of_path else parent_path(path)
+            converted = convert(path.replace(".", "_") if of_path else last_name(path))
+            other = seen.setdefault((above, converted), path)
+            if other != path:
+                message = f"{path!r} and {other!r} are both {converted!r} in {target}."
+                yield Flaw(definition, message, fix="Rename one of the two.", facts={"converted": converted})
+
+    return test
+
+
+def _case(rule: Rule) -> Callable[[str], str]:
+    case = rule.options.get("case", "unchanged")
+    if case not in CASES:
+        raise BadOption(f"Option 'case' of rule {rule.id} is none of {', '.join(CASES)}.")
+    return CASES[case]

@@ -1,0 +1,88 @@
+"""Checks of references between interfaces, by interface name: that each leads somewhere, and none in a circle."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from app.catalogue.definition import Definition
+from app.catalogue.interfaces import category_of, interface_name
+from app.names import did_you_mean
+from app.rules.checks.kind import NodeTest, TreeTest, nested
+from app.rules.flaw import Flaw
+from app.rules.record import Rule
+from app.rules.tree import Tree
+
+
+def reference(rule: Rule, tree: Tree) -> NodeTest:
+    """Every name in `attribute` is the interface name of an interface of the category `to`.
+
+    `attribute` may lead into a mapping: `aliveSupervision.error`.
+    """
+    attribute, category = rule.options["attribute"], rule.options["to"]
+    pattern = rule.options.get("external")
+    external = pattern.split("*") if pattern else None
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for named in _named(nested(definition.values, attribute)):
+            target = tree.interfaces.get(named)
+            if target is not None and category_of(target.path) == category:
+                continue
+            if target is None and external and named.startswith(external[0]) and named.endswith(external[-1]):
+                continue
+            yield _unresolved(definition, attribute, named, category, tree)
+
+    return test
+
+
+def cycle(rule: Rule, tree: Tree) -> TreeTest:
+    """Following `attribute` from interface to interface never leads back."""
+    attribute = rule.options["attribute"]
+
+    def test() -> Iterator[Flaw]:
+        told: set[str] = set()
+        for name in tree.interfaces:
+            circle = () if name in told else _circle(name, attribute, tree.interfaces)
+            if circle:
+                told.update(circle)
+                message = f"`{attribute}` leads in a circle: {' → '.join((*circle, circle[0]))}."
+                yield Flaw(tree.interfaces[circle[0]], message, attribute, "Break the circle.")
+
+    return test
+
+
+def _named(value: Any) -> list[str]:
+    items = value if isinstance(value, list) else [value]
+    return [item for item in items if isinstance(item, str) and item]
+
+
+def _unresolved(definition: Definition, attribute: str, named: str, category: str, tree: Tree) -> Flaw:
+    readable = category.replace("_", " ")
+    names = [interface for interface, d in tree.interfaces.items() if category_of(d.path) == category]
+    message = f"`{attribute}` names {named!r}, which is no {readable} interface of this tree."
+    fix = did_you_mean(named, names)
+    by_path = tree.definitions.get(named)
+    if by_path is not None and category_of(named) == category:
+        fix = f"Refer to it by its interface name {interface_name(named)!r}."
+    return Flaw(definition, message, attribute.partition(".")[0], fix, {"name": named, "attribute": attribute})
+
+
+def _circle(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:
+    """The names on a way from `start` back to itself; empty if there is none. Iterative: chains may be long."""
+    before: dict[str, str] = {}
+    waiting = [start]
+    while waiting:
+        name = waiting.pop()
+        definition = interfaces.get(name)
+        for target in _named(nested(definition.values, attribute)) if definition else ():
+            if target == start:
+                return _way(start, name, before)
+            if target in interfaces and target not in before:
+                before[target] = name
+                waiting.append(target)
+    return ()
+
+
+def _way(start: str, last: str, before: Mapping[str, str]) -> tuple[str, ...]:
+    way = [last]
+    while way[-1] != start:
+        way.append(before[way[-1]])
+    return tuple(reversed(way))

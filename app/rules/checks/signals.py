@@ -1,0 +1,140 @@
+"""Checks of what VSS says of single nodes beside their texts: units, deprecation, instances, paths."""
+
+import re
+from collections.abc import Iterator
+
+from app.catalogue.definition import Definition, instances_of
+from app.names import did_you_mean
+from app.rules.checks.kind import NodeTest, TreeTest, shown
+from app.rules.flaw import Flaw, Repair
+from app.rules.patterns import compile_pattern
+from app.rules.record import Rule
+from app.rules.tree import Tree
+
+_RANGE = re.compile(r"\[(\d+),(\d+)\]$")
+_TARGET = re.compile(r"moved to\s+([A-Za-z0-9_]+(?:\.[A-Za-z0-9_]+)+)")
+
+
+def deprecated_unit(_rule: Rule, tree: Tree) -> NodeTest:
+    """The unit is not deprecated."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        name = definition.values["unit"]
+        unit = tree.vocabulary.unit(name) if isinstance(name, str) else None
+        if unit is not None and unit.deprecation:
+            message = f"Unit {unit.key!r} is deprecated: {unit.deprecation}"
+            yield Flaw(definition, message if message.endswith(".") else f"{message}.", "unit", facts={"unit": unit.key})
+
+    return test
+
+
+def unit_spelling(_rule: Rule, tree: Tree) -> NodeTest:
+    """The unit is written by its key, as the file of units spells it."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        written = next((s.values["unit"] for s in reversed(definition.statements) if "unit" in s.values), None)
+        unit = tree.vocabulary.unit(written) if isinstance(written, str) else None
+        if unit is not None and written != unit.key:
+            message = f"Unit {written!r} is not written by its key {unit.key!r}."
+            yield Flaw(definition, message, "unit", f"Write {unit.key!r}.", repair=Repair("replace", unit.key))
+
+    return test
+
+
+def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
+    """Where `deprecation` says that a node has moved, it has moved to a node of the tree."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        match = _TARGET.search(str(definition.values["deprecation"]))
+        if match and tree.resolve(match[1]) is None:
+            message = f"The node is said to have moved to {match[1]!r}, which does not exist."
+            yield Flaw(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
+
+    return test
+
+
+def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
+    """Ranges of instances start at `first`."""
+    first = rule.options["first"]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for entry in instances_of(definition.values):
+            match = _RANGE.search(str(entry)) if isinstance(entry, str) else None
+            if match and int(match[1]) != first:
+                message = f"Range {shown(entry)} starts at {int(match[1])}, not at {first}."
+                yield Flaw(definition, message, "instances", f"Count instances from {first}.")
+
+    return test
+
+
+def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
+    """No instance is named twice at one level."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        instances = instances_of(definition.values)
+        for level in [[item for item in instances if not isinstance(item, list)], *instances]:
+            names = [str(item) for item in level] if isinstance(level, list) else []
+            twice = next((name for name in names if names.count(name) > 1), None) if len(names) < 1000 else None
+            if twice is not None:
+                yield Flaw(definition, f"Instance {twice!r} is named twice.", "instances", "Remove one of the two.")
+
+    return test
+
+
+def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
+    """No two paths differ in case only."""
+
+    def test() -> Iterator[Flaw]:
+        seen: dict[str, str] = {}
+        for path, definition in tree.definitions.items():
+            other = seen.setdefault(path.lower(), path)
+            if other != path:
+                message = f"Path {path!r} differs from {other!r} in case only."
+                yield Flaw(definition, message, fix="Rename one of the two.", facts={"other": other})
+
+    return test
+
+
+def twice_written(rule: Rule, tree: Tree) -> TreeTest:
+    """No node is written in two files of the base tree, or twice through includes, with different values.
+
+    A branch without other attributes than `type`, `description` and `comment` may be restated.
+    """
+    ignored = frozenset(rule.options.get("ignored", ()))
+
+    def test() -> Iterator[Flaw]:
+        for definition in tree.definitions.values():
+            base = [s for s in definition.statements if not s.file.overlay] if len(definition.statements) > 1 else []
+            for earlier, later in zip(base, base[1:], strict=False):
+                both = [k for k in later.values if k in earlier.values and k not in ignored]
+                differing = [k for k in both if later.values[k] != earlier.values[k]]
+                if differing:
+                    origin = earlier.origin(differing[0])
+                    message = f"`{differing[0]}` is given in {origin.file}:{origin.line} too, with another value."
+                    yield Flaw(later, message, differing[0], "Keep one of the two.")
+
+    return test
+
+
+def path_depth(rule: Rule, _tree: Tree) -> NodeTest:
+    """A path has at most `most` names."""
+    most = rule.options["most"]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        count = definition.path.count(".") + 1
+        if count > most:
+            yield Flaw(definition, f"The path has {count} names; the limit is {most}.")
+
+    return test
+
+
+def path(rule: Rule, _tree: Tree) -> NodeTest:
+    """The whole path matches `pattern` as a whole."""
+    pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        if not pattern.matches(definition.path):
+            message = f"Path {definition.path!r} does not match {pattern.text}."
+            yield Flaw(definition, message, facts={"path": definition.path})
+
+    return test

@@ -1,0 +1,41 @@
+"""What a check yields: one thing wrong with one node, not yet a finding of a rule."""
+
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple, Protocol
+
+from app.catalogue.vspec_file import Origin
+
+
+class Subject(Protocol):
+    """What a flaw is about: a definition, or a single statement of an overlay."""
+
+    @property
+    def path(self) -> str:
+        """Path of the node."""
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Where an attribute was written, or the node."""
+
+
+class Repair(NamedTuple):
+    """A change of the bytes of one scalar or one attribute that repairs a flaw.
+
+    `safe` means that no reader of the tree sees another meaning: texts for people, spellings.
+    """
+
+    kind: Literal["replace", "capitalize", "append", "remove attribute", "rename attribute"]
+    text: str = ""
+    safe: bool = True
+
+
+class Flaw(NamedTuple):
+    """One thing wrong. `facts` fill the template of the rule's own message, where it has one."""
+
+    subject: Subject
+    message: str
+    attribute: str = ""
+    fix: str = ""
+    facts: Mapping[str, Any] = {}
+    repair: Repair | None = None
+    at_name: bool = False
+    """Whether the finding stands at the attribute's name, not at its value."""

@@ -1,0 +1,111 @@
+"""What the checks know of the whole tree: paths without regard to case, instances, interfaces by name.
+
+Everything is worked out when it is first asked for: a run in which no rule needs it does not pay for it.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import Any
+
+from app.catalogue.definition import Definition, instances_of
+from app.catalogue.instances import count_instances, instance_names
+from app.catalogue.interfaces import category_of, interface_name
+from app.catalogue.layers import Layer
+from app.catalogue.model import Catalogue
+from app.catalogue.vocabulary import Vocabulary
+from app.names import last_name, parent_path
+
+_MOST_INSTANCES = 100_000
+"""A level with more instances is not looked into: composing refuses it anyway."""
+
+
+class Tree:
+    """A composed catalogue as the checks see it: definitions before the expansion of instances."""
+
+    def __init__(self, catalogue: Catalogue, attributes: Iterable[str] = ()) -> None:
+        self.catalogue = catalogue
+        self.definitions: Mapping[str, Definition] = catalogue.definitions
+        self.vocabulary: Vocabulary = catalogue.vocabulary
+        self.attributes = frozenset(attributes)
+        """Extended attributes that the rules or the configuration know."""
+
+    @property
+    def overlays(self) -> tuple[Layer, ...]:
+        """Overlays in the order in which they apply."""
+        return tuple(layer for layer in self.catalogue.layers if layer.is_overlay)
+
+    @cached_property
+    def children(self) -> Mapping[str, list[Definition]]:
+        """Definitions directly below a path."""
+        children: dict[str, list[Definition]] = {}
+        for path, definition in self.definitions.items():
+            children.setdefault(parent_path(path), []).append(definition)
+        return children
+
+    @cached_property
+    def interfaces(self) -> Mapping[str, Definition]:
+        """Definitions of error, safety reaction, mode and scheduling interfaces by interface name."""
+        found = {}
+        for path, definition in self.definitions.items():
+            if category_of(path) not in (None, "data"):
+                found[interface_name(path)] = definition
+        return found
+
+    def below(self, path: str, name: str) -> Definition | None:
+        """The definition of a child."""
+        return self.definitions.get(f"{path}.{name}")
+
+    def resolve(self, path: str) -> Definition | None:
+        """The definition that a path leads to, names of instances included."""
+        exact = self.definitions.get(path)
+        if exact is not None:
+            return exact
+        return _resolve(path.split("."), self.definitions)
+
+    def resolve_other(self, path: str) -> Definition | None:
+        """The definition that a path leads to through the names of instances, other than one written for it alone."""
+        return _resolve(path.split("."), self.definitions) if self.is_instance(path) else None
+
+    def is_instance(self, path: str) -> bool:
+        """Whether the path names an instance, or stands for a definition through the names of instances."""
+        names = path.split(".")
+        plain = _without_instances(names, self.definitions)
+        return plain is not None and len(plain) < len(names)
+
+
+def _resolve(names: list[str], definitions: Mapping[str, Definition]) -> Definition | None:
+    plain = _without_instances(names, definitions)
+    return definitions.get(".".join(plain)) if plain is not None else None
+
+
+def _without_instances(names: list[str], definitions: Mapping[str, Definition]) -> list[str] | None:
+    """The names without those of instances; None where one is neither a child nor an instance."""
+    plain: list[str] = []
+    left: list[frozenset[str]] = []
+    for name in names:
+        path = ".".join((*plain, name))
+        if path in definitions and not (left and name in left[0]):
+            plain.append(name)
+            left = list(_levels(definitions[path].values))
+        elif left and name in left[0]:
+            left = left[1:]
+        else:
+            return None
+    return plain
+
+
+def _levels(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
+    """Names of instances, level by level: a list of single names is one level, as is each list in a list."""
+    instances = instances_of(values)
+    singles = [entry for entry in instances if not isinstance(entry, list) and "[" not in str(entry)]
+    if len(singles) == len(instances):
+        if singles:
+            yield frozenset(map(str, singles))
+        return
+    for entry in instances:
+        yield frozenset(instance_names(entry)) if count_instances([entry]) <= _MOST_INSTANCES else frozenset()
+
+
+def name_of(definition: Definition) -> str:
+    """Last name of the definition's path."""
+    return last_name(definition.path)

@@ -1,0 +1,166 @@
+"""The pages: what each shows is found here, how it looks is the templates' matter."""
+
+from collections.abc import Mapping
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import JSONResponse, Response
+
+from app.api.catalogues import SearchQuery, find_node
+from app.api.cursors import cursor_of, offset_of
+from app.api.presenting import catalogue_detail, node_detail
+from app.api.problems import KINDS
+from app.api.requests import TheLibrary, TheSettings, version_of
+from app.catalogue.hosting import Hosted
+from app.catalogue.search import FACETS
+from app.errors import NotFound
+from app.web.node_view import node_view
+from app.web.rendering import page
+from app.web.tree_rows import OpenBranches, rows_below, visible_rows
+
+router = APIRouter()
+_ROWS = 400
+"""Rows of the tree on a page without JavaScript; more are a link away."""
+_DEEPEST = 1_000
+_FACET_WORDS = {
+    "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
+    "overlay": "Overlay", "deprecated": "Deprecated",
+}  # fmt: skip
+
+Opened = Annotated[str, Query(alias="open", description="Open branches, separated by commas; `*` opens all.")]
+From = Annotated[int, Query(alias="from", ge=0)]
+
+
+@router.get("/")
+def show_home(request: Request, library: TheLibrary, opened: Opened = "", start: From = 0) -> Response:
+    """The tree of the default catalogue."""
+    return _tree(request, library.default, "", opened, start)
+
+
+@router.get("/tree/{catalogue}")
+def show_tree(
+    request: Request, library: TheLibrary, catalogue: str, opened: Opened = "", start: From = 0
+) -> Response:
+    """The tree with nothing selected."""
+    return _tree(request, library.get(catalogue), "", opened, start)
+
+
+@router.get("/tree/{catalogue}/{path}")
+def show_node(
+    request: Request, library: TheLibrary, catalogue: str, path: str, opened: Opened = "", start: From = 0
+) -> Response:
+    """The tree with a node selected; with `.json` after the path, the node as the API has it."""
+    hosted = library.get(catalogue)
+    if path not in hosted.catalogue.nodes and path.endswith(".json"):
+        node = find_node(hosted.catalogue, path.removesuffix(".json"))
+        return JSONResponse(node_detail(hosted.catalogue, node).model_dump())
+    return _tree(request, hosted, path, opened, start)
+
+
+@router.get("/rows/{catalogue}")
+def list_rows(
+    library: TheLibrary, catalogue: str, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
+) -> Response:
+    """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
+    hosted = library.get(catalogue)
+    nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
+    is_current = version == version_of(hosted)
+    caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
+    return JSONResponse(rows_below(nodes, min(depth, _DEEPEST) - 1), headers={"Cache-Control": caching})
+
+
+@router.get("/search/{catalogue}")
+def show_search(
+    request: Request, library: TheLibrary, settings: TheSettings, catalogue: str, query: Annotated[SearchQuery, Query()]
+) -> Response:
+    """Search results with the counts of every filter."""
+    hosted = library.get(catalogue)
+    text = query.q[: settings.query_characters]
+    digest = hosted.catalogue.digest
+    offset = offset_of(query.cursor, digest) if query.cursor else 0
+    result = hosted.search_index.search(text, query.filters, limit=min(query.limit, settings.results), offset=offset)
+    following = offset + len(result.nodes)
+    return page(
+        request,
+        "search.html",
+        hosted=hosted,
+        text=text,
+        sought=text.replace(".", " ").split(),
+        filters=query.filters,
+        facets=_facets(result.facets, query.filters),
+        result=result,
+        offset=offset,
+        cursor=cursor_of(following, digest) if result.nodes and following < result.total else None,
+    )
+
+
+@router.get("/units/{catalogue}")
+def show_units(request: Request, library: TheLibrary, catalogue: str) -> Response:
+    """Units by quantity."""
+    hosted = library.get(catalogue)
+    by_quantity: dict[str, list[object]] = {}
+    for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
+        by_quantity.setdefault(unit.quantity, []).append(unit)
+    return page(request, "units.html", hosted=hosted, by_quantity=by_quantity)
+
+
+@router.get("/catalogues/{catalogue}")
+def show_catalogue(request: Request, library: TheLibrary, catalogue: str) -> Response:
+    """A catalogue's layers and findings."""
+    hosted = library.get(catalogue)
+    return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted))
+
+
+@router.get("/problems/{kind}")
+def show_problem_kind(request: Request, kind: str) -> Response:
+    """What a kind of problem means: the address in its `type`."""
+    known = {name: (status, title) for status, (name, title) in KINDS.items()}
+    if kind not in known:
+        raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
+    status, title = known[kind]
+    return page(request, "problem_kind.html", status=status, title=title)
+
+
+@router.get("/{page_name}.ico", include_in_schema=False)
+def no_icon(page_name: str) -> Response:  # noqa: ARG001 - browsers ask for it even where a page names its icon
+    """No content, rather than a missing page in every log."""
+    return Response(status_code=204)
+
+
+def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) -> Response:
+    catalogue = hosted.catalogue
+    selected = find_node(catalogue, path) if path else None
+    first = selected or (catalogue.roots[0] if catalogue.roots else None)
+    named = opened.split(",") if opened else [root.path for root in catalogue.roots if not path]
+    branches = OpenBranches(named, path)
+    rows, total = visible_rows(catalogue, branches, start, _ROWS)
+    return page(
+        request,
+        "tree.html",
+        hosted=hosted,
+        selected=path,
+        view=node_view(catalogue, first) if first else None,
+        rows=rows,
+        total=total,
+        start=start,
+        most_rows=_ROWS,
+        branches=branches,
+        opened=opened,
+        state=version_of(hosted),
+        detail=catalogue_detail(hosted) if first is None else None,
+    )
+
+
+def _facets(
+    counted: Mapping[str, Mapping[str, int]], filters: Mapping[str, str]
+) -> list[tuple[str, str, list[tuple[str, int]], str]]:
+    """Filters with something to choose from: (facet, title, values with counts, chosen value)."""
+    facets = []
+    for facet in FACETS:
+        values = sorted(counted.get(facet, {}).items(), key=lambda item: (-item[1], item[0]))
+        chosen = filters.get(facet, "")
+        if chosen or len(values) > 1:
+            facets.append((facet, _FACET_WORDS[facet], values, chosen))
+    return facets
+
+

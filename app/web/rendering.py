@@ -1,0 +1,58 @@
+"""Templates to responses. Every value is escaped; an undefined one is an error."""
+
+from pathlib import Path
+from typing import Any
+
+from fastapi import Request
+from fastapi.responses import HTMLResponse
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from app import __version__
+from app.api.presenting import plain_text, shown_file
+from app.api.requests import library_of
+from app.api.schemas import Problem
+from app.web.addresses import Addresses
+from app.web.typesetting import count, marked, number
+
+TYPE_LETTERS = {
+    "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
+}  # fmt: skip
+"""What stands before a name in the tree: an attribute of VSS is a parameter to everyone else."""
+
+CATEGORY_WORDS = {
+    "data": "Data", "error": "Error", "safety_reaction": "Safety reaction", "mode": "Mode", "scheduling": "Scheduling",
+}  # fmt: skip
+
+_ENVIRONMENT = Environment(
+    loader=FileSystemLoader(Path(__file__).parent / "templates"),
+    autoescape=True,
+    undefined=StrictUndefined,
+    trim_blocks=True,
+    lstrip_blocks=True,
+)
+_ENVIRONMENT.filters.update(number=number, marked=marked, shown_file=shown_file)
+_ENVIRONMENT.globals.update(
+    count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__
+)
+
+
+def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:
+    """A page. With `part` in the query only the part of it that changes while one stays on it."""
+    part = template.replace(".html", ".part.html")
+    name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
+    context.setdefault("hosted", None)
+    text = _ENVIRONMENT.get_template(name).render(
+        to=Addresses(request.scope.get("root_path", "")),
+        library=library_of(request),
+        address=request.url.path,
+        **context,
+    )
+    return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def problem_page(request: Request, problem: Problem) -> HTMLResponse:
+    """A problem as a page; near paths become links into the catalogue that the address names."""
+    catalogue = request.path_params.get("catalogue")
+    known = {hosted.source.id: hosted for hosted in library_of(request)}
+    hosted = known.get(catalogue) if isinstance(catalogue, str) else None
+    return page(request, "problem.html", problem.status, problem=problem, hosted=hosted)

@@ -1,0 +1,44 @@
+"""The whole service: the API, and pages for people on top of it."""
+
+from pathlib import Path
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import Response
+from starlette.exceptions import HTTPException
+from starlette.staticfiles import StaticFiles
+
+from app.api.application import create_app
+from app.api.problems import answer_problem, problem_from
+from app.api.settings import DEFAULT_SETTINGS, Settings
+from app.catalogue.hosting import Library
+from app.errors import SigcatError
+from app.web import pages, reference
+from app.web.headers import SecurityHeaders
+from app.web.rendering import problem_page
+
+_STATIC = Path(__file__).parent / "static"
+
+
+def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
+    """The API with the browser pages."""
+    app = create_app(library, settings)
+    for router in (pages.router, reference.router):
+        app.include_router(router, include_in_schema=False)
+    app.mount("/static", StaticFiles(directory=_STATIC), name="static")
+    app.add_middleware(SecurityHeaders)
+    for kind in (SigcatError, RequestValidationError, HTTPException, Exception):
+        app.add_exception_handler(kind, _answer)
+    return app
+
+
+async def _answer(request: Request, error: Exception) -> Response:
+    """A problem document for programs, a page for people."""
+    path = request.url.path.removeprefix(request.scope.get("root_path", ""))
+    is_for_programs = path.startswith(("/api/", "/openapi.json", "/rows/")) or path.endswith(".json")
+    if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):
+        return await answer_problem(request, error)
+    problem = problem_from(error)
+    if problem.status >= 500:
+        await answer_problem(request, error)
+    return problem_page(request, problem)

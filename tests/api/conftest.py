@@ -1,0 +1,47 @@
+"""A service over a small tree, asked in process."""
+
+import asyncio
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from app.api.application import create_app
+from app.api.settings import Settings
+from app.catalogue.hosting import Library, Source
+
+TREE = Path(__file__).parent / "tree"
+SOURCES = (
+    Source("small", "A small tree", TREE / "tree.vspec", (TREE / "overlay.vspec",)),
+    Source("bare", "The small tree alone", TREE / "tree.vspec"),
+    Source("broken", "A tree that is wrong", TREE / "broken.vspec"),
+)
+SETTINGS = Settings(body_bytes=10_000, results=5, tree_nodes=12)
+
+Ask = Callable[..., httpx.Response]
+
+
+def asker(app: Any) -> Ask:
+    """A function that asks an ASGI application; what goes wrong inside is an answer, not an exception."""
+
+    async def request(method: str, address: str, options: Mapping[str, Any]) -> httpx.Response:
+        transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+        async with httpx.AsyncClient(transport=transport, base_url="http://sigcat") as client:
+            return await client.request(method, address, **options)
+
+    def ask(address: str, method: str = "GET", **options: Any) -> httpx.Response:
+        return asyncio.run(request(method, address, options))
+
+    return ask
+
+
+@pytest.fixture(scope="session")
+def library() -> Library:
+    return Library(SOURCES)
+
+
+@pytest.fixture(scope="session")
+def ask(library: Library) -> Ask:
+    return asker(create_app(library, SETTINGS))

@@ -1,0 +1,72 @@
+"""Every error is a problem that says what is wrong."""
+
+import pytest
+
+from tests.api.conftest import Ask
+
+SMALL = "/api/v1/catalogues/small"
+
+
+def problem(ask: Ask, address: str, status: int, **options: object) -> dict[str, object]:
+    answer = ask(address, **options)
+    assert answer.status_code == status
+    assert answer.headers["content-type"] == "application/problem+json"
+    body: dict[str, object] = answer.json()
+    assert set(body) == {"type", "title", "status", "detail", "findings", "nearest"}
+    assert body["status"] == status
+    return body
+
+
+def test_a_path_that_does_not_exist_proposes_near_ones(ask: Ask) -> None:
+    body = problem(ask, f"{SMALL}/nodes/Vehicle.Sped", 404)
+    assert body["type"] == "/problems/not-found"
+    assert "Vehicle.Speed" in body["nearest"]  # type: ignore[operator]
+
+
+def test_a_catalogue_that_does_not_exist_proposes_near_ones(ask: Ask) -> None:
+    assert problem(ask, "/api/v1/catalogues/smal", 404)["nearest"] == ["small"]
+
+
+@pytest.mark.parametrize(
+    "query",
+    ["limit=0", "limit=many", "limit=-1", "deprecated=perhaps", "unknown=1", f"cursor={'x' * 300}", "depth=3"],
+)
+def test_a_parameter_that_does_not_fit_is_named(ask: Ask, query: str) -> None:
+    (finding,) = problem(ask, f"{SMALL}/search?{query}", 422)["findings"]  # type: ignore[misc]
+    assert finding["pointer"] == f"/query/{query.partition('=')[0]}"
+
+
+@pytest.mark.parametrize("cursor", ["abc", "////", "AAAA", "%F0%9F%92%A3", "MTIzOi0x", "'; drop table", "%00"])
+def test_a_cursor_that_is_made_up_is_refused(ask: Ask, cursor: str) -> None:
+    assert "cursor" in str(problem(ask, f"{SMALL}/search?cursor={cursor}", 400)["detail"])
+
+
+def test_a_cursor_of_another_state_is_refused(ask: Ask) -> None:
+    cursor = ask(f"{SMALL}/search?limit=2").json()["next_cursor"]
+    assert "changed" in str(problem(ask, f"/api/v1/catalogues/bare/search?cursor={cursor}", 400)["detail"])
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["<script>alert(1)</script>", "..%2f..%2fetc%2fpasswd", "%00", "Vehicle." * 500, "'%20OR%201=1", "Vehicle..Speed"],
+)
+def test_a_hostile_path_is_a_path_that_does_not_exist(ask: Ask, path: str) -> None:
+    problem(ask, f"{SMALL}/nodes/{path}", 404)
+
+
+def test_a_text_to_search_for_has_a_limit(ask: Ask) -> None:
+    assert "200 characters" in str(problem(ask, f"{SMALL}/search?q={'a ' * 5000}", 400)["detail"])
+
+
+def test_an_address_or_method_that_does_not_exist_is_a_problem_too(ask: Ask) -> None:
+    problem(ask, "/api/v2/catalogues", 404)
+    problem(ask, "/api/v1/catalogues", 405, method="DELETE")
+
+
+def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("secret")
+
+    monkeypatch.setattr("app.api.presenting.node_detail", fail)
+    body = problem(ask, f"{SMALL}/nodes/Vehicle.Speed", 500)
+    assert "secret" not in str(body)

@@ -1,0 +1,133 @@
+"""Bad input: each gives clear findings, all at once, quickly, and the process lives."""
+
+import threading
+from pathlib import Path
+
+import pytest
+
+from app.catalogue.compose import compose, read_catalogue
+from app.catalogue.layers import layer_from_text, read_layer
+from app.catalogue.limits import Limits
+from app.catalogue.vocabulary import read_vocabulary
+from tests.catalogue.trees import ROOT, findings_of
+
+BAD = Path(__file__).parent / "bad"
+
+
+@pytest.mark.parametrize("name", sorted(folder.name for folder in BAD.iterdir()))
+def test_the_findings_are_as_expected(name, monkeypatch):
+    monkeypatch.chdir(BAD / name)
+    options = Path("options").read_text().split() if Path("options").exists() else []
+    overlays = [Path(option) for option in options[1::2]]
+    catalogue = read_catalogue(Path("tree.vspec"), overlays)
+    lines = [finding.line_of_text for finding in catalogue.findings]
+    assert lines == Path("expected.txt").read_text().splitlines()
+    assert lines
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        (b"[" * 50_000, "R004"),
+        (b"- " * 50_000, "R004"),
+        (b"? " * 50_000, "R004"),
+        (b"{a: " * 50_000, "R004"),
+        ("\n".join(" " * depth + "a:" for depth in range(2_000)).encode(), "R004"),
+        (b"A:\n  x: " + b"[" * 1_000 + b"]" * 1_000, "R014"),
+        (b"\xff\xfe" + "Vehicle:".encode("utf-16-le"), "R002"),
+        (b"A:\n  type: 9" + b"9" * 5_000, "R014"),
+        (b"%TAG ! tag:yaml.org,2002:\n---\nA: !!map {type: !!python/name:os branch}", "R014"),
+        (b"A: &a {<<: *a}", "R014"),
+    ],
+)
+def test_hostile_text_is_one_finding(text, rule):
+    findings = layer_from_text(text, "text").findings
+    assert [finding.rule for finding in findings] == [rule]
+
+
+def test_aliases_that_multiply_are_refused():
+    lines = ["a0: &a0 [x, x, x, x, x, x, x, x, x]"]
+    lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, 20)]
+    text = "Vehicle:\n  type: branch\n  Bomb:\n" + "\n".join(f"    {line}" for line in lines)
+    findings = layer_from_text(text.encode(), "bomb", limits=Limits(values=100_000)).findings
+    assert [finding.rule for finding in findings] == ["R005"]
+
+
+def test_a_file_of_100_megabytes_is_refused_unread(tmp_path):
+    huge = tmp_path / "huge.vspec"
+    with huge.open("wb") as file:
+        file.truncate(100_000_000)
+    assert [finding.rule for finding in read_layer(huge).findings] == ["R003"]
+
+
+def test_a_missing_file_is_a_finding(tmp_path):
+    catalogue = read_catalogue(tmp_path / "missing.vspec")
+    assert [finding.rule for finding in catalogue.findings] == ["R012"]
+
+
+def test_includes_that_multiply_are_refused(tmp_path):
+    names = [f"level{n}.vspec" for n in range(8)]
+    for name, below in zip(names, [*names[1:], ""], strict=True):
+        includes = "".join(f"#include {below} P{n}\n" for n in range(20)) if below else ""
+        (tmp_path / name).write_text(f"{ROOT}{includes}")
+    layer = read_layer(tmp_path / names[0], limits=Limits(nodes=10_000))
+    assert [finding.rule for finding in layer.findings] == ["R015"]
+
+
+def test_a_link_out_of_the_folder_is_not_followed(tmp_path):
+    outside = tmp_path / "outside.vspec"
+    outside.write_text("Secret:\n  type: branch\n")
+    inside = tmp_path / "tree"
+    inside.mkdir()
+    (inside / "link.vspec").symlink_to(outside)
+    (inside / "tree.vspec").write_text(f"{ROOT}#include link.vspec Vehicle\n")
+    catalogue = read_catalogue(inside / "tree.vspec")
+    assert [finding.rule for finding in catalogue.findings] == ["R010"]
+    assert catalogue.get("Vehicle.Secret") is None
+
+
+def test_text_cannot_include_files():
+    layer = layer_from_text(b"#include /etc/passwd\n", "posted")
+    assert [finding.rule for finding in layer.findings] == ["R010"]
+
+
+def test_a_path_of_300_names_is_refused():
+    path = ".".join(["Vehicle"] + ["A"] * 300)
+    assert findings_of(f"{ROOT}{path}:\n  type: branch\n") == ["V024"]
+
+
+def test_two_catalogues_with_different_units_live_in_one_process_on_two_threads(tmp_path):
+    results = {}
+
+    def read(unit: str) -> None:
+        folder = tmp_path / unit
+        folder.mkdir()
+        (folder / "quantities.yaml").write_text("speed:\n  definition: Speed.\n")
+        (folder / "units.yaml").write_text(
+            f"{unit}:\n  definition: D.\n  unit: name of {unit}\n  quantity: speed\n  allowed-datatypes: [numeric]\n"
+        )
+        signals = "".join(
+            f"Vehicle.{name}:\n  type: sensor\n  datatype: float\n  unit: {name}\n" for name in ("knot", "warp")
+        )
+        (folder / "tree.vspec").write_text(ROOT + signals)
+        for _ in range(20):
+            results[unit] = read_catalogue(folder / "tree.vspec")
+
+    threads = [threading.Thread(target=read, args=(unit,)) for unit in ("knot", "warp")]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert [f.path for f in results["knot"].findings] == ["Vehicle.warp"]
+    assert [f.path for f in results["warp"].findings] == ["Vehicle.knot"]
+
+
+def test_everything_wrong_is_told_at_once():
+    signals = "".join(f"Vehicle.S{number}:\n  type: sensor\n  datatype: flaot\n" for number in range(50))
+    assert findings_of(ROOT + signals) == ["V003"] * 50
+
+
+def test_unreadable_units_are_a_finding(tmp_path):
+    vocabulary = read_vocabulary([tmp_path / "none.yaml"], [])
+    assert [finding.rule for finding in vocabulary.findings] == ["R012"]
+    assert compose([layer_from_text(ROOT.encode(), "tree", is_overlay=False)], vocabulary).get("Vehicle") is not None
