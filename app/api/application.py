@@ -4,10 +4,12 @@ from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
 from app import __version__
-from app.api import catalogues
+from app.api import catalogues, functions, lint, rules
 from app.api.problems import install_problems
+from app.api.rulebook import rule_book
 from app.api.settings import DEFAULT_SETTINGS, Settings
 from app.catalogue.hosting import Library
+from app.data import INTERFACE_RULES
 
 _DESCRIPTION = """\
 A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
@@ -29,7 +31,8 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     )
     app.state.library = library
     app.state.settings = settings
-    for router in (catalogues.listing, catalogues.router):
+    app.state.rules = rule_book(INTERFACE_RULES)
+    for router in (catalogues.listing, catalogues.router, rules.router, lint.router, functions.router):
         app.include_router(router)
     install_problems(app)
     return app

@@ -5,19 +5,10 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Query
 from pydantic import BaseModel, ConfigDict, Field
 
-from app.api import presenting
+from app.api import presenting, schemas
 from app.api.cursors import cursor_of, offset_of
 from app.api.problems import problem_documentation
 from app.api.requests import TheCatalogue, TheLibrary, TheSettings
-from app.api.schemas import (
-    CatalogueDetail,
-    Catalogues,
-    NodeDetail,
-    Quantities,
-    SearchPage,
-    TreeNode,
-    Units,
-)
 from app.catalogue.model import Catalogue, Node
 from app.catalogue.search import FACETS
 from app.errors import NotFound, UsageError
@@ -55,19 +46,19 @@ class SearchQuery(BaseModel):
 
 
 @listing.get("")
-def list_catalogues(library: TheLibrary) -> Catalogues:
+def list_catalogues(library: TheLibrary) -> schemas.Catalogues:
     """The hosted catalogues, the default one first."""
-    return Catalogues(catalogues=[presenting.catalogue_summary(hosted) for hosted in library])
+    return schemas.Catalogues(catalogues=[presenting.catalogue_summary(hosted) for hosted in library])
 
 
 @router.get("", responses=problem_documentation(404, 422))
-def get_catalogue(hosted: TheCatalogue) -> CatalogueDetail:
+def get_catalogue(hosted: TheCatalogue) -> schemas.Catalogue:
     """A catalogue with its layers and its findings."""
     return presenting.catalogue_detail(hosted)
 
 
 @router.get("/nodes/{path}", responses=problem_documentation(404, 422))
-def get_node(hosted: TheCatalogue, path: NodePath) -> NodeDetail:
+def get_node(hosted: TheCatalogue, path: NodePath) -> schemas.Node:
     """A node with its children, and every attribute with its origin and history."""
     return presenting.node_detail(hosted.catalogue, find_node(hosted.catalogue, path))
 
@@ -78,7 +69,7 @@ def get_tree(
     settings: TheSettings,
     path: Annotated[str | None, Query(description="Where the tree begins; without it, at the root.")] = None,
     depth: Annotated[int, Query(ge=0, le=_DEEPEST, description="Levels below the first node.")] = 1,
-) -> TreeNode:
+) -> schemas.TreeNode:
     """A node and what stands below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
     if _is_larger(node, depth, settings.tree_nodes):
@@ -88,7 +79,9 @@ def get_tree(
 
 
 @router.get("/search", responses=problem_documentation(400, 404, 422))
-def search_nodes(hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]) -> SearchPage:
+def search_nodes(
+    hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
+) -> schemas.SearchPage:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     if len(query.q) > settings.query_characters:
         raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
@@ -97,7 +90,7 @@ def search_nodes(hosted: TheCatalogue, settings: TheSettings, query: Annotated[S
     limit = min(query.limit, settings.results)
     result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
     following = offset + len(result.nodes)
-    return SearchPage(
+    return schemas.SearchPage(
         total=result.total,
         nodes=[presenting.node_summary(node) for node in result.nodes],
         facets={facet: dict(counts) for facet, counts in result.facets.items()},
@@ -107,16 +100,16 @@ def search_nodes(hosted: TheCatalogue, settings: TheSettings, query: Annotated[S
 
 
 @router.get("/units", responses=problem_documentation(404, 422))
-def list_units(hosted: TheCatalogue) -> Units:
+def list_units(hosted: TheCatalogue) -> schemas.Units:
     """The units that the catalogue knows."""
-    return Units(units=[presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units])
+    return schemas.Units(units=[presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units])
 
 
 @router.get("/quantities", responses=problem_documentation(404, 422))
-def list_quantities(hosted: TheCatalogue) -> Quantities:
+def list_quantities(hosted: TheCatalogue) -> schemas.Quantities:
     """The quantities that the units measure."""
     quantities = hosted.catalogue.vocabulary.quantities.values()
-    return Quantities(quantities=[presenting.quantity_schema(quantity) for quantity in quantities])
+    return schemas.Quantities(quantities=[presenting.quantity_schema(quantity) for quantity in quantities])
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

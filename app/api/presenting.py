@@ -7,21 +7,7 @@ from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import Any
 
-from app.api.schemas import (
-    AttributeSchema,
-    CatalogueDetail,
-    CatalogueSummary,
-    FindingCounts,
-    FindingSchema,
-    HistoryEntry,
-    LayerSchema,
-    NodeDetail,
-    NodeSummary,
-    Place,
-    QuantitySchema,
-    TreeNode,
-    UnitSchema,
-)
+from app.api import schemas
 from app.catalogue.definition import CORE_ATTRIBUTES
 from app.catalogue.hosting import Hosted
 from app.catalogue.interfaces import category_of, interface_name
@@ -31,8 +17,8 @@ from app.catalogue.search import overlay_name
 from app.catalogue.vocabulary import Quantity, Unit
 from app.catalogue.vspec_file import Origin
 from app.data import VSPEC
-from app.findings import Finding
-
+from app.findings import Finding, has_errors
+from app.rules.record import Rule
 
 _SHIPPED = f"{VSPEC.parent}{os.sep}"
 
@@ -57,9 +43,9 @@ def plain_text(text: str) -> str:
     return text.encode("utf-8", "replace").decode()
 
 
-def place(origin: Origin) -> Place:
+def place(origin: Origin) -> schemas.Place:
     """Where something was written."""
-    return Place(
+    return schemas.Place(
         file=shown_file(origin.file), line=origin.line, column=origin.column, overlay=overlay_name(origin.overlay)
     )
 
@@ -69,26 +55,26 @@ def shown_file(file: str) -> str:
     return plain_text(file.removeprefix(_SHIPPED))
 
 
-def finding_schema(finding: Finding) -> FindingSchema:
+def finding_schema(finding: Finding) -> schemas.Finding:
     """A finding as the API has it."""
     fields: dict[str, Any] = {n: plain_text(v) if isinstance(v, str) else v for n, v in finding._asdict().items()}
-    return FindingSchema(**{**fields, "file": shown_file(finding.file)})
+    return schemas.Finding(**{**fields, "file": shown_file(finding.file)})
 
 
-def finding_counts(findings: Iterable[Finding]) -> FindingCounts:
+def finding_counts(findings: Iterable[Finding]) -> schemas.FindingCounts:
     """How many findings there are of each severity."""
     counts = Counter(finding.severity for finding in findings)
-    return FindingCounts(error=counts["error"], warning=counts["warning"], info=counts["info"])
+    return schemas.FindingCounts(error=counts["error"], warning=counts["warning"], info=counts["info"])
 
 
-def catalogue_summary(hosted: Hosted) -> CatalogueSummary:
+def catalogue_summary(hosted: Hosted) -> schemas.CatalogueSummary:
     """A hosted catalogue in a list."""
-    return CatalogueSummary(**_summary_fields(hosted))
+    return schemas.CatalogueSummary(**_summary_fields(hosted))
 
 
-def catalogue_detail(hosted: Hosted) -> CatalogueDetail:
+def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     """A hosted catalogue with layers and findings."""
-    return CatalogueDetail(
+    return schemas.Catalogue(
         **_summary_fields(hosted),
         layers=[_layer(layer) for layer in hosted.catalogue.layers],
         problems=[finding_schema(finding) for finding in hosted.catalogue.findings],
@@ -96,18 +82,18 @@ def catalogue_detail(hosted: Hosted) -> CatalogueDetail:
     )
 
 
-def node_summary(node: Node) -> NodeSummary:
+def node_summary(node: Node) -> schemas.NodeSummary:
     """A node in a list."""
-    return NodeSummary(**_node_fields(node))
+    return schemas.NodeSummary(**_node_fields(node))
 
 
-def node_detail(catalogue: Catalogue, node: Node) -> NodeDetail:
+def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
     """Everything about one node."""
     parent = catalogue.parent(node)
     siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
     position = siblings.index(node.path)
     unit = catalogue.unit(node)
-    return NodeDetail(
+    return schemas.Node(
         path=node.path,
         name=node.name,
         type=node.type,
@@ -130,35 +116,35 @@ def interface_name_of(node: Node) -> str | None:
     return interface_name(node.path) if category is not None and category != "data" else None
 
 
-def attributes(node: Node) -> list[AttributeSchema]:
+def attributes(node: Node) -> list[schemas.Attribute]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
     return [
-        AttributeSchema(
+        schemas.Attribute(
             name=plain_text(name),
             value=plain(value),
             origin=place(node.definition.origin(name)),
             is_extended=name not in CORE_ATTRIBUTES,
-            history=[HistoryEntry(value=plain(v), origin=place(o)) for v, o in node.definition.history(name)],
+            history=[schemas.HistoryEntry(value=plain(v), origin=place(o)) for v, o in node.definition.history(name)],
         )
         for name, value in node.values.items()
     ]
 
 
-def tree_node(node: Node, depth: int) -> TreeNode:
+def tree_node(node: Node, depth: int) -> schemas.TreeNode:
     """A node and what stands below it, `depth` levels down."""
     children = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
-    return TreeNode(**_node_fields(node), children=children)
+    return schemas.TreeNode(**_node_fields(node), children=children)
 
 
-def unit_schema(unit: Unit) -> UnitSchema:
+def unit_schema(unit: Unit) -> schemas.Unit:
     """A unit as the API has it."""
     fields = unit._asdict()
-    return UnitSchema(**{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": place(unit.origin)})
+    return schemas.Unit(**{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": place(unit.origin)})
 
 
-def quantity_schema(quantity: Quantity) -> QuantitySchema:
+def quantity_schema(quantity: Quantity) -> schemas.Quantity:
     """A quantity as the API has it."""
-    return QuantitySchema(**{**quantity._asdict(), "origin": place(quantity.origin)})
+    return schemas.Quantity(**{**quantity._asdict(), "origin": place(quantity.origin)})
 
 
 def _summary_fields(hosted: Hosted) -> dict[str, Any]:
@@ -174,8 +160,10 @@ def _summary_fields(hosted: Hosted) -> dict[str, Any]:
     }
 
 
-def _layer(layer: Layer) -> LayerSchema:
-    return LayerSchema(name=shown_file(layer.name), is_overlay=layer.is_overlay, files=len(layer.files), digest=layer.digest)
+def _layer(layer: Layer) -> schemas.Layer:
+    return schemas.Layer(
+        name=shown_file(layer.name), is_overlay=layer.is_overlay, files=len(layer.files), digest=layer.digest
+    )
 
 
 def _node_fields(node: Node) -> dict[str, Any]:
@@ -194,3 +182,34 @@ def _node_fields(node: Node) -> dict[str, Any]:
 
 def _text(value: Any) -> str | None:
     return None if value is None else plain_text(str(value))
+
+
+def rule_summary(rule: Rule) -> schemas.RuleSummary:
+    """A rule in a list."""
+    return schemas.RuleSummary(**_rule_fields(rule))
+
+
+def rule_detail(rule: Rule) -> schemas.Rule:
+    """Everything about one rule."""
+    return schemas.Rule(
+        **_rule_fields(rule),
+        why=rule.why,
+        check=rule.check,
+        options=plain(rule.options),
+        fix=rule.fix,
+        good=plain(rule.good),
+        bad=plain(rule.bad),
+        source=rule.source,
+    )
+
+
+def lint_report(findings: Iterable[Finding]) -> schemas.LintReport:
+    """Findings as a report."""
+    listed = tuple(findings)
+    return schemas.LintReport(
+        ok=not has_errors(listed), counts=finding_counts(listed), findings=[finding_schema(each) for each in listed]
+    )
+
+
+def _rule_fields(rule: Rule) -> dict[str, Any]:
+    return {name: getattr(rule, name) for name in schemas.RuleSummary.model_fields}

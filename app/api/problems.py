@@ -10,8 +10,8 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
+from app.api import schemas
 from app.api.presenting import finding_schema, plain_text
-from app.api.schemas import Problem
 from app.errors import InputRefused, NotFound, SigcatError
 from app.findings import Finding
 
@@ -43,10 +43,12 @@ def problem_response(
     return Response(problem.model_dump_json(), status, media_type=MEDIA_TYPE, **extra)
 
 
-def problem_of(status: int, detail: str, findings: Iterable[Finding] = (), nearest: Iterable[str] = ()) -> Problem:
+def problem_of(
+    status: int, detail: str, findings: Iterable[Finding] = (), nearest: Iterable[str] = ()
+) -> schemas.Problem:
     """A problem with the type and title of its status."""
     kind, title = KINDS.get(status, (f"status-{status}", HTTPStatus(status).phrase))
-    return Problem(
+    return schemas.Problem(
         type=f"/problems/{kind}",
         title=title,
         status=status,
@@ -56,7 +58,7 @@ def problem_of(status: int, detail: str, findings: Iterable[Finding] = (), neare
     )
 
 
-def problem_from(error: Exception) -> Problem:
+def problem_from(error: Exception) -> schemas.Problem:
     """The problem that an exception stands for. What is not ours is an internal error that tells nothing."""
     if isinstance(error, NotFound):
         return problem_of(404, str(error), nearest=error.nearest)
@@ -80,7 +82,7 @@ def install_problems(app: FastAPI) -> None:
 
 def problem_documentation(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """The `responses` of an operation that may answer with problems of these statuses."""
-    return {status: {"description": KINDS[status][1], "model": Problem} for status in statuses}
+    return {status: {"description": KINDS[status][1], "model": schemas.Problem} for status in statuses}
 
 
 async def answer_problem(request: Request, error: Exception) -> Response:

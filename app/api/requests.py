@@ -9,6 +9,7 @@ from starlette.exceptions import HTTPException
 
 from app import __version__
 from app.api.problems import BodyRefused
+from app.api.rulebook import RuleBook
 from app.api.settings import Settings
 from app.catalogue.hosting import Hosted, Library
 
@@ -27,8 +28,15 @@ def settings_of(request: Request) -> Settings:
     return settings
 
 
+def rules_of(request: Request) -> RuleBook:
+    """The rules of the service."""
+    rules: RuleBook = request.app.state.rules
+    return rules
+
+
 TheLibrary = Annotated[Library, Depends(library_of)]
 TheSettings = Annotated[Settings, Depends(settings_of)]
+TheRules = Annotated[RuleBook, Depends(rules_of)]
 CatalogueId = Annotated[str, Path(description="Id of a hosted catalogue.", examples=["interfaces"])]
 
 
@@ -94,7 +102,7 @@ PostedText = Annotated[bytes, Depends(posted_text)]
 def text_body(description: str, example: str) -> dict[str, Any]:
     """The OpenAPI description of a posted text."""
     content = {
-        media_type: {"schema": {"type": "string"}, **({"example": example} if "yaml" in media_type else {})}
+        media_type: {"schema": {"type": "string"}, **({"example": example} if example and "yaml" in media_type else {})}
         for media_type in TEXT_TYPES
     }
     return {"requestBody": {"required": True, "description": description, "content": content}}

@@ -20,10 +20,8 @@ class Place(Schema):
     overlay: str = Field("", description="The overlay that the file belongs to; empty in the base tree.")
 
 
-class FindingSchema(Schema):
+class Finding(Schema):
     """One problem in one place, and what to do about it."""
-
-    model_config = ConfigDict(title="Finding")
 
     rule: str
     severity: Literal["error", "warning", "info"]
@@ -43,7 +41,7 @@ class Problem(Schema):
     title: str
     status: int
     detail: str
-    findings: list[FindingSchema] = Field(default_factory=list)
+    findings: list[Finding] = Field(default_factory=list)
     nearest: list[str] = Field(default_factory=list, description="Names that exist and are near the one asked for.")
 
 
@@ -55,10 +53,8 @@ class FindingCounts(Schema):
     info: int = 0
 
 
-class LayerSchema(Schema):
+class Layer(Schema):
     """A base tree or an overlay, in the order in which it applies."""
-
-    model_config = ConfigDict(title="Layer")
 
     name: str
     is_overlay: bool
@@ -78,12 +74,12 @@ class CatalogueSummary(Schema):
     findings: FindingCounts
 
 
-class CatalogueDetail(CatalogueSummary):
+class Catalogue(CatalogueSummary):
     """A hosted catalogue with its layers and everything that is wrong with it."""
 
-    layers: list[LayerSchema]
-    problems: list[FindingSchema] = Field(description="Findings of the catalogue as it is served.")
-    rejected: list[FindingSchema] = Field(description="Findings of a newer state that was therefore not taken.")
+    layers: list[Layer]
+    problems: list[Finding] = Field(description="Findings of the catalogue as it is served.")
+    rejected: list[Finding] = Field(description="Findings of a newer state that was therefore not taken.")
 
 
 class Catalogues(Schema):
@@ -113,10 +109,8 @@ class HistoryEntry(Schema):
     origin: Place
 
 
-class AttributeSchema(Schema):
+class Attribute(Schema):
     """An attribute of a node: its value, where that was written, and what it was before."""
-
-    model_config = ConfigDict(title="Attribute")
 
     name: str
     value: Any
@@ -125,10 +119,8 @@ class AttributeSchema(Schema):
     history: list[HistoryEntry] = Field(description="Every value that the layers gave it, first to last.")
 
 
-class UnitSchema(Schema):
+class Unit(Schema):
     """A unit of measurement."""
-
-    model_config = ConfigDict(title="Unit")
 
     key: str = Field(description="What trees write.")
     name: str = Field(description="The unit in words.")
@@ -139,10 +131,8 @@ class UnitSchema(Schema):
     origin: Place
 
 
-class QuantitySchema(Schema):
+class Quantity(Schema):
     """A kind of property that units measure."""
-
-    model_config = ConfigDict(title="Quantity")
 
     key: str
     definition: str
@@ -153,16 +143,16 @@ class QuantitySchema(Schema):
 class Units(Schema):
     """Units of a catalogue."""
 
-    units: list[UnitSchema]
+    units: list[Unit]
 
 
 class Quantities(Schema):
     """Quantities of a catalogue."""
 
-    quantities: list[QuantitySchema]
+    quantities: list[Quantity]
 
 
-class NodeDetail(Schema):
+class Node(Schema):
     """Everything about one node."""
 
     path: str
@@ -175,8 +165,8 @@ class NodeDetail(Schema):
     previous: str | None
     next: str | None
     origin: Place
-    unit: UnitSchema | None
-    attributes: list[AttributeSchema]
+    unit: Unit | None
+    attributes: list[Attribute]
     children: list[NodeSummary]
 
 
@@ -194,3 +184,40 @@ class SearchPage(Schema):
     facets: dict[str, dict[str, int]] = Field(description="How many results have each value of each filter.")
     did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
     next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+
+
+class RuleSummary(Schema):
+    """A rule in a list."""
+
+    id: str
+    name: str
+    title: str
+    category: str
+    severity: Literal["error", "warning", "info"]
+    default: bool = Field(description="Whether the rule is on when nothing is configured.")
+
+
+class Rule(RuleSummary):
+    """A rule: why it is there, what it checks, good and bad examples."""
+
+    why: str
+    check: str
+    options: dict[str, Any]
+    fix: str
+    good: list[Any]
+    bad: list[Any]
+    source: str = Field(description="Where the rule comes from.")
+
+
+class Rules(Schema):
+    """Every rule."""
+
+    rules: list[RuleSummary]
+
+
+class LintReport(Schema):
+    """What the rules found in a posted text."""
+
+    ok: bool = Field(description="Whether there is no error among the findings.")
+    counts: FindingCounts
+    findings: list[Finding]

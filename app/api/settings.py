@@ -14,8 +14,6 @@ class Settings(NamedTuple):
     """Most nodes in one answer of the tree."""
     query_characters: int = 200
     """Longest text that is searched for."""
-    is_watching: bool = False
-    """Whether files are read again when they change."""
 
 
 DEFAULT_SETTINGS = Settings()

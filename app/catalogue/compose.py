@@ -59,6 +59,17 @@ def compose(
         return _compose(layers, vocabulary, types, name, expanded, limits, earlier)
 
 
+def unexpanded(catalogue: Catalogue) -> Catalogue:
+    """The same catalogue with instances left as they were written."""
+    if not catalogue.is_expanded:
+        return catalogue
+    root = draft_tree(catalogue.definitions, DEFAULT_LIMITS, [])
+    roots = (frozen_tree(root, []), *catalogue.roots[1:]) if root is not None else catalogue.roots
+    return Catalogue(
+        catalogue.name, roots, catalogue.vocabulary, catalogue.layers, catalogue.findings, catalogue.definitions, False
+    )
+
+
 def _compose(
     layers: Sequence[Layer],
     vocabulary: Vocabulary,

@@ -28,6 +28,7 @@ DATA_ATTRIBUTES = COMMON_ATTRIBUTES | {
 }  # fmt: skip
 CORE_ATTRIBUTES = BRANCH_ATTRIBUTES | DATA_ATTRIBUTES
 _EPSILON = 1e-6
+_QUOTE = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 
 
 class Problem(NamedTuple):
@@ -362,7 +363,11 @@ def _enum_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if len(set(enum.values())) < len(enum):
         yield Problem("V014", "enum", "Two names of the `enum` have the same number.")
     for key, number in enum.items():
-        if not re.match(r"[A-Z]", str(key)):
+        if not isinstance(key, str):
+            yield Problem(
+                "V014", "enum", f"Name {key!r} of the `enum` is no text.", _QUOTE if key in (True, False) else ""
+            )
+        elif not re.match(r"[A-Z]", key):
             yield Problem("V014", "enum", f"Name {key!r} of the `enum` does not start with a capital letter.")
         if not holds(element_of(datatype), number):
             yield Problem("V014", "enum", f"Number {number} of the `enum` is no value of {datatype}.")
@@ -377,11 +382,7 @@ def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
         return
     for value in allowed:
         if not holds(datatype, value):
-            fix = (
-                "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
-                if value in (True, False)
-                else ""
-            )
+            fix = _QUOTE if value in (True, False) else ""
             yield Problem("V012", "allowed", f"Allowed value {_shown(value)} is no value of {datatype}.", fix)
 
 

@@ -1,8 +1,11 @@
 """The catalogues that one process hosts: where each comes from, and its latest good state."""
 
+import logging
 from collections.abc import Iterable, Iterator
-from threading import Lock
-from typing import NamedTuple
+from pathlib import Path
+from threading import Event, Lock, Thread
+from types import TracebackType
+from typing import NamedTuple, Self
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
@@ -12,7 +15,12 @@ from app.errors import NotFound
 from app.findings import Finding, has_errors
 from app.names import nearest
 
-__all__ = ["Hosted", "Library", "Source", "load", "shipped_sources"]
+__all__ = ["Hosted", "Library", "Source", "Watch", "load", "shipped_sources"]
+
+Marks = frozenset[tuple[str, int, int, int]]
+"""Files and folders with time of change, size and inode: different as soon as one of them changes."""
+
+_log = logging.getLogger("sigcat.hosting")
 
 
 class Hosted(NamedTuple):
@@ -23,6 +31,10 @@ class Hosted(NamedTuple):
     search_index: SearchIndex
     rejected: tuple[Finding, ...] = ()
     """Findings of a newer state that has errors and was therefore not taken."""
+    files: frozenset[Path] = frozenset()
+    """Files that were read last, for the state shown or for the one rejected."""
+    marks: Marks = frozenset()
+    """What those files and their folders looked like before they were read."""
 
 
 class Library:
@@ -38,8 +50,10 @@ class Library:
 
     @property
     def default(self) -> Hosted:
-        """The first catalogue: the one shown when none is named."""
-        return next(iter(self._hosted.values()))
+        """The first catalogue: the one shown when none is named. Raises NotFound if there is none."""
+        for hosted in self._hosted.values():
+            return hosted
+        raise NotFound("There is no catalogue.")
 
     def get(self, catalogue_id: str) -> Hosted:
         """The hosted catalogue with this id. Raises NotFound with the nearest ids."""
@@ -51,15 +65,103 @@ class Library:
     def reload(self, catalogue_id: str) -> Hosted:
         """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why."""
         with self._lock:
-            current = self.get(catalogue_id)
-            fresh = load(current.source, self._limits)
-            if has_errors(fresh.findings):
-                hosted = current._replace(rejected=fresh.findings)
-            else:
-                hosted = Hosted(current.source, fresh, SearchIndex(fresh))
+            hosted = self._reloaded(self.get(catalogue_id))
             self._hosted = {**self._hosted, catalogue_id: hosted}
             return hosted
 
+    def reload_changed(self) -> tuple[str, ...]:
+        """Reload every catalogue of which a file changed since it was read; their ids."""
+        changed = [hosted.source.id for hosted in self if _marks(hosted.files) != hosted.marks]
+        for catalogue_id in changed:
+            self.reload(catalogue_id)
+        return tuple(changed)
+
+    def host(self, sources: Iterable[Source]) -> None:
+        """Host these sources in place of the ones so far; a catalogue whose source is the same stays."""
+        with self._lock:
+            before = {hosted.source: hosted for hosted in self._hosted.values()}
+            self._hosted = {source.id: before.get(source) or self._load(source) for source in sources}
+
     def _load(self, source: Source) -> Hosted:
+        marks = _marks(_named_files(source))
         catalogue = load(source, self._limits)
-        return Hosted(source, catalogue, SearchIndex(catalogue))
+        return _with_files(Hosted(source, catalogue, SearchIndex(catalogue)), catalogue, marks)
+
+    def _reloaded(self, current: Hosted) -> Hosted:
+        marks = _marks(current.files)
+        fresh = load(current.source, self._limits)
+        if has_errors(fresh.findings) and not has_errors(current.catalogue.findings):
+            return _with_files(current._replace(rejected=fresh.findings), fresh, marks)
+        if fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue):
+            return _with_files(current._replace(rejected=()), fresh, marks)
+        return _with_files(Hosted(current.source, fresh, SearchIndex(fresh)), fresh, marks)
+
+
+class Watch:
+    """Looks for changed files while it is entered, in a thread of its own, and has them read again."""
+
+    def __init__(self, library: Library, seconds: float = 1.0) -> None:
+        self._library = library
+        self._seconds = seconds
+        self._stop = Event()
+        self._thread = Thread(target=self._run, name="sigcat-watch", daemon=True)
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stop.set()
+        self._thread.join()
+
+    def _run(self) -> None:
+        while not self._stop.wait(self._seconds):
+            try:
+                for catalogue_id in self._library.reload_changed():
+                    _tell(self._library.get(catalogue_id))
+            except Exception:  # noqa: BLE001 - the next look may succeed, and the catalogues stay as they are
+                _log.exception("the files of the catalogues could not be read again")
+
+
+def _tell(hosted: Hosted) -> None:
+    if not hosted.rejected:
+        _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
+        return
+    _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
+    for finding in hosted.rejected:
+        _log.warning("%s", finding.line_of_text)
+
+
+def _with_files(hosted: Hosted, fresh: Catalogue, before: Marks) -> Hosted:
+    """`hosted` with what was read for `fresh`. Marks taken before reading count: a change meanwhile is seen next."""
+    files = frozenset((*_named_files(hosted.source), *(Path(name) for name, _ in _files(fresh))))
+    earlier = {mark[0]: mark for mark in before}
+    marks = frozenset(earlier.get(mark[0], mark) for mark in _marks(files))
+    return hosted._replace(files=files, marks=marks)
+
+
+def _files(catalogue: Catalogue) -> frozenset[tuple[str, str]]:
+    """Names and digests of the files that were read."""
+    layers = [file for layer in catalogue.layers for file in layer.files]
+    return frozenset((file.name, file.digest) for file in (*layers, *catalogue.vocabulary.files))
+
+
+def _named_files(source: Source) -> frozenset[Path]:
+    """The files that a source names, and those that would be read if they stood beside its tree."""
+    beside = (source.spec.with_name(name) for name in ("units.yaml", "quantities.yaml"))
+    return frozenset((source.spec, *source.overlays, *source.units, *source.quantities, *source.types, *beside))
+
+
+def _marks(files: frozenset[Path]) -> Marks:
+    """Marks of files and of their folders: a folder changes when a file that was missing appears."""
+    return frozenset(_mark(path) for path in {*files, *(file.parent for file in files)})
+
+
+def _mark(path: Path) -> tuple[str, int, int, int]:
+    try:
+        status = path.stat()
+    except OSError:
+        return (str(path), 0, 0, 0)
+    return (str(path), status.st_mtime_ns, status.st_size, status.st_ino)

@@ -6,7 +6,9 @@ nodes then take microseconds, so that every key press can be answered with ranke
 
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import reduce
+from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -71,15 +73,19 @@ class SearchIndex:
         A name matches before a path, a path before a description; then tree order.
         """
         wanted = [word.lower() for word in text.replace(".", " ").split()]
-        chosen = self._everything
-        for facet, value in (filters or {}).items():
-            chosen &= self._facets[facet].get(value, 0)
-        ranks = self._ranked(wanted, chosen)
-        total = sum(rank.bit_count() for rank in ranks)
+        allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
+        ranks = self._ranked(wanted, _common(allowed.values(), self._everything))
         found = sum(ranks)  # ranks are disjoint: their sum is their union
+        total = found.bit_count()
         nodes = tuple(self._nodes[number] for number in _first(ranks, offset, limit))
-        facets = {facet: _counts(values, found) for facet, values in self._facets.items()}
+        unfiltered = sum(self._ranked(wanted, self._everything)) if allowed else found
+        facets = {facet: self._counted(facet, allowed, found, unfiltered) for facet in self._facets}
         return SearchResult(nodes, total, facets, () if total else self._near(wanted))
+
+    def _counted(self, facet: str, allowed: Mapping[str, Bits], found: Bits, unfiltered: Bits) -> dict[str, int]:
+        """Counts by value; those of a filter that is set say what each other value would give in its place."""
+        others = (bits for other, bits in allowed.items() if other != facet)
+        return _counts(self._facets[facet], _common(others, unfiltered) if facet in allowed else found)
 
     def _ranked(self, wanted: list[str], chosen: Bits) -> list[Bits]:
         """Disjoint sets of matches, best first."""
@@ -183,6 +189,11 @@ _FACET_VALUES: Mapping[str, Callable[[Node], str]] = {
     "overlay": _last_overlay,
     "deprecated": lambda node: "yes" if node.values.get("deprecation") else "no",
 }
+
+
+def _common(sets: Iterable[Bits], everything: Bits) -> Bits:
+    """What is in every set."""
+    return reduce(and_, sets, everything)
 
 
 def _counts(values: Mapping[str, Bits], found: Bits) -> dict[str, int]:

@@ -1,12 +1,17 @@
-"""Where catalogues come from: the trees that sigcat ships, and any other tree with its overlays."""
+"""Where catalogues come from: the trees that sigcat ships, pulled releases, and any other tree with its overlays."""
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.catalogue.compose import read_catalogue
+from app.catalogue.compose import compose
+from app.catalogue.layers import read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
+from app.catalogue.quirks import OFFICIAL_ROOT, in_present_words, read_units, tolerant
+from app.catalogue.yaml_document import collector_paused
 from app.data import OVERLAYS, ROOT_FILE, VSPEC
+from app.errors import UsageError
 
 
 class Source(NamedTuple):
@@ -21,8 +26,12 @@ class Source(NamedTuple):
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
     include_dirs: tuple[Path, ...] = ()
+    release: str = ""
+    """Name of the official release that the tree is; its own errors are warnings. Empty: a tree of one's own."""
 
 
+SHIPPED = "shipped"
+"""Name that stands for the tree that sigcat ships, where a release is asked for."""
 SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
 
 
@@ -38,15 +47,57 @@ def shipped_sources() -> tuple[Source, ...]:
     )
 
 
+def release_source(name: str) -> Source:
+    """The source of a pulled release, or of the shipped tree. Raises NotFound, which says how to pull it."""
+    from app.catalogue.releases import find_release
+
+    if name == SHIPPED:
+        return Source("vss", "VSS 6.0", ROOT_FILE)
+    release = find_release(name)
+    return Source(release.name, f"VSS {release.name.removeprefix('v')}", release.spec, release=release.name)
+
+
+def source_from_option(text: str) -> Source:
+    """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
+    catalogue_id, equals, rest = text.partition("=")
+    tree, *overlays = rest.split(",")
+    if not (catalogue_id and equals and tree):
+        raise UsageError(f"{text!r} names no catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
+    source = source_of_tree(tree)
+    for overlay in overlays:
+        if not Path(overlay).is_file():
+            raise UsageError(f"{overlay}: there is no such file")
+    title = catalogue_id if not source.release else source.title
+    return source._replace(id=catalogue_id, title=title, overlays=tuple(map(Path, overlays)))
+
+
+def source_of_tree(tree: str) -> Source:
+    """The source of a .vspec file, of a folder with an official root file in it or in its `spec`, or of a release."""
+    path = Path(tree)
+    if path.is_file():
+        return Source(path.stem, path.stem, path)
+    if not path.is_dir():
+        return release_source(tree)
+    for root in (path / OFFICIAL_ROOT, path / "spec" / OFFICIAL_ROOT):
+        if root.is_file():
+            return Source(path.name, path.name, root)
+    raise UsageError(f"{tree}: the folder has no {OFFICIAL_ROOT}; name the root file itself")
+
+
+def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:
+    """The chosen sources, and after them the shipped ones whose ids are still free. The last of equal ids counts."""
+    by_id = {source.id: source for source in chosen}
+    return (*by_id.values(), *(source for source in shipped if source.id not in by_id))
+
+
 def load(source: Source, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
-    """Read and compose the catalogue of a source."""
-    return read_catalogue(
-        source.spec,
-        source.overlays,
-        include_dirs=source.include_dirs,
-        units=source.units,
-        quantities=source.quantities,
-        types=source.types,
-        name=source.id,
-        limits=limits,
-    )
+    """Read and compose the catalogue of a source, of whatever release it is."""
+    with collector_paused():
+        units = read_units(source.spec, source.units, source.quantities, limits)
+        base = read_layer(source.spec, source.include_dirs, limits=limits)
+        overlays = [read_layer(path, source.include_dirs, is_overlay=True, limits=limits) for path in source.overlays]
+        types = [read_layer(path, source.include_dirs, limits=limits) for path in source.types]
+        if units.is_older:
+            base = in_present_words(base)
+        catalogue = compose([base, *overlays], units.vocabulary, types, name=source.id, limits=limits)
+    return tolerant(catalogue) if units.is_older or source.release else catalogue

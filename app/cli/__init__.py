@@ -9,10 +9,10 @@ import sys
 from collections.abc import Sequence
 
 from app import __version__
-from app.cli import export, function, lint, rule, serve, show
+from app.cli import diff, export, function, lint, pull, releases, rule, serve, show, try_overlay
 from app.errors import InputRefused, SigcatError
 
-COMMANDS = (lint, export, function, rule, show, serve)
+COMMANDS = (lint, diff, try_overlay, show, export, function, rule, pull, releases, serve)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -1,2 +1,166 @@
-def add_parser(commands):
-    pass
+"""`sigcat lint [PATH...]`."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.cli.output import write_text
+from app.cli.tree_options import add_many
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from app.findings import Finding
+    from app.rules.options import LintOptions, LintResult
+
+FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "lint",
+        help="check trees, overlays, function files and rule files",
+        description=(
+            "Check files and folders: trees, overlays (over the tree near them, or the shipped one), function files and "
+            "rule files. Settings stand in [tool.sigcat.lint] of a pyproject.toml or in [lint] of a sigcat.toml."
+        ),
+    )
+    parser.add_argument("paths", nargs="*", type=Path, metavar="PATH", help="files and folders (default: this folder)")
+    _add_choice(parser)
+    _add_context(parser)
+    _add_result(parser)
+    parser.set_defaults(run=lint)
+
+
+def _add_choice(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("which rules run; a code may be cut short, V1 stands for all that start so")
+    for name, text in (
+        ("--select", "only these"),
+        ("--ignore", "not these"),
+        ("--extend-select", "these beside the default set"),
+    ):
+        group.add_argument(name, metavar="CODE", action="append", default=[], help=f"{text}; several with commas")
+
+
+def _add_context(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("what the files are checked against")
+    group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="tree that overlays are made for")
+    add_many(group, "-l", "--overlays", "overlay that applies before those that are checked")
+    add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
+    add_many(group, "-u", "--units", "units beside those of the tree")
+    add_many(group, "-q", "--quantities", "quantities beside those of the tree")
+    add_many(group, "-t", "--types", "struct types")
+    group.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
+
+
+def _add_result(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("the result")
+    group.add_argument("--format", choices=FORMATS, default="text", help="form of the report (default: %(default)s)")
+    group.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the report here")
+    group.add_argument("--fix", action="store_true", help="repair what is safe, changing no other byte")
+    group.add_argument(
+        "--unsafe-fixes", action="store_true", help="with --fix or --diff: repairs that change a meaning"
+    )
+    group.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
+    group.add_argument("--baseline", type=Path, metavar="FILE", help="tell only what this file does not know")
+    group.add_argument(
+        "--write-baseline", type=Path, metavar="FILE", help="write all findings of now as known, and end"
+    )
+    group.add_argument("--colour", choices=("auto", "always", "never"), default="auto", help=argparse.SUPPRESS)
+
+
+def lint(arguments: argparse.Namespace) -> int:
+    """Report findings; 1 if any is more than a note."""
+    from app.rules.lint import lint_paths
+
+    paths = arguments.paths or [Path()]
+    options = _options(arguments, paths)
+    result = lint_paths(paths, options)
+    if arguments.write_baseline is not None:
+        return _write_baseline(result, options, arguments.write_baseline)
+    if arguments.diff or arguments.fix:
+        result = _repaired(result, arguments)
+        if arguments.diff:
+            return int(result.fails)
+        result = lint_paths(paths, options)
+    _report(result, options, arguments)
+    return int(result.fails)
+
+
+def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOptions":
+    """The configuration with the command line laid over it."""
+    from app.rules.configuration import find_configuration, read_configuration
+    from app.rules.options import LintOptions
+
+    start = paths[0] if paths[0].is_dir() else paths[0].parent
+    file = arguments.config or find_configuration(start)
+    options = read_configuration(file) if file is not None else LintOptions()
+    return options._replace(
+        select=_codes(arguments.select) or options.select,
+        ignore=options.ignore + _codes(arguments.ignore),
+        extend_select=options.extend_select + _codes(arguments.extend_select),
+        base=arguments.vspec or options.base,
+        overlays=(*options.overlays, *arguments.overlays),
+        include_dirs=(*options.include_dirs, *arguments.include_dirs),
+        units=(*options.units, *arguments.units),
+        quantities=(*options.quantities, *arguments.quantities),
+        types=(*options.types, *arguments.types),
+        baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
+        check_function=_check_function,
+    )
+
+
+def _codes(given: list[str]) -> tuple[str, ...]:
+    return tuple(code.strip() for part in given for code in part.split(",") if code.strip())
+
+
+def _check_function(data: bytes, name: str) -> "Sequence[Finding]":
+    """Check a function file against the shipped catalogue; loaded only when there is one."""
+    from app.catalogue.sources import load, shipped_sources
+    from app.function.build import check_function
+
+    return check_function(data, name, load(shipped_sources()[0]))
+
+
+def _write_baseline(result: "LintResult", options: "LintOptions", file: Path) -> int:
+    from app.rules.baseline import baseline_text
+
+    write_text(baseline_text(result.findings, options.root), file)
+    print(f"{file}: {len(result.findings)} findings are known from now on", file=sys.stderr)
+    return 0
+
+
+def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResult":
+    """Repair files, or show how; the result that is left is told by the caller."""
+    from app.rules.fixes import fixed_files
+
+    sources = {f.file: Path(f.file).read_bytes().decode("utf-8") for f in result.findings if Path(f.file).is_file()}
+    fixed = fixed_files(result.findings, result.repairs, sources, unsafe=arguments.unsafe_fixes)
+    for file in fixed:
+        if arguments.diff:
+            sys.stdout.write(file.diff)
+        else:
+            write_text(file.after, Path(file.file))
+    count = sum(len(file.settled) for file in fixed)
+    verb = "could be" if arguments.diff else "were"
+    print(f"sigcat: {count} of {len(result.findings)} findings {verb} repaired", file=sys.stderr)
+    return result
+
+
+def _report(result: "LintResult", options: "LintOptions", arguments: argparse.Namespace) -> None:
+    from app.rules.choice import rules_for
+    from app.rules.report import report, sources_of
+
+    sources = sources_of(result.findings)
+    rules = rules_for(options) if arguments.format == "sarif" else ()
+    text = report(result.findings, arguments.format, sources, rules, colour=_is_coloured(arguments))
+    write_text(text, arguments.output)
+
+
+def _is_coloured(arguments: argparse.Namespace) -> bool:
+    if arguments.colour != "auto":
+        return bool(arguments.colour == "always")
+    return arguments.output is None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")

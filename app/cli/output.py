@@ -9,9 +9,18 @@ from app.errors import UsageError
 
 
 def write_text(text: str, output: Path | None) -> None:
-    """Write `text` to `output`, or to standard output. A file that stood there stays until the new one is complete."""
+    """Write `text`, as UTF-8 with `\\n` at the ends of lines, to `output` or to standard output."""
     if output is None or str(output) == "-":
         sys.stdout.write(text)
+    else:
+        write_bytes(text.encode("utf-8"), output)
+
+
+def write_bytes(data: bytes, output: Path | None) -> None:
+    """Write `data` to `output`, or to standard output. A file that stood there stays until the new one is complete."""
+    if output is None or str(output) == "-":
+        sys.stdout.flush()
+        sys.stdout.buffer.write(data)
         return
     if output.is_dir():
         raise UsageError(f"{output}: is a folder")
@@ -19,8 +28,8 @@ def write_text(text: str, output: Path | None) -> None:
         raise UsageError(f"{output.parent}: there is no such folder")
     handle, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
         Path(temporary).chmod(output.stat().st_mode & 0o777 if output.exists() else 0o666 & ~_umask())
         Path(temporary).replace(output)
     except BaseException:

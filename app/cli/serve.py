@@ -22,7 +22,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
-    from app.api.serving import serve as serve_application
+    from app.web.serving import serve as serve_application
     from app.catalogue.hosting import Library, Source, shipped_sources
     from app.cli.tree_options import tree_files
 

@@ -16,14 +16,15 @@ def add_tree_options(parser: argparse.ArgumentParser) -> None:
     """Add -s, -l, -I, -u, -q and -t. Without -s, the tree that sigcat ships is meant."""
     group = parser.add_argument_group("the tree")
     group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="root .vspec file (default: the shipped tree)")
-    _add_many(group, "-l", "--overlays", "overlay, applied in the order given")
-    _add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
-    _add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
-    _add_many(group, "-q", "--quantities", "quantities (default: quantities.yaml beside the tree)")
-    _add_many(group, "-t", "--types", "struct types")
+    add_many(group, "-l", "--overlays", "overlay, applied in the order given")
+    add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
+    add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
+    add_many(group, "-q", "--quantities", "quantities (default: quantities.yaml beside the tree)")
+    add_many(group, "-t", "--types", "struct types")
 
 
-def _add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, metavar: str = "FILE") -> None:
+def add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, metavar: str = "FILE") -> None:
+    """Add an option that names files and may be repeated."""
     group.add_argument(
         short, name, type=Path, action="append", default=[], metavar=metavar, help=f"{text}; may be repeated"
     )

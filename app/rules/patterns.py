@@ -45,7 +45,7 @@ def _quick(text: str) -> Pattern:
 
 
 def _bounded(text: str) -> Pattern:
-    import regex  # noqa: PLC0415 — loaded only for rules that sigcat does not ship
+    import regex
 
     try:
         compiled = regex.compile(text)

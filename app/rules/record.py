@@ -103,8 +103,10 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
     if not isinstance(document.root, MappingNode):
         message = "A file of rules is a mapping of codes to records."
         return RuleFile((), (Finding("L010", "error", message, name, 1, 1),))
-    for key in duplicate_keys(document.root):
-        findings.append(Finding("L010", "error", f"Rule {key.value} is given twice.", name, *position(key), key.value))
+    findings.extend(
+        Finding("L010", "error", f"Rule {key.value} is given twice.", name, *position(key), key.value)
+        for key in duplicate_keys(document.root)
+    )
     with collector_paused():
         rules = _records(document.root, name, findings, trusted=trusted)
     return RuleFile(tuple(rules), tuple(findings))

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from app.api import schemas
 from app.api.presenting import node_detail
-from app.api.schemas import AttributeSchema, NodeDetail
 from app.catalogue.model import Catalogue, Node
 from app.names import snake_case
 from app.web.range_bar import RangeBar, range_bar
@@ -22,10 +22,10 @@ class Crumb(NamedTuple):
 class NodeView(NamedTuple):
     """A node, ready to be shown."""
 
-    detail: NodeDetail
+    detail: schemas.Node
     crumbs: tuple[Crumb, ...]
     range: RangeBar | None
-    attributes: tuple[AttributeSchema, ...]
+    attributes: tuple[schemas.Attribute, ...]
     values: Mapping[str, object]
     names: tuple[tuple[str, str], ...]
     """The name of the node elsewhere: (where, name)."""
@@ -36,7 +36,12 @@ def node_view(catalogue: Catalogue, node: Node) -> NodeView:
     detail = node_detail(catalogue, node)
     values = {attribute.name: attribute.value for attribute in detail.attributes}
     return NodeView(
-        detail, tuple(_crumbs(node.path)), range_bar(node.values), _ordered(detail.attributes), values, _names(node, detail)
+        detail,
+        tuple(_crumbs(node.path)),
+        range_bar(node.values),
+        _ordered(detail.attributes),
+        values,
+        _names(node, detail),
     )
 
 
@@ -45,13 +50,13 @@ def _crumbs(path: str) -> list[Crumb]:
     return [Crumb(name, ".".join(names[: position + 1])) for position, name in enumerate(names)]
 
 
-def _ordered(attributes: list[AttributeSchema]) -> tuple[AttributeSchema, ...]:
+def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ...]:
     """What identifies a signal first, then the rest in the order in which it was written."""
     rank = {name: position for position, name in enumerate(_ORDER)}
     return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
 
 
-def _names(node: Node, detail: NodeDetail) -> tuple[tuple[str, str], ...]:
+def _names(node: Node, detail: schemas.Node) -> tuple[tuple[str, str], ...]:
     names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
     if detail.interface_name:
         names.insert(0, ("Interface", detail.interface_name))
@@ -59,5 +64,3 @@ def _names(node: Node, detail: NodeDetail) -> tuple[tuple[str, str], ...]:
         below_root = node.path.removeprefix(f"{node.path.partition('.')[0]}.")
         names += [("C, Python", snake_case(below_root)), ("ROS 2 field", snake_case(node.name))]
     return tuple(names)
-
-

@@ -1,5 +1,6 @@
 """The pages: what each shows is found here, how it looks is the templates' matter."""
 
+from collections import Counter
 from collections.abc import Mapping
 from typing import Annotated
 
@@ -8,12 +9,13 @@ from fastapi.responses import JSONResponse, Response
 
 from app.api.catalogues import SearchQuery, find_node
 from app.api.cursors import cursor_of, offset_of
-from app.api.presenting import catalogue_detail, node_detail
+from app.api.presenting import catalogue_detail, node_detail, rule_detail
 from app.api.problems import KINDS
-from app.api.requests import TheLibrary, TheSettings, version_of
+from app.api.requests import TheLibrary, TheRules, TheSettings, version_of
 from app.catalogue.hosting import Hosted
 from app.catalogue.search import FACETS
 from app.errors import NotFound
+from app.rules.record import Rule
 from app.web.node_view import node_view
 from app.web.rendering import page
 from app.web.tree_rows import OpenBranches, rows_below, visible_rows
@@ -22,10 +24,18 @@ router = APIRouter()
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000
+_MOST_FINDINGS = 200
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
     "overlay": "Overlay", "deprecated": "Deprecated",
 }  # fmt: skip
+
+
+class PageQuery(SearchQuery):
+    """A search of the browser: with `part`, only the changing part of the page is sent."""
+
+    part: str | None = None
+
 
 Opened = Annotated[str, Query(alias="open", description="Open branches, separated by commas; `*` opens all.")]
 From = Annotated[int, Query(alias="from", ge=0)]
@@ -38,9 +48,7 @@ def show_home(request: Request, library: TheLibrary, opened: Opened = "", start:
 
 
 @router.get("/tree/{catalogue}")
-def show_tree(
-    request: Request, library: TheLibrary, catalogue: str, opened: Opened = "", start: From = 0
-) -> Response:
+def show_tree(request: Request, library: TheLibrary, catalogue: str, opened: Opened = "", start: From = 0) -> Response:
     """The tree with nothing selected."""
     return _tree(request, library.get(catalogue), "", opened, start)
 
@@ -71,7 +79,7 @@ def list_rows(
 
 @router.get("/search/{catalogue}")
 def show_search(
-    request: Request, library: TheLibrary, settings: TheSettings, catalogue: str, query: Annotated[SearchQuery, Query()]
+    request: Request, library: TheLibrary, settings: TheSettings, catalogue: str, query: Annotated[PageQuery, Query()]
 ) -> Response:
     """Search results with the counts of every filter."""
     hosted = library.get(catalogue)
@@ -111,6 +119,30 @@ def show_catalogue(request: Request, library: TheLibrary, catalogue: str) -> Res
     return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted))
 
 
+@router.get("/rules")
+def show_rules(request: Request, library: TheLibrary, rules: TheRules, catalogue: str | None = None) -> Response:
+    """Every rule, with the number of its findings in a catalogue."""
+    hosted = library.default if catalogue is None else library.get(catalogue)
+    by_category: dict[str, list[Rule]] = {}
+    for rule in rules.rules:
+        by_category.setdefault(rule.category, []).append(rule)
+    found = Counter(finding.rule for finding in rules.findings_in(hosted.catalogue))
+    return page(request, "rules.html", hosted=hosted, by_category=by_category, found=found)
+
+
+@router.get("/rules/{rule_id}")
+def show_rule(
+    request: Request, library: TheLibrary, rules: TheRules, rule_id: str, catalogue: str | None = None
+) -> Response:
+    """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
+    if rule_id.endswith(".json"):
+        return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
+    hosted = library.default if catalogue is None else library.get(catalogue)
+    rule = rule_detail(rules.get(rule_id))
+    findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
+    return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
+
+
 @router.get("/problems/{kind}")
 def show_problem_kind(request: Request, kind: str) -> Response:
     """What a kind of problem means: the address in its `type`."""
@@ -118,7 +150,7 @@ def show_problem_kind(request: Request, kind: str) -> Response:
     if kind not in known:
         raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
     status, title = known[kind]
-    return page(request, "problem_kind.html", status=status, title=title)
+    return page(request, "problem_kind.html", code=status, title=title)
 
 
 @router.get("/{page_name}.ico", include_in_schema=False)
@@ -162,5 +194,3 @@ def _facets(
         if chosen or len(values) > 1:
             facets.append((facet, _FACET_WORDS[facet], values, chosen))
     return facets
-
-

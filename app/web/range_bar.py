@@ -42,7 +42,9 @@ def range_bar(values: Mapping[str, Any]) -> RangeBar | None:
     inner = {"zero": 0 if left < 0 < right else None, "default": default}
     for kind, value in inner.items():
         if value is not None and left <= value <= right:
-            ticks.append(Tick(round(_LEFT + _WIDTH * (value - left) / (right - left), 1), number(value), kind, "middle"))
+            ticks.append(
+                Tick(round(_LEFT + _WIDTH * (value - left) / (right - left), 1), number(value), kind, "middle")
+            )
     return RangeBar(tuple(ticks), low is None, high is None, _summary(low, high, default))
 
 

@@ -58,7 +58,9 @@ def show_reference(request: Request) -> Response:
     """Every operation and schema of the API."""
     document = request.app.openapi()
     base = str(request.base_url).rstrip("/")
-    return page(request, "docs.html", document=document, operations=operations(document, base), schemas=schemas(document))
+    return page(
+        request, "docs.html", document=document, operations=operations(document, base), schemas=schemas(document)
+    )
 
 
 def operations(document: Mapping[str, Any], base: str) -> list[Operation]:

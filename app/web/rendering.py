@@ -12,7 +12,7 @@ from app.api.presenting import plain_text, shown_file
 from app.api.requests import library_of
 from app.api.schemas import Problem
 from app.web.addresses import Addresses
-from app.web.typesetting import count, marked, number
+from app.web.typesetting import count, marked, number, with_code
 
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
@@ -30,10 +30,8 @@ _ENVIRONMENT = Environment(
     trim_blocks=True,
     lstrip_blocks=True,
 )
-_ENVIRONMENT.filters.update(number=number, marked=marked, shown_file=shown_file)
-_ENVIRONMENT.globals.update(
-    count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__
-)
+_ENVIRONMENT.filters.update(number=number, marked=marked, with_code=with_code, shown_file=shown_file)
+_ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
 def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:

@@ -40,6 +40,15 @@ def marked(text: str, sought: Iterable[str]) -> Markup:
     return Markup("").join([*parts, escape(text[end:])])
 
 
+def with_code(text: str) -> Markup:
+    """`text` escaped, with what stands between backticks as code."""
+    parts = text.split("`")
+    if len(parts) % 2 == 0:
+        return escape(text)
+    quoted = [Markup("<code>{}</code>").format(part) if odd % 2 else escape(part) for odd, part in enumerate(parts)]
+    return Markup("").join(quoted)
+
+
 def _begins_word(text: str, position: int) -> bool:
     before, here = text[position - 1 : position], text[position]
     return not before.isalnum() or here.isupper() or (here.isdigit() and not before.isdigit())

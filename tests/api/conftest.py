@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -23,16 +24,18 @@ SETTINGS = Settings(body_bytes=10_000, results=5, tree_nodes=12)
 Ask = Callable[..., httpx.Response]
 
 
-def asker(app: Any) -> Ask:
+def asker(app: Any, root_path: str = "") -> Ask:
     """A function that asks an ASGI application; what goes wrong inside is an answer, not an exception."""
 
     async def request(method: str, address: str, options: Mapping[str, Any]) -> httpx.Response:
-        transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+        transport = httpx.ASGITransport(app, raise_app_exceptions=False, root_path=root_path)
         async with httpx.AsyncClient(transport=transport, base_url="http://sigcat") as client:
             return await client.request(method, address, **options)
 
     def ask(address: str, method: str = "GET", **options: Any) -> httpx.Response:
-        return asyncio.run(request(method, address, options))
+        # in a thread of its own: a browser that is open in this one keeps an event loop running here
+        with ThreadPoolExecutor(1) as thread:
+            return thread.submit(lambda: asyncio.run(request(method, address, options))).result()
 
     return ask
 

@@ -41,7 +41,7 @@ def test_it_has_so_many_leaves_in_each_domain():
         for parts in (node.path.split(".") for node in shipped().nodes.values() if node.is_leaf)
     )
     assert counts == {
-        "(directly below Vehicle)": 31,
+        "(directly below Vehicle)": 26,
         "ADAS": 72,
         "Acceleration": 3,
         "AngularVelocity": 3,

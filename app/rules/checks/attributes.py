@@ -127,7 +127,9 @@ def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
 
 def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> Flaw:
     near = nearest(attribute, sorted(known), limit=1)
-    fix = did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
+    fix = (
+        did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
+    )
     repair = Repair("rename attribute", near[0], safe=False) if near else None
     message = f"`{attribute}` is no attribute that VSS or a rule knows."
     return Flaw(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
@@ -146,5 +148,3 @@ def extended_attributes(rules: tuple[Rule, ...]) -> frozenset[str]:
         if isinstance(fields, Mapping):
             names.update(name for name, field in fields.items() if isinstance(field, dict))
     return frozenset(names)
-
-

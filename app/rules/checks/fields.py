@@ -7,7 +7,7 @@ list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, `f
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from app.catalogue.definition import Definition
+from app.catalogue.definition import CORE_ATTRIBUTES, Definition
 from app.names import did_you_mean
 from app.rules.checks.attributes import is_empty
 from app.rules.checks.kind import BadOption, NodeTest, is_number, shown
@@ -49,9 +49,13 @@ def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def field_values(rule: Rule, _tree: Tree) -> NodeTest:
-    """Every field of the table that is there has a value of its datatype, among its values and in its range."""
+    """Every field of the table that is there has a value of its datatype, among its values and in its range.
+
+    What VSS itself says of its own attributes is found while composing (V004 and others) and not said twice.
+    """
     table = _table(rule.options["fields"])
-    tests = {name: _value_test(name, field, rule) for name, field in table.items()}
+    judged = {name: field for name, field in table.items() if name not in CORE_ATTRIBUTES or "values" in field}
+    tests = {name: _value_test(name, field, rule) for name, field in judged.items()}
 
     def test(definition: Definition) -> Iterator[Flaw]:
         for name, value in definition.values.items():
@@ -93,9 +97,7 @@ def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[An
     datatype = field.get("datatype", "value")
     fits = _DATATYPES[datatype]
     pattern = compile_pattern(field["pattern"], trusted=rule.trusted) if "pattern" in field else None
-    inner = {
-        key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()
-    }
+    inner = {key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()}
 
     def test(value: Any) -> _Wrong:
         if not fits(value):
@@ -114,7 +116,11 @@ def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Any) ->
     if values is not None and (isinstance(item, list | dict) or item not in values):
         meant = field.get("repairs", {}).get(item) if isinstance(item, str) else None
         fix = did_you_mean(str(item), map(str, values)) or _expected(field)
-        yield f"`{name}` {shown(item)} is none of {', '.join(map(str, values))}.", fix, meant and Repair("replace", meant)
+        yield (
+            f"`{name}` {shown(item)} is none of {', '.join(map(str, values))}.",
+            fix,
+            meant and Repair("replace", meant),
+        )
     elif pattern is not None and not (isinstance(item, str) and pattern.matches(item)):
         yield f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field), None
     elif is_number(item):

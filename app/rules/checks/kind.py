@@ -71,7 +71,7 @@ def check_options(rule: Rule, check: Check) -> None:
             raise BadOption(f"Check {rule.check!r} has no option {name!r}.", did_you_mean(str(name), check.options))
         if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
             raise BadOption(f"Option {name!r} of rule {rule.id} has the wrong type.")
-        if kind is list and not all(isinstance(item, str | int | float | list) for item in value):
+        if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
             raise BadOption(f"Option {name!r} of rule {rule.id} takes a list of texts or numbers.")
     for name in check.required:
         if name not in rule.options:

@@ -48,7 +48,9 @@ def changes(rule: Rule, _tree: Tree) -> NodeTest:
             base = _base_value(definition, attribute)
             statement = _last_of_overlay(definition, attribute)
             if base is not None and statement is not None and _differs(statement.values[attribute], base):
-                message = f"The overlay changes `{attribute}` from {shown(base)} to {shown(statement.values[attribute])}."
+                message = (
+                    f"The overlay changes `{attribute}` from {shown(base)} to {shown(statement.values[attribute])}."
+                )
                 yield Flaw(statement, message, attribute, facts={"attribute": attribute})
 
     return test
@@ -118,7 +120,9 @@ def _in_base(definition: Definition) -> bool:
 
 
 def _base_value(definition: Definition, attribute: str) -> Any:
-    values = (s.values[attribute] for s in reversed(definition.statements) if not s.file.overlay and attribute in s.values)
+    values = (
+        s.values[attribute] for s in reversed(definition.statements) if not s.file.overlay and attribute in s.values
+    )
     return next(values, None)
 
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from app.catalogue.definition import Definition, instances_of
 from app.names import did_you_mean
@@ -23,7 +24,9 @@ def deprecated_unit(_rule: Rule, tree: Tree) -> NodeTest:
         unit = tree.vocabulary.unit(name) if isinstance(name, str) else None
         if unit is not None and unit.deprecation:
             message = f"Unit {unit.key!r} is deprecated: {unit.deprecation}"
-            yield Flaw(definition, message if message.endswith(".") else f"{message}.", "unit", facts={"unit": unit.key})
+            yield Flaw(
+                definition, message if message.endswith(".") else f"{message}.", "unit", facts={"unit": unit.key}
+            )
 
     return test
 
@@ -42,15 +45,24 @@ def unit_spelling(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
-    """Where `deprecation` says that a node has moved, it has moved to a node of the tree."""
+    """Where `deprecation` says that a node has moved, it has moved to a node of the tree.
+
+    The target may be relative to a branch above, as release 5.0 writes it.
+    """
 
     def test(definition: Definition) -> Iterator[Flaw]:
         match = _TARGET.search(str(definition.values["deprecation"]))
-        if match and tree.resolve(match[1]) is None:
+        if match and not _leads_somewhere(match[1], definition.path, tree):
             message = f"The node is said to have moved to {match[1]!r}, which does not exist."
             yield Flaw(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
 
     return test
+
+
+def _leads_somewhere(target: str, path: str, tree: Tree) -> bool:
+    """Whether the target is a path of the tree, or one relative to a branch above the node."""
+    names = path.split(".")
+    return any(tree.resolve(".".join((*names[:count], target))) for count in range(len(names)))
 
 
 def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
@@ -105,7 +117,7 @@ def twice_written(rule: Rule, tree: Tree) -> TreeTest:
     def test() -> Iterator[Flaw]:
         for definition in tree.definitions.values():
             base = [s for s in definition.statements if not s.file.overlay] if len(definition.statements) > 1 else []
-            for earlier, later in zip(base, base[1:], strict=False):
+            for earlier, later in pairwise(base):
                 both = [k for k in later.values if k in earlier.values and k not in ignored]
                 differing = [k for k in both if later.values[k] != earlier.values[k]]
                 if differing:

@@ -1,0 +1,1 @@
+"""Files for a platform, written from an integration model and nothing else."""

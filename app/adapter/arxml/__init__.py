@@ -1,0 +1,1 @@
+"""ARXML for AUTOSAR adaptive."""

@@ -1,0 +1,43 @@
+"""The route that lints a posted text."""
+
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Query
+
+from app.api import schemas
+from app.api.presenting import lint_report
+from app.api.problems import problem_documentation
+from app.api.requests import NamedCatalogue, PostedText, TheRules, text_body
+from app.function.build import check_function
+from app.rules.lint import lint_text
+
+router = APIRouter(prefix="/api/v1", tags=["lint"])
+
+_EXAMPLE = """\
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  max: 300
+"""
+
+
+@router.post(
+    "/lint",
+    responses=problem_documentation(404, 413, 415, 422),
+    openapi_extra=text_body("An overlay, a tree or a declaration of a function, as it stands in its file.", _EXAMPLE),
+)
+def lint(
+    text: PostedText,
+    hosted: NamedCatalogue,
+    rules: TheRules,
+    kind: Annotated[
+        Literal["overlay", "tree", "function"],
+        Query(description="An overlay over the catalogue, a tree by itself, or the declaration of a function."),
+    ] = "overlay",
+    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "posted.vspec",
+) -> schemas.LintReport:
+    """Check a text against the rules that are on by default. Nothing of it is kept."""
+    if kind == "function":
+        return lint_report(check_function(text, name, hosted.catalogue))
+    return lint_report(lint_text(text, name, hosted.catalogue, rules.active, is_tree=kind == "tree"))

@@ -1,0 +1,86 @@
+"""Try an overlay on a catalogue before anything is stored: what it would make, and what is wrong with it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from app.catalogue.changes import Change
+from app.catalogue.compose import compose
+from app.catalogue.diff import compare
+from app.catalogue.layers import Layer, layer_from_text
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
+from app.catalogue.model import Catalogue, Node
+from app.findings import Finding
+
+
+class Trial(NamedTuple):
+    """What an overlay would do."""
+
+    catalogue: Catalogue
+    nodes: tuple[Node, ...]
+    """Nodes that would be new or have other attributes, as they would be."""
+    findings: tuple[Finding, ...]
+    """What the overlay would add to the findings of the catalogue."""
+    changes: tuple[Change, ...]
+
+
+def try_overlay(base: Catalogue, overlay_text: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Trial:
+    """Apply an overlay given as text, which cannot include files. Nothing is stored, and `base` stays as it is."""
+    return try_layer(base, layer_from_text(overlay_text, name, limits=limits), limits)
+
+
+def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> Trial:
+    """Apply an overlay that has been read."""
+    catalogue = with_overlays(base, (overlay,), limits)
+    nodes = tuple(node for path, node in catalogue.nodes.items() if _is_changed(base.nodes.get(path), node))
+    known = frozenset(base.findings)
+    findings = tuple(finding for finding in catalogue.findings if finding not in known)
+    return Trial(catalogue, nodes, findings, compare(base, catalogue))
+
+
+def with_overlays(base: Catalogue, overlays: Sequence[Layer], limits: Limits = DEFAULT_LIMITS) -> Catalogue:
+    """The catalogue with more overlays on top; what they do not touch is taken over as it is."""
+    if not overlays:
+        return base
+    type_layers = [layer for layer in base.layers if _is_of_types(layer, base)]
+    layers = [layer for layer in base.layers if layer not in type_layers]
+    catalogue = compose(
+        [*layers, *overlays],
+        base.vocabulary,
+        type_layers,
+        name=base.name,
+        expanded=base.is_expanded,
+        limits=limits,
+        earlier=base,
+    )
+    return _tolerating(catalogue, base.findings)
+
+
+def with_findings(catalogue: Catalogue, findings: tuple[Finding, ...]) -> Catalogue:
+    """The same catalogue with other findings."""
+    return Catalogue(
+        catalogue.name,
+        catalogue.roots,
+        catalogue.vocabulary,
+        catalogue.layers,
+        findings,
+        catalogue.definitions,
+        catalogue.is_expanded,
+    )
+
+
+def _tolerating(catalogue: Catalogue, known: Sequence[Finding]) -> Catalogue:
+    """What is only a warning in the base, as it is in old releases, is no error once an overlay is on top."""
+    milder = {finding._replace(severity="error"): finding for finding in known if finding.severity != "error"}
+    findings = tuple(milder.get(finding, finding) for finding in catalogue.findings)
+    return catalogue if findings == catalogue.findings else with_findings(catalogue, findings)
+
+
+def _is_of_types(layer: Layer, catalogue: Catalogue) -> bool:
+    """Whether a layer speaks of struct types: they stand under a root of their own, the last one."""
+    if len(catalogue.roots) < 2 or not layer.statements:
+        return False
+    return layer.statements[0].path.partition(".")[0] == catalogue.roots[-1].name
+
+
+def _is_changed(before: Node | None, after: Node) -> bool:
+    return before is None or (before.definition is not after.definition and before.values != after.values)

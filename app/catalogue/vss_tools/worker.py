@@ -1,0 +1,77 @@
+"""Runs one exporter of vss-tools in a process of its own: `python -P worker.py REQUEST`.
+
+REQUEST is a JSON file with `format`, `arguments` (of `vspec export FORMAT`), `log` (a file to write) and `instances`
+(by path; put back at the branches after the expansion). Each line of the log is a JSON list of level and message.
+Exit status: 0 exported, 1 refused; the log says why.
+
+This script imports nothing of ours, so that it runs wherever vss-tools is installed.
+"""
+
+import importlib
+import json
+import logging
+import sys
+from pathlib import Path
+from typing import Any, TextIO
+
+import yaml
+
+
+class _Log(logging.Handler):
+    """Writes records as lines of JSON."""
+
+    def __init__(self, file: TextIO) -> None:
+        super().__init__()
+        self._file = file
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.tell(record.levelname, record.getMessage())
+
+    def tell(self, level: str, message: str) -> None:
+        """Write one line; it is there even if the process ends at once."""
+        self._file.write(json.dumps([level, message]) + "\n")
+        self._file.flush()
+
+
+def main(request_file: str) -> int:
+    """Run the exporter that a request asks for."""
+    request: dict[str, Any] = json.loads(Path(request_file).read_text(encoding="utf-8"))
+    with Path(request["log"]).open("w", encoding="utf-8") as file:
+        log = _Log(file)
+        try:
+            _export(request, log)
+        except SystemExit as error:
+            return 1 if error.code else 0
+        except Exception as error:  # noqa: BLE001 - whatever an exporter raises is told, never thrown at a user
+            message = getattr(error, "message", "") or str(error)
+            log.tell("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
+            return 1
+    return 0
+
+
+def _export(request: dict[str, Any], log: _Log) -> None:
+    if hasattr(yaml, "CSafeLoader"):
+        vars(yaml)["SafeLoader"] = yaml.CSafeLoader  # the same values, many times faster
+    exporter = importlib.import_module(f"vss_tools.exporters.{request['format']}")
+    logging.getLogger().handlers = [log]
+    if request["instances"]:
+        _keep_instances(exporter, request["instances"])
+    exporter.cli.main(request["arguments"], prog_name=request["format"], standalone_mode=False)
+
+
+def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
+    """Let branches of the expanded tree say which instances they had; vss-tools empties the list."""
+    get_trees = exporter.get_trees
+
+    def with_instances(*arguments: Any, **options: Any) -> Any:
+        root, types = get_trees(*arguments, **options)
+        for node in (root, *root.descendants):
+            if node.get_fqn() in instances:
+                node.data.instances = instances[node.get_fqn()]
+        return root, types
+
+    exporter.get_trees = with_instances
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,119 @@
+"""`sigcat diff OLD NEW`: what changed between two trees, and whom it breaks."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.cli.output import write_bytes
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from app.catalogue.changes import Change
+    from app.catalogue.model import Catalogue
+    from app.catalogue.sides import Side
+
+_CLASSES = ("breaking", "risky", "compatible", "text")  # app.catalogue.changes has them; it is loaded when it is needed
+_SIDES = """A side is
+  a folder                  the tree in or below it
+  a .vspec file             the tree of which it is the root
+  a .json file              an exported tree
+  git:REVISION[:PATH]       a revision of the repository around the current folder
+  a name                    a release, pulled or shipped (`sigcat releases`)
+each with its own overlays, if any: TREE+OVERLAY+OVERLAY.
+
+The classes are explained in docs/compatibility.md. Exit status: 0; 1 with --fail-on if there are such changes.
+"""
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "diff",
+        help="what changed between two trees, and whom it breaks",
+        description="Compare two trees node by node. Each change is breaking, risky, compatible or text only.",
+        epilog=_SIDES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("old", metavar="OLD")
+    parser.add_argument("new", metavar="NEW")
+    parser.add_argument("--format", choices=("text", "json", "markdown"), default="text", help="default: %(default)s")
+    parser.add_argument(
+        "--fail-on", choices=_CLASSES, metavar="CLASS",
+        help=f"exit with 1 if a change is as bad as this, or worse: {', '.join(_CLASSES)}",
+    )  # fmt: skip
+    parser.add_argument(
+        "--only", choices=_CLASSES, action="append", default=[], metavar="CLASS",
+        help="show changes of this class only; may be repeated",
+    )  # fmt: skip
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    _add_options_of_both(parser)
+    parser.set_defaults(run=diff)
+
+
+def _add_options_of_both(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("for both sides")
+    for short, name, text in (
+        ("-l", "--overlays", "overlay, applied in the order given, after those of the side"),
+        ("-I", "--include-dirs", "folder in which included files are looked for too"),
+        ("-u", "--units", "units (default: units.yaml beside the tree)"),
+        ("-q", "--quantities", "quantities (default: quantities.yaml beside the tree)"),
+        ("-t", "--types", "struct types"),
+    ):
+        group.add_argument(
+            short, name, type=Path, action="append", default=[], metavar="FILE", help=f"{text}; may be repeated"
+        )
+
+
+def diff(arguments: argparse.Namespace) -> int:
+    """Write the changes; 1 if `--fail-on` is met."""
+    from app.catalogue.changes import at_least
+    from app.catalogue.diff import compare
+
+    old, new = (_side(name, arguments) for name in (arguments.old, arguments.new))
+    changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
+    shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
+    report = _report(shown, old.title, new.title, arguments.format, arguments.output)
+    write_bytes(report.encode("utf-8", "backslashreplace"), arguments.output)
+    bound = arguments.fail_on
+    return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
+
+
+def _side(name: str, arguments: argparse.Namespace) -> "Side":
+    from app.catalogue.sides import Options, read_side
+
+    options = Options(
+        tuple(arguments.overlays),
+        tuple(arguments.include_dirs),
+        tuple(arguments.units),
+        tuple(arguments.quantities),
+        tuple(arguments.types),
+    )
+    return read_side(name, release, options)
+
+
+def release(name: str) -> "Catalogue":
+    """A pulled release, or a catalogue that sigcat ships. Raises NotFound."""
+    from app.catalogue.sources import load, release_source, shipped_sources
+
+    shipped = {source.id: source for source in shipped_sources()}
+    return load(shipped.get(name) or release_source(name))
+
+
+def _report(changes: "Sequence[Change]", old: str, new: str, style: str, output: Path | None) -> str:
+    import json
+
+    from app.catalogue.diff_report import diff_data, markdown_report, text_report
+
+    if style == "json":
+        return json.dumps({"old": old, "new": new, **diff_data(changes)}, indent=2, ensure_ascii=False) + "\n"
+    if style == "markdown":
+        return markdown_report(changes, old, new)
+    return text_report(changes, is_coloured=output is None and is_coloured())
+
+
+def is_coloured() -> bool:
+    """Whether standard output is a terminal that may be coloured (https://no-color.org)."""
+    return sys.stdout.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"

@@ -1,0 +1,105 @@
+"""Conversion between units and between stored and physical values: exact, as fractions.
+
+The factors are those of ISO 80000 and of the definitions of the units; only the ratio of radian to degree is not
+rational, and is taken as the nearest double.
+"""
+
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+
+class Linear(NamedTuple):
+    """`result = value × factor + offset`."""
+
+    factor: Fraction = Fraction(1)
+    offset: Fraction = Fraction(0)
+
+    def __call__(self, value: float | Fraction) -> Fraction:
+        """The value, converted."""
+        return Fraction(value) * self.factor + self.offset
+
+    @property
+    def inverse(self) -> "Linear":
+        """The conversion back."""
+        return Linear(1 / self.factor, -self.offset / self.factor)
+
+    def then(self, other: "Linear") -> "Linear":
+        """This conversion, and the other one after it."""
+        return Linear(self.factor * other.factor, self.offset * other.factor + other.offset)
+
+
+IDENTITY = Linear()
+
+_RADIAN = Fraction(180) / Fraction(math.pi)
+_TO_BASE: dict[str, dict[str, Linear]] = {
+    "length": {
+        "mm": Linear(Fraction(1, 1000)), "cm": Linear(Fraction(1, 100)), "m": IDENTITY,
+        "km": Linear(Fraction(1000)), "inch": Linear(Fraction(254, 10000)),
+    },
+    "velocity": {"km/h": Linear(Fraction(5, 18)), "m/s": IDENTITY},
+    "acceleration": {"m/s^2": IDENTITY, "cm/s^2": Linear(Fraction(1, 100))},
+    "volume": {"ml": Linear(Fraction(1, 1000)), "cm^3": Linear(Fraction(1, 1000)), "l": IDENTITY},
+    "temperature": {
+        "celsius": IDENTITY, "fahrenheit": Linear(Fraction(5, 9), Fraction(-160, 9)),
+    },
+    "angle": {"degrees": IDENTITY, "radians": Linear(_RADIAN)},
+    "angular speed": {"degrees/s": IDENTITY, "rad/s": Linear(_RADIAN), "rpm": Linear(Fraction(6))},
+    "power": {"w": IDENTITY, "kw": Linear(Fraction(1000)), "ps": Linear(Fraction("735.49875"))},
+    "mass": {"g": Linear(Fraction(1, 1000)), "kg": IDENTITY, "lbs": Linear(Fraction("0.45359237"))},
+    "duration": {
+        "ms": Linear(Fraction(1, 1000)), "s": IDENTITY, "min": Linear(Fraction(60)), "h": Linear(Fraction(3600)),
+        "day": Linear(Fraction(86400)), "weeks": Linear(Fraction(604800)),
+    },
+    "pressure": {
+        "pa": IDENTITY, "mbar": Linear(Fraction(100)), "kpa": Linear(Fraction(1000)), "bar": Linear(Fraction(100000)),
+        "psi": Linear(Fraction("4.4482216152605") / Fraction("0.00064516")),
+    },
+    "energy per distance": {"kwh/100km": Linear(Fraction(10)), "wh/km": IDENTITY},
+    "volume per distance": {"ml/100km": Linear(Fraction(1, 1000)), "l/100km": IDENTITY},
+    "force": {"n": IDENTITY, "kn": Linear(Fraction(1000))},
+    "relation": {"ratio": IDENTITY, "percent": Linear(Fraction(1, 100))},
+}  # fmt: skip
+
+
+def between(source: str, target: str) -> Linear | None:
+    """From values in one unit to values in another, by their keys; None if there is no linear way."""
+    source, target = source.lower(), target.lower()
+    if source == target:
+        return IDENTITY
+    for units in _TO_BASE.values():
+        if source in units and target in units:
+            return units[source].then(units[target].inverse)
+    return None
+
+
+def same_kind(unit: str) -> tuple[str, ...]:
+    """Keys of the units that `unit` can be converted to, itself left out."""
+    key = unit.lower()
+    return next((tuple(u for u in units if u != key) for units in _TO_BASE.values() if key in units), ())
+
+
+def as_text(number: Fraction) -> str:
+    """A decimal number: exact where it has an end, else the nearest double."""
+    rest = number.denominator
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    value = float(number)
+    if number.denominator == 1:
+        return str(number.numerator)
+    return repr(value) if rest != 1 or Fraction(repr(value)) == number else _exact(number)
+
+
+def as_number(number: Fraction) -> float:
+    """A number for the wire: a whole one stays whole."""
+    return number.numerator if number.denominator == 1 else float(number)
+
+
+def _exact(number: Fraction) -> str:
+    digits = 0
+    while (number * 10**digits).denominator != 1:
+        digits += 1
+    sign = "-" if number < 0 else ""
+    text = str(abs(number * 10**digits)).rjust(digits + 1, "0")
+    return f"{sign}{text[:-digits]}.{text[-digits:]}"

@@ -1,0 +1,267 @@
+"""Function documents, YAML and JSON: bytes in; the value, the findings and the place of every value out."""
+
+import hashlib
+import json
+import math
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from yaml.nodes import CollectionNode, MappingNode, Node, SequenceNode
+
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
+from app.catalogue.yaml_document import (
+    Builder,
+    Unbuildable,
+    duplicate_keys,
+    merged_pairs,
+    position,
+    read_document,
+)
+from app.findings import Finding
+
+Pointer = tuple[str | int, ...]
+"""Keys and positions from the root of a document to a value in it."""
+Place = tuple[int, int]
+"""Line and column, from 1; (0, 0) if unknown."""
+
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|\\?\Z)|[\[\]{},:]|[^\s\[\]{},:"]++', re.DOTALL)
+"""Tokens of JSON. An unterminated text runs to the end, so that the search stays linear on any input."""
+_NO_NUMBERS = ("NaN", "Infinity", "-Infinity")
+
+
+class Document(NamedTuple):
+    """A document that was read. `value` is None if it could not be."""
+
+    name: str
+    digest: str
+    """SHA-256 of the bytes."""
+    value: Any
+    findings: tuple[Finding, ...]
+    place: Callable[[Pointer], Place]
+    """Where the value at a pointer stands, or the nearest one around it that exists."""
+
+
+def pointer_text(pointer: Pointer) -> str:
+    """RFC 6901: `("a", 0, "b/c")` → `/a/0/b~1c`."""
+    return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in pointer)
+
+
+def read_yaml(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
+    """Read YAML. A key given twice is a finding, and so is a value that YAML cannot build."""
+    document = read_document(data, name, limits)
+    findings = list(document.findings)
+    value = None
+    if document.root is not None:
+        try:
+            value = Builder(limits).value(document.root)
+            findings.extend(_yaml_duplicates(document.root, name))
+        except Unbuildable as error:
+            findings.append(Finding("R014", "error", str(error), name, *position(error.node)))
+    if value is None and not findings:
+        findings.append(Finding("F002", "error", "The file is empty.", name, 1, 1))
+
+    def place(pointer: Pointer) -> Place:
+        return _yaml_place(document.root, pointer)
+
+    return Document(name, _digest(data), value, tuple(findings), place)
+
+
+def read_json(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
+    """Read JSON as RFC 8259 has it: no NaN, no key twice, UTF-8."""
+    text, finding = _decoded(data, name, limits)
+    value = None
+    findings = [finding] if finding else []
+    if not findings:
+        value, findings = _parsed(text, name)
+    return Document(name, _digest(data), value, tuple(findings), _JsonPlaces(text if value is not None else ""))
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+# -- YAML ---------------------------------------------------------------------------------------------------------
+
+
+def _yaml_place(root: Node | None, pointer: Pointer) -> Place:
+    if root is None:
+        return (0, 0)
+    found = position(root)
+    node = root
+    for part in pointer:
+        step = _yaml_step(node, part)
+        if step is None:
+            break
+        key, node = step
+        found = position(key if isinstance(node, CollectionNode) else node)
+    return found
+
+
+def _yaml_step(node: Node, part: str | int) -> tuple[Node, Node] | None:
+    """The key and the value that a part of a pointer leads to; an item of a sequence is its own key."""
+    if isinstance(node, SequenceNode) and isinstance(part, int) and part < len(node.value):
+        return node.value[part], node.value[part]
+    if isinstance(node, MappingNode):
+        return next((pair for pair in reversed(merged_pairs(node)) if pair[0].value == part), None)
+    return None
+
+
+def _yaml_duplicates(root: Node, name: str) -> Iterator[Finding]:
+    waiting, seen = [root], set()
+    while waiting:
+        node = waiting.pop()
+        if id(node) in seen or not isinstance(node, CollectionNode):
+            continue
+        seen.add(id(node))
+        if isinstance(node, MappingNode):
+            yield from (_duplicate(key.value, name, position(key)) for key in duplicate_keys(node))
+            waiting.extend(value for _, value in node.value)
+        else:
+            waiting.extend(node.value)
+
+
+def _duplicate(key: str, name: str, place: Place, pointer: str = "") -> Finding:
+    message = f"Key {key!r} is given twice; only the last one counts."
+    return Finding("R006", "error", message, name, *place, pointer=pointer, fix="Remove one of the two.")
+
+
+# -- JSON ---------------------------------------------------------------------------------------------------------
+
+
+def _decoded(data: bytes, name: str, limits: Limits) -> tuple[str, Finding | None]:
+    if len(data) > limits.file_bytes:
+        message = f"The file has {len(data):,} bytes; the limit is {limits.file_bytes:,}."
+        return "", Finding("R003", "error", message, name)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - data.rfind(b"\n", 0, error.start)
+        message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
+        return "", Finding("R002", "error", message, name, line, column, fix="Save the file as UTF-8.")
+    if (deep := _too_deep(text, limits.nesting)) is not None:
+        message = f"Collections nest deeper than {limits.nesting} levels."
+        return "", Finding("R004", "error", message, name, *_line_and_column(text, deep))
+    return text, None
+
+
+def _too_deep(text: str, limit: int) -> int | None:
+    """Offset of the first bracket beyond the limit."""
+    if text.count("[") + text.count("{") <= limit:
+        return None
+    depth = 0
+    for token in _TOKEN.finditer(text):
+        if token[0] in ("[", "{"):
+            depth += 1
+            if depth > limit:
+                return token.start()
+        elif token[0] in ("]", "}"):
+            depth -= 1
+    return None
+
+
+class _NoNumber(ValueError):
+    """A number that JSON does not have, or that no computer holds."""
+
+
+def _parsed(text: str, name: str) -> tuple[Any, list[Finding]]:
+    has_duplicates = False
+
+    def as_object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        nonlocal has_duplicates
+        value = dict(pairs)
+        has_duplicates = has_duplicates or len(value) < len(pairs)
+        return value
+
+    try:
+        value = json.loads(text, object_pairs_hook=as_object, parse_float=_finite, parse_constant=_no_number)
+    except json.JSONDecodeError as error:
+        message = f"Not valid JSON: {error.msg[:1].lower()}{error.msg[1:]}."
+        return None, [Finding("F001", "error", message, name, error.lineno, error.colno)]
+    except _NoNumber as error:
+        place = _line_and_column(text, _token_offset(text, str(error)))
+        return None, [Finding("F001", "error", f"Not valid JSON: {str(error)[:40]} is no number.", name, *place)]
+    except ValueError:
+        return None, [Finding("F001", "error", "A number has more digits than can be read.", name)]
+    return value, list(_json_duplicates(text, name)) if has_duplicates else []
+
+
+def _finite(text: str) -> float:
+    number = float(text)
+    return number if math.isfinite(number) else _no_number(text)
+
+
+def _no_number(text: str) -> float:
+    raise _NoNumber(text)
+
+
+def _token_offset(text: str, wanted: str) -> int:
+    return next((token.start() for token in _TOKEN.finditer(text) if token[0] == wanted), 0)
+
+
+def _json_values(text: str) -> Iterator[tuple[Pointer, int, bool]]:
+    """Pointer and offset of every key (True) and every value (False) of valid JSON."""
+    path: list[str | int] = []
+    is_list: list[bool] = []
+    key_next = False
+    for token in _TOKEN.finditer(text):
+        word = token[0]
+        if word in ("}", "]"):
+            path.pop()
+            is_list.pop()
+            key_next = False
+        elif word == ",":
+            key_next = not is_list[-1]
+            if not key_next:
+                path[-1] = int(path[-1]) + 1
+        elif word == ":":
+            key_next = False
+        elif key_next:
+            path[-1] = json.loads(word)
+            yield tuple(path), token.start(), True
+        else:
+            yield tuple(path), token.start(), False
+            if word in ("{", "["):
+                is_list.append(word == "[")
+                path.append(0 if word == "[" else "")
+                key_next = word == "{"
+
+
+def _json_duplicates(text: str, name: str) -> Iterator[Finding]:
+    seen: set[Pointer] = set()
+    for pointer, offset, is_key in _json_values(text):
+        if is_key and pointer in seen:
+            yield _duplicate(str(pointer[-1]), name, _line_and_column(text, offset), pointer_text(pointer))
+        if is_key:
+            seen.add(pointer)
+
+
+class _JsonPlaces:
+    """Places of values in valid JSON, worked out when the first is asked for."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def __call__(self, pointer: Pointer) -> Place:
+        for length in range(len(pointer), -1, -1):
+            offset = self._offsets.get(pointer[:length])
+            if offset is not None:
+                line = bisect_right(self._lines, offset)
+                return line, offset - self._lines[line - 1] + 1
+        return (0, 0)
+
+    @cached_property
+    def _offsets(self) -> dict[Pointer, int]:
+        return {pointer: offset for pointer, offset, is_key in _json_values(self._text) if not is_key}
+
+    @cached_property
+    def _lines(self) -> list[int]:
+        """Offset of the start of every line."""
+        return [0, *(match.end() for match in re.finditer("\n", self._text))]
+
+
+def _line_and_column(text: str, offset: int) -> Place:
+    return text.count("\n", 0, offset) + 1, offset - text.rfind("\n", 0, offset)

@@ -1,0 +1,117 @@
+"""Structural defects of a document, as the models report them, turned into findings with a place."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from app.findings import Finding
+from app.function.document import Document, Pointer, pointer_text
+from app.names import did_you_mean
+
+_EXPECTED = {
+    "string_type": "a text belongs here",
+    "int_type": "a whole number belongs here",
+    "integer_type": "a whole number belongs here",
+    "number_type": "a finite number belongs here",
+    "bool_type": "true or false belongs here",
+    "list_type": "a list belongs here",
+    "tuple_type": "a list belongs here",
+    "dict_type": "a mapping belongs here",
+    "model_type": "a mapping belongs here",
+    "model_attributes_type": "a mapping belongs here",
+    "date_type": "a date such as 2025-09-12 belongs here",
+    "string_unicode": "a text of Unicode characters belongs here",
+}
+_YAML_WORDS = "YAML reads words such as OFF, ON, YES and NO as true or false: put quotes around a text."
+
+
+def structural_findings(error: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
+    """One finding for each defect."""
+    for defect in error.errors(include_url=False, include_context=True):
+        pointer = _existing(defect["loc"], document.value)
+        yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
+
+
+def _finding(
+    kind: str, location: Pointer, pointer: Pointer, defect: Any, document: Document, model: type[BaseModel]
+) -> Finding:
+    key = str(location[-1]) if location else ""
+    place = document.place(pointer)
+    if kind == "missing":
+        message = f"{key!r} is missing."
+        return Finding("F002", "error", message, document.name, *place, pointer=pointer_text(pointer))
+    if kind == "extra_forbidden":
+        fix = did_you_mean(key, _keys_beside(location, model))
+        message = f"{key!r} is not a key that belongs here."
+        return Finding("F003", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+    value = defect["input"]
+    expected = _EXPECTED.get(kind) or _worded(defect)
+    fix = _YAML_WORDS if isinstance(value, bool) and kind == "string_type" else ""
+    message = f"{_shown(value)} is no value for {_named(pointer)}: {expected}."
+    return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+
+
+def _worded(defect: Any) -> str:
+    """What pydantic says, as the rest of a sentence: `Input should be 'A' or 'B'` → `it has to be 'A' or 'B'`."""
+    message: str = defect["msg"].removesuffix(".")
+    for prefix in ("Input should be ", "String should ", "List should ", "Tuple should "):
+        if message.startswith(prefix):
+            return ("it has to be " if prefix.startswith("Input") else "it has to ") + message.removeprefix(prefix)
+    return message[:1].lower() + message[1:]
+
+
+def _existing(location: Pointer, value: Any) -> Pointer:
+    """The part of a location that exists in the document: for what is missing, the mapping that lacks it."""
+    pointer: list[str | int] = []
+    for part in location:
+        is_here = part in value if isinstance(value, dict) else _is_index(part, value)
+        if not is_here:
+            break
+        value = value[part]
+        pointer.append(part)
+    return tuple(pointer)
+
+
+def _is_index(part: str | int, value: Any) -> bool:
+    return isinstance(value, list) and isinstance(part, int) and part < len(value)
+
+
+def _keys_beside(location: Pointer, model: type[BaseModel]) -> list[str]:
+    """Keys that the mapping at a location may have."""
+    fields = model_at(model, location[:-1])
+    return [str(field.alias or name) for name, field in fields.model_fields.items()] if fields else []
+
+
+def model_at(model: type[BaseModel], location: Pointer) -> type[BaseModel] | None:
+    """The model of the mapping that a location leads to."""
+    current: type[BaseModel] | None = model
+    for part in location:
+        if isinstance(part, int):
+            continue
+        if current is None:
+            return None
+        named = {field.alias or name: field for name, field in current.model_fields.items()}
+        current = _model_in(named[part].annotation) if part in named else None
+    return current
+
+
+def _model_in(annotation: Any) -> type[BaseModel] | None:
+    """The model that an annotation such as `list[Item] | None` is about."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    return next((found for part in getattr(annotation, "__args__", ()) if (found := _model_in(part))), None)
+
+
+def _named(pointer: Pointer) -> str:
+    names = [part for part in pointer if isinstance(part, str)]
+    if not names:
+        return "the document"
+    return f"`{names[-1]}`" if isinstance(pointer[-1], str) else f"an entry of `{names[-1]}`"
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, dict | list):
+        return "A mapping" if isinstance(value, dict) else "A list"
+    text = repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."

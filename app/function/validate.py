@@ -1,0 +1,97 @@
+"""Function JSON from anywhere: is it valid, is it consistent, does it follow the conventions?"""
+
+from typing import NamedTuple
+
+from pydantic import BaseModel, ValidationError
+
+from app.catalogue.interfaces import category_of, interface_name
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
+from app.catalogue.model import Catalogue
+from app.findings import Finding, in_order
+from app.function.checks import check
+from app.function.conventions import check_conventions
+from app.function.document import Document, Pointer, pointer_text, read_json
+from app.function.model import FunctionJson
+from app.function.problem import Problem
+from app.function.severities import SEVERITIES
+from app.function.structure import model_at, structural_findings
+from app.names import nearest
+
+
+class Validated(NamedTuple):
+    """A document that was validated: the function, unless its structure is wrong, and everything to be said."""
+
+    function: FunctionJson | None
+    findings: tuple[Finding, ...]
+
+
+def validate_function_json(
+    data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
+) -> tuple[Finding, ...]:
+    """Everything that is wrong with a Function JSON. Errors make it unusable; warnings are departures from conventions.
+
+    With a catalogue, units, paths and ranges are compared with it.
+    """
+    return read_function_json(data, name, catalogue, limits).findings
+
+
+def read_function_json(
+    data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
+) -> Validated:
+    """The function of a document, and everything that is wrong with it."""
+    document = read_json(data, name, limits)
+    if document.value is None and document.findings:
+        return Validated(None, document.findings)
+    try:
+        function = FunctionJson.model_validate(document.value, by_name=False)
+    except ValidationError as error:
+        findings = (*document.findings, *structural_findings(error, document, FunctionJson))
+        return Validated(None, in_order(findings))
+    problems = [*check(function, _known_errors(catalogue)), *check_conventions(function, catalogue)]
+    findings = (*document.findings, *(_finding(problem, document) for problem in problems), *_unknown_keys(document))
+    return Validated(function, in_order(findings))
+
+
+def _known_errors(catalogue: Catalogue | None) -> frozenset[str]:
+    nodes = catalogue.nodes if catalogue else ()
+    return frozenset(interface_name(path) for path in nodes if category_of(path) == "error")
+
+
+def _finding(problem: Problem, document: Document) -> Finding:
+    place = document.place(problem.pointer)
+    pointer = pointer_text(problem.pointer)
+    severity = SEVERITIES[problem.rule]
+    return Finding(problem.rule, severity, problem.message, document.name, *place, problem.path, pointer, problem.fix)
+
+
+def _unknown_keys(document: Document) -> list[Finding]:
+    """Keys that no model knows but that are near one it does: probably misspelled."""
+    found: list[Finding] = []
+    waiting: list[tuple[Pointer, object]] = [((), document.value)]
+    while waiting:
+        pointer, value = waiting.pop()
+        if isinstance(value, list):
+            waiting.extend(((*pointer, i), item) for i, item in enumerate(value))
+        elif isinstance(value, dict):
+            model = model_at(FunctionJson, pointer)
+            if model is None:
+                continue
+            found.extend(_misspelled(pointer, value, model, document))
+            waiting.extend(((*pointer, key), item) for key, item in value.items() if isinstance(item, dict | list))
+    return found
+
+
+def _misspelled(
+    pointer: Pointer, value: dict[str, object], model: type[BaseModel], document: Document
+) -> list[Finding]:
+    known = [str(field.alias or name) for name, field in model.model_fields.items()]
+    found = []
+    for key in value:
+        meant = nearest(key, [k for k in known if k not in value], limit=1) if key not in known else ()
+        if meant:
+            at = (*pointer, key)
+            message = f"{key!r} is no key of Function JSON and is not looked at."
+            place, text = document.place(at), pointer_text(at)
+            fix = f"Did you mean {meant[0]!r}?"
+            found.append(Finding("F003", "warning", message, document.name, *place, "", text, fix))
+    return found

@@ -1,0 +1,66 @@
+"""What the models of the wire formats have in common: fields that say what they are, and numbers that are numbers."""
+
+import math
+from typing import Annotated, Any, cast
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    PlainValidator,
+    SerializerFunctionWrapHandler,
+    WithJsonSchema,
+    model_serializer,
+)
+from pydantic_core import PydanticCustomError
+
+PUBLISHED = "published function schema 1.0.0"
+TABLE = "paper, glossary, table of interface fields"
+OWN = "sigcat"
+"""Sources of fields: the authors' schema, what the paper's table has beyond it, and what later stages need."""
+
+
+def described(alias: str, description: str, *, default: Any = ..., unit: str = "", source: str = PUBLISHED, **more: Any) -> Any:  # fmt: skip
+    """A field with its name on the wire, its description, its unit and the source that it comes from."""
+    extra: dict[str, Any] = {"x-source": source, **({"x-unit": unit} if unit else {})}
+    return Field(default, alias=alias, description=description, json_schema_extra=extra, **more)
+
+
+class WireModel(BaseModel):
+    """A frozen value of a wire format. Fields that it does not know are kept, as the published schema allows them.
+
+    A field without a value is left out when it is written, unless the schema requires it.
+    """
+
+    model_config = ConfigDict(
+        extra="allow", frozen=True, strict=True, validate_by_name=True, validate_by_alias=True, serialize_by_alias=True
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_absent(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        fields = type(self).model_fields
+        optional = {name for key, field in fields.items() if not field.is_required() for name in (key, field.alias)}
+        written = cast("dict[str, Any]", handler(self))
+        return {name: value for name, value in written.items() if value is not None or name not in optional}
+
+
+def _number(value: Any) -> int | float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise PydanticCustomError("number_type", "Input should be a number")
+    if isinstance(value, float) and not math.isfinite(value):
+        raise PydanticCustomError("number_type", "Input should be a finite number")
+    return value
+
+
+def _integer(value: Any) -> int:
+    number = _number(value)
+    if number != int(number):
+        raise PydanticCustomError("integer_type", "Input should be a whole number")
+    return int(number)
+
+
+Number = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type": "number"})]
+"""A JSON number; whole numbers stay whole numbers, so that they are written as they were given."""
+Integer = Annotated[int, PlainValidator(_integer), WithJsonSchema({"type": "integer"})]
+"""A JSON integer; as in JSON Schema, `1.0` is one."""
+TypeReference = Annotated[str, Field(pattern=r"^DT_[A-Za-z0-9]+$")]

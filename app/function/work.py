@@ -1,0 +1,51 @@
+"""What the building of one function gathers: findings, datatypes, and where each part of the result comes from."""
+
+from collections.abc import Iterable
+
+from app.catalogue.interfaces import by_interface_name
+from app.catalogue.model import Catalogue, Node
+from app.findings import Finding
+from app.function.document import Document, Pointer, pointer_text
+from app.function.severities import SEVERITIES
+from app.function.types import TypeList
+from app.names import did_you_mean
+
+MOST_HINTS = 100
+
+
+class Work:
+    """The state of one build. It lives as long as the build and is seen by nobody else."""
+
+    def __init__(self, catalogue: Catalogue, document: Document, function: str) -> None:
+        self.catalogue = catalogue
+        self.document = document
+        self.function = function
+        self.findings: list[Finding] = []
+        self.types = TypeList(catalogue)
+        self.interfaces = by_interface_name(catalogue.nodes)
+        """Paths of the catalogue's interfaces by interface name."""
+        self._hints = 0
+        self._told: set[tuple[str, Pointer]] = set()
+        self.trace: dict[Pointer, Pointer] = {}
+        """From parts of the Function JSON to the parts of the declaration that they were made from."""
+
+    def report(self, rule: str, at: Pointer, message: str, fix: str = "", path: str = "") -> None:
+        """Note a finding at a place of the declaration."""
+        self._told.add((rule, at))
+        place = self.document.place(at)
+        self.findings.append(
+            Finding(rule, SEVERITIES[rule], message, self.document.name, *place, path, pointer_text(at), fix)
+        )
+
+    def has_told(self, rule: str, at: Pointer) -> bool:
+        """Whether there is a finding of this rule at this place."""
+        return (rule, at) in self._told
+
+    def hint(self, name: str, candidates: Iterable[str]) -> str:
+        """A proposal of near names. Only the first hundred problems get one: the search costs a millisecond."""
+        self._hints += 1
+        return did_you_mean(name, candidates) if self._hints <= MOST_HINTS else ""
+
+    def node(self, interface: str) -> Node | None:
+        """The node of an interface that is given by its name or its path."""
+        return self.catalogue.get(self.interfaces.get(interface, interface))

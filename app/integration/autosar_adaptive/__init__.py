@@ -1,0 +1,1 @@
+"""AUTOSAR adaptive: components, executables and service interfaces, derived from functions."""

@@ -1,0 +1,74 @@
+"""SOME/IP ids by rule: each is a digest of the name that it belongs to, so that no other name changes it.
+
+Ranges are those of the SOME/IP protocol specification (PRS_SOMEIPProtocol, AUTOSAR R23-11): methods have the highest
+bit clear, events have it set; 0 and the values at the upper end are reserved.
+"""
+
+from collections.abc import Iterable, Mapping
+from hashlib import sha256
+from typing import NamedTuple
+
+
+class Span(NamedTuple):
+    """The ids of one kind, both ends included."""
+
+    first: int
+    last: int
+
+
+SERVICES = Span(0x0100, 0xFEFF)
+INSTANCES = Span(0x0001, 0xFEFF)
+METHODS = Span(0x0001, 0x7FFF)
+EVENTS = Span(0x8001, 0xFFFE)
+EVENT_GROUPS = Span(0x0001, 0xFEFF)
+
+
+class Collision(NamedTuple):
+    """Two names that ask for the same id. The one that comes later in the alphabet has moved on."""
+
+    name: str
+    kept_by: str
+    id: int
+
+
+class Assigned(NamedTuple):
+    """Ids by name, and which of them depend on another name being there."""
+
+    ids: dict[str, int]
+    collisions: tuple[Collision, ...]
+
+
+def assign(names: Iterable[str], span: Span, fixed: Mapping[str, int] | None = None, scope: str = "") -> Assigned:
+    """An id for each name, unique among them.
+
+    What is fixed comes first. Of two names that ask for the same id, the first in the alphabet has it; the other one
+    takes the next that its own digest proposes.
+    """
+    ordered = sorted(set(names))
+    ids = {name: fixed[name] for name in ordered if fixed and name in fixed}
+    taken = {number: name for name, number in ids.items()}
+    collisions = []
+    for name in ordered:
+        if name in ids:
+            continue
+        number, other = _free(f"{scope}.{name}", span, taken)
+        if other:
+            collisions.append(Collision(name, other, number))
+        ids[name] = number
+        taken[number] = name
+    return Assigned(ids, tuple(collisions))
+
+
+def _free(key: str, span: Span, taken: Mapping[int, str]) -> tuple[int, str]:
+    """The first free id in the order that the key proposes, and the name that stood in its way, if one did."""
+    size = span.last - span.first + 1
+    if len(taken) >= size:
+        raise OverflowError(f"{size} ids are not enough")
+    digest = int.from_bytes(sha256(key.encode()).digest()[:8], "big")
+    start, met = digest % size, ""
+    for step in range(size):
+        number = span.first + (start + step) % size
+        if number not in taken:
+            return number, met
+        met = met or taken[number]
+    raise OverflowError(f"{size} ids are not enough")

@@ -1,0 +1,68 @@
+"""Where each field of each interface went: nothing that a function declares is dropped in silence."""
+
+import json
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+from pydantic import BaseModel
+
+NOT_CARRIED = "not carried"
+
+
+class Entry(NamedTuple):
+    """One field of one interface of a function."""
+
+    function: str
+    interface: str
+    kind: str
+    """signal, queue, method, parameter, error, safety reaction, mode, call, …"""
+    field: str
+    """Name in Function JSON."""
+    target: str
+    """Where its value stands in the result, or `not carried`."""
+    note: str = ""
+    """Why it went there, or why it is not carried; empty if that is plain."""
+
+
+class FieldTarget(NamedTuple):
+    """What becomes of a field, whatever the interface."""
+
+    target: str
+    note: str = ""
+
+
+def entries(
+    function: str, interface: str, kind: str, model: BaseModel, targets: dict[str, FieldTarget | str]
+) -> list[Entry]:
+    """An entry for each field that has a value. A field that no target is known for is told as not carried."""
+    written = model.model_dump(by_alias=True, mode="json")
+    made = []
+    for field, value in written.items():
+        if value in (None, [], {}):
+            continue
+        known = targets.get(field, FieldTarget(NOT_CARRIED, "no field of Function JSON that sigcat knows"))
+        target = FieldTarget(known) if isinstance(known, str) else known
+        made.append(Entry(function, interface, kind, field, target.target, target.note))
+    return made
+
+
+def to_json(report: Iterable[Entry]) -> bytes:
+    """The report as JSON: a list of objects."""
+    rows: list[dict[str, Any]] = [
+        {key: value for key, value in entry._asdict().items() if value or key != "note"} for entry in report
+    ]
+    return (json.dumps(rows, indent=2, ensure_ascii=False) + "\n").encode()
+
+
+def to_markdown(report: Iterable[Entry]) -> str:
+    """The report as a Markdown table. What documents contain is escaped."""
+    lines = ["| function | interface | kind | field | goes to | note |", "|---|---|---|---|---|---|"]
+    lines.extend("| " + " | ".join(map(_cell, entry)) + " |" for entry in report)
+    return "\n".join(lines) + "\n"
+
+
+def _cell(text: str) -> str:
+    escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    for character in "\\|`*_[]":
+        escaped = escaped.replace(character, "\\" + character)
+    return " ".join(escaped.split())

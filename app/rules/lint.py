@@ -1,0 +1,301 @@
+"""Lint files: paths in, findings out.
+
+What a user may expect: a folder or the root of a tree is checked as a whole tree; an overlay is checked over the tree
+that it is made for, together with the overlays beside it; a part of a tree that is named alone, as pre-commit names
+changed files, is checked by itself, at the place that its tree gives it. Findings are told for named files only.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from app.catalogue.compose import compose
+from app.catalogue.definition import Definition
+from app.catalogue.layers import Layer, layer_from_text, read_layer
+from app.catalogue.limits import DEFAULT_LIMITS
+from app.catalogue.model import Catalogue
+from app.catalogue.vocabulary import EMPTY, Vocabulary, default_files, read_vocabulary
+from app.catalogue.yaml_document import collector_paused
+from app.data import ROOT_FILE
+from app.findings import Finding, Severity, in_order
+from app.rules.baseline import compare, read_baseline
+from app.rules.choice import chosen, graded, matches, rules_for
+from app.rules.discovery import (
+    QUANTITY_FILES,
+    UNIT_FILES,
+    Source,
+    default_tree,
+    discover,
+    first_bytes,
+)
+from app.rules.engine import Found, found_in, lint_lines
+from app.rules.flaw import Repair
+from app.rules.options import LintOptions, LintResult, place_of
+from app.rules.record import Rule, parse_rules
+from app.rules.suppression import MARK, apply_suppressions, read_suppressions
+
+_WHOLE_TREE_CHECKS = frozenset(("reference", "reference-cycle", "companions", "asil-of-step", "deprecation-target"))
+_WHOLE_TREE_CODES = frozenset(("V020", "V021", "V022", "R010"))
+"""What composing says of a part alone only because the rest of its tree is not there."""
+
+Texts = Literal["vspec", "comments", "nothing"]
+"""What is looked at in the text of a file beside its values: lines and comments, comments, or nothing."""
+
+
+class _Lint(NamedTuple):
+    """What one lint gathers: findings with repairs, and the files that were looked at."""
+
+    options: LintOptions
+    rules: tuple[Rule, ...]
+    found: dict[Finding, Repair | None]
+    files: dict[str, Texts]
+
+
+def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> LintResult:
+    """Lint files and folders. Raises NotFound, UsageError, and InputRefused for rules that cannot be used."""
+    with collector_paused():
+        return _linted(paths, options or LintOptions())
+
+
+def _linted(paths: Sequence[Path], options: LintOptions) -> LintResult:
+    every_rule = rules_for(options)
+    lint = _Lint(options, chosen(every_rule, options), {}, {})
+    sources = [s for s in discover(paths, options.overlays) if not _excluded(s.path, options)]
+    bases = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
+    _lint_overlays([s.path for s in sources if s.kind == "overlay"], bases, lint)
+    for source in sources:
+        if source.kind == "part" and source.tree is not None:
+            _lint_part(source, lint)
+        elif source.kind == "function":
+            _lint_function(source.path, lint)
+        elif source.kind == "rules":
+            _lint_rules(source.path, lint)
+        elif source.kind == "vocabulary" and str(source.path) not in lint.files:
+            _lint_vocabulary(source.path, lint)
+    return _finished(lint, every_rule, complete=any(path.is_dir() for path in paths))
+
+
+def lint_text(
+    text: bytes, name: str, base: Catalogue | None, rules: Sequence[Rule], *, is_tree: bool = False
+) -> tuple[Finding, ...]:
+    """Findings in a text that stands in no file: an overlay over `base`, or a tree by itself."""
+    layer = layer_from_text(text, name, is_overlay=not is_tree)
+    if is_tree or base is None:
+        catalogue = compose([layer], base.vocabulary if base else EMPTY, expanded=False)
+    else:
+        catalogue = compose([*_tree_layers(base), layer], base.vocabulary, expanded=False, earlier=base)
+    found = found_in(catalogue, rules, _written_in({name}))
+    content = text.decode("utf-8-sig", "replace")
+    findings = [f for f, _ in found if f.file == name]
+    findings.extend(lint_lines(content, name, rules))
+    suppressions = [read_suppressions(content, name, [rule.id for rule in rules])] if MARK in text else []
+    grade = _Grade({rule.id: rule.severity for rule in rules}, frozenset(), LintOptions())
+    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, [rule.id for rule in rules])
+    return in_order((*kept.findings, *grade.all(kept.about_comments)))
+
+
+def _tree_layers(base: Catalogue) -> list[Layer]:
+    return [layer for layer in base.layers if layer.is_overlay or layer is base.layers[0]]
+
+
+def _lint_trees(roots: Sequence[Path], lint: _Lint) -> dict[Path, Catalogue]:
+    bases = {}
+    for root in roots:
+        catalogue = _compose_tree(root, (), lint.options)
+        bases[root] = catalogue
+        _add(found_in(catalogue, lint.rules, attributes=lint.options.attributes), None, lint)
+        files = [file.name for layer in catalogue.layers for file in layer.files]
+        _look_at([*files, *(file.name for file in catalogue.vocabulary.files)], lint)
+        _look_at([str(root)], lint)
+    return bases
+
+
+def _compose_tree(root: Path, overlays: Sequence[Path], options: LintOptions) -> Catalogue:
+    layers = [read_layer(root, options.include_dirs)]
+    types = [read_layer(path, options.include_dirs) for path in options.types]
+    return compose(layers, _vocabulary(root, overlays, options), types, expanded=False, name=root.stem)
+
+
+def _vocabulary(root: Path, overlays: Sequence[Path], options: LintOptions) -> Vocabulary:
+    """Units beside the tree, then those beside its overlays, then those of the options."""
+    units = default_files(root, (), UNIT_FILES[0])
+    quantities = default_files(root, (), QUANTITY_FILES[0])
+    for folder in dict.fromkeys(path.parent for path in overlays):
+        units += tuple(folder / name for name in UNIT_FILES if (folder / name).is_file())
+        quantities += tuple(folder / name for name in QUANTITY_FILES if (folder / name).is_file())
+    return read_vocabulary(
+        tuple(dict.fromkeys((*units, *options.units))), tuple(dict.fromkeys((*quantities, *options.quantities)))
+    )
+
+
+def _lint_overlays(overlays: Sequence[Path], bases: dict[Path, Catalogue], lint: _Lint) -> None:
+    groups: dict[Path, list[Path]] = {}
+    for overlay in overlays:
+        groups.setdefault(_base_for(overlay, list(bases), lint.options), []).append(overlay)
+    for base, group in groups.items():
+        _lint_group(base, group, lint)
+
+
+def _base_for(overlay: Path, roots: Sequence[Path], options: LintOptions) -> Path:
+    if options.base is not None:
+        return options.base
+    if len(roots) == 1:
+        return roots[0]
+    near = default_tree(overlay)
+    return near if near is not None else ROOT_FILE
+
+
+def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
+    """Overlays over one tree, with those that belong to them; findings in the named ones only."""
+    options = lint.options
+    order = _in_order_of_application(group, options)
+    vocabulary = _vocabulary(base, order, options)
+    overlays = [read_layer(path, options.include_dirs, is_overlay=True) for path in order]
+    types = [read_layer(path, options.include_dirs) for path in options.types]
+    layers = [read_layer(base, options.include_dirs), *overlays]
+    catalogue = compose(layers, vocabulary, types, expanded=False, name=base.stem)
+    named = {str(path) for path in group}
+    files = {file.name for layer in overlays if layer.name in named for file in layer.files} | named
+    beside = {file.name for file in vocabulary.files if Path(file.name).parent in {path.parent for path in group}}
+    found = found_in(catalogue, lint.rules, _written_in(files), options.attributes)
+    _add(found, files | (beside - set(lint.files)), lint)
+    _look_at([*files, *beside], lint)
+
+
+def _in_order_of_application(group: Sequence[Path], options: LintOptions) -> list[Path]:
+    """The overlays of the configuration and those beside the named ones, and the named ones, in order."""
+    stack = {path.resolve(): path for path in options.overlays}
+    named = {path.resolve(): path for path in group}
+    if any(path in stack for path in named):
+        context = dict(stack)
+    else:
+        context = {**stack, **{path.resolve(): path for path in _beside(group)}}
+    return list({**context, **named}.values())
+
+
+def _beside(group: Sequence[Path]) -> list[Path]:
+    """The other overlays of the folders: one may refer to what another defines."""
+    folders = dict.fromkeys(path.parent for path in group)
+    near = [path for folder in folders for path in sorted(folder.glob("*.vspec"))]
+    named = {path.resolve(): path for path in group}
+    found = discover(near, near) if near else ()
+    return [named.get(s.path.resolve(), s.path) for s in found if s.kind == "overlay"]
+
+
+def _written_in(files: set[str]) -> Callable[[Definition], bool]:
+    def wanted(definition: Definition) -> bool:
+        return any(statement.file.name in files for statement in definition.statements)
+
+    return wanted
+
+
+def _lint_part(source: Source, lint: _Lint) -> None:
+    assert source.tree is not None
+    data = _bytes_of(source.path, lint)
+    layer = layer_from_text(data, str(source.path), is_overlay=False)
+    if source.prefix:
+        statements = tuple(statement.placed(source.prefix) for statement in layer.statements)
+        layer = Layer(layer.name, False, layer.files, statements, layer.findings)
+    catalogue = compose([layer], _vocabulary(source.tree, (), lint.options), expanded=False)
+    rules = [rule for rule in lint.rules if rule.check not in _WHOLE_TREE_CHECKS]
+    found = found_in(catalogue, rules, attributes=lint.options.attributes)
+    _add(((f, r) for f, r in found if f.rule not in _WHOLE_TREE_CODES), {str(source.path)}, lint)
+    _look_at([str(source.path)], lint)
+
+
+def _bytes_of(path: Path, lint: _Lint) -> bytes:
+    """The bytes of a file; nothing and a finding if it cannot be read, or is beyond the limit."""
+    try:
+        size = path.stat().st_size
+        if size <= DEFAULT_LIMITS.file_bytes:
+            return path.read_bytes()
+        message = f"The file has {size:,} bytes; the limit is {DEFAULT_LIMITS.file_bytes:,}."
+        finding = Finding("R003", "error", message, str(path))
+    except OSError as error:
+        finding = Finding("R012", "error", f"{str(path)!r} cannot be read: {error.strerror}.", str(path))
+    _add([(finding, None)], None, lint)
+    return b""
+
+
+def _lint_function(path: Path, lint: _Lint) -> None:
+    _look_at([str(path)], lint, "comments")
+    data = _bytes_of(path, lint)
+    if lint.options.check_function is not None and data:
+        _add(((f, None) for f in lint.options.check_function(data, str(path))), None, lint)
+
+
+def _lint_rules(path: Path, lint: _Lint) -> None:
+    _look_at([str(path)], lint, "nothing")
+    file = parse_rules(_bytes_of(path, lint), str(path), trusted=False)
+    bound = found_in(compose([]), [rule for rule in file.rules if rule.check != "line-length"])
+    _add(((f, None) for f in file.findings), None, lint)
+    _add(bound, None, lint)
+
+
+def _lint_vocabulary(path: Path, lint: _Lint) -> None:
+    is_units = path.name in UNIT_FILES
+    beside = tuple(path.parent / name for name in QUANTITY_FILES if (path.parent / name).is_file())
+    vocabulary = read_vocabulary((path,) if is_units else (), beside if is_units else (path,))
+    _add(((f, None) for f in vocabulary.findings), {str(path)}, lint)
+    _look_at([str(path)], lint)
+
+
+def _add(found: Iterable[Found], files: set[str] | None, lint: _Lint) -> None:
+    for finding, repair in found:
+        if files is None or finding.file in files:
+            lint.found.setdefault(finding, repair)
+
+
+def _look_at(files: Iterable[str], lint: _Lint, texts: Texts = "vspec") -> None:
+    lint.files.update(dict.fromkeys(files, texts))
+
+
+def _excluded(path: Path, options: LintOptions) -> bool:
+    return any(matches(str(path), glob, options.root) for glob in options.exclude)
+
+
+def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> LintResult:
+    """Lines, suppressions, severities of folders and the baseline: what does not depend on the kind of file."""
+    options = lint.options
+    codes = [rule.id for rule in every_rule]
+    suppressions = []
+    findings = list(lint.found)
+    for name, texts in lint.files.items():
+        if texts == "nothing":
+            continue
+        data = first_bytes(Path(name))
+        content = data.decode("utf-8-sig", "replace")
+        if texts == "vspec":
+            findings.extend(lint_lines(content, name, lint.rules))
+        if MARK in data:
+            suppressions.append(read_suppressions(content, name, codes))
+    grade = _Grade({rule.id: rule.severity for rule in lint.rules}, frozenset(codes), options)
+    active = [rule.id for rule in lint.rules]
+    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, active)
+    told = [*kept.findings, *grade.all(kept.about_comments)]
+    known = 0
+    if options.baseline is not None:
+        compared = compare(told, read_baseline(options.baseline), options.root, complete=complete)
+        told, known = [*compared.findings, *grade.all(compared.stale)], compared.known
+    repairs = {place_of(f): r for f, r in lint.found.items() if r is not None}
+    return LintResult(in_order(told), tuple(lint.files), repairs, kept.suppressed + known)
+
+
+class _Grade(NamedTuple):
+    """Severities of the rules that run. A code without a record is told as it is."""
+
+    severities: Mapping[str, Severity]
+    codes: frozenset[str]
+    options: LintOptions
+
+    def all(self, findings: Iterable[Finding]) -> Iterator[Finding]:
+        """Findings of rules that run, with their severities; those of other rules are left out."""
+        for finding in findings:
+            severity = self.severities.get(finding.rule)
+            if severity is None and finding.rule in self.codes:
+                continue
+            if severity is not None and severity != finding.severity:
+                finding = finding._replace(severity=severity)  # noqa: PLW2901 — the finding as this lint grades it
+            final = graded(finding, self.options.per_file, self.options.root)
+            if final is not None:
+                yield final

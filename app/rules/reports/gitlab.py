@@ -1,0 +1,35 @@
+"""Findings as a Code Quality report of GitLab (a subset of the Code Climate format)."""
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path, PurePath
+
+from app.findings import Finding
+from app.rules.record import Rule
+from app.rules.reports.fingerprint import fingerprinted
+
+_SEVERITIES = {"error": "major", "warning": "minor", "info": "info"}
+
+
+def report(findings: Sequence[Finding], _sources: Mapping[str, str], _rules: Sequence[Rule]) -> str:
+    """A JSON list of issues; the same finding has the same fingerprint wherever its node moves to."""
+    return json.dumps([_issue(f, fingerprint) for f, fingerprint in fingerprinted(findings)], indent=2) + "\n"
+
+
+def _issue(finding: Finding, fingerprint: str) -> dict[str, object]:
+    advice = f" {finding.fix}" if finding.fix else ""
+    return {
+        "description": finding.message + advice,
+        "check_name": finding.rule,
+        "fingerprint": fingerprint,
+        "severity": _SEVERITIES[finding.severity],
+        "location": {"path": relative(finding.file), "lines": {"begin": max(finding.line, 1)}},
+    }
+
+
+def relative(file: str) -> str:
+    """A file's name relative to the working folder, with forward slashes; unchanged if it lies elsewhere."""
+    try:
+        return Path(file).resolve().relative_to(Path.cwd()).as_posix()
+    except ValueError:
+        return PurePath(file).as_posix()

@@ -1,0 +1,131 @@
+// What every page has: search as you type, copying, menus that close. A page works without any of it.
+import { mountTree } from "./tree.js";
+
+const base = document.body.dataset.base;
+document.documentElement.classList.add("live");
+
+export const say = (text) => { document.getElementById("said").textContent = text; };
+
+// -- copy -----------------------------------------------------------------------------------------------------------
+
+const copied = async (button) => {
+  const text = button.dataset.copy;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch { // not allowed, or not a secure address: the old way
+    const field = Object.assign(document.createElement("textarea"), { value: text, readOnly: true, className: "unseen" });
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+  button.textContent = "Copied";
+  say(`Copied ${text}`);
+  setTimeout(() => { button.textContent = "Copy"; }, 1500);
+};
+
+document.addEventListener("click", (event) => {
+  const button = event.target.closest("[data-copy]");
+  if (button) copied(button);
+  for (const menu of document.querySelectorAll("details.menu[open]")) {
+    if (!menu.contains(event.target)) menu.open = false;
+  }
+});
+
+// -- parts of pages ---------------------------------------------------------------------------------------------------
+
+const withPart = (address) => {
+  const url = new URL(address, location.href);
+  url.searchParams.set("part", "");
+  return url;
+};
+
+let under_way = null;
+
+/** The changing part of a page as text; null if a later request overtook this one. */
+export const fetchPart = async (address) => {
+  under_way?.abort();
+  under_way = new AbortController();
+  const { signal } = under_way;
+  try {
+    const response = await fetch(withPart(address), { signal });
+    return response.ok ? await response.text() : location.assign(address);
+  } catch (error) {
+    if (error.name !== "AbortError") throw error;
+    return null;
+  }
+};
+
+// -- search as you type -----------------------------------------------------------------------------------------------
+
+const field = document.querySelector("[data-search]");
+const main = document.getElementById("main");
+let leave = mountTree({ fetchPart, say });
+let timer = 0;
+
+const isSearch = () => location.pathname.startsWith(`${base}/search/`);
+
+const showSearch = async (address) => {
+  const text = await fetchPart(address);
+  if (text === null || text === undefined) return;
+  leave?.();
+  leave = null;
+  main.className = "search";
+  main.innerHTML = text;
+  document.title = `${field.value || "Search"} · sigcat`;
+  say(main.querySelector("[data-tally]")?.textContent ?? "");
+};
+
+const searched = () => {
+  const address = new URL(field.form.action);
+  const current = new URL(location.href);
+  if (isSearch()) for (const [name, value] of current.searchParams) if (!["q", "cursor"].includes(name)) address.searchParams.set(name, value);
+  if (field.value) address.searchParams.set("q", field.value);
+  if (isSearch()) history.replaceState({}, "", address);
+  else if (field.value.trim()) history.pushState({}, "", address);
+  else return;
+  showSearch(address.href);
+};
+
+if (field) {
+  field.addEventListener("input", () => { clearTimeout(timer); timer = setTimeout(searched, 60); });
+  document.addEventListener("keydown", (event) => {
+    const typing = event.target.matches("input, textarea, select, [contenteditable]");
+    if (event.key === "/" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      event.preventDefault();
+      field.focus();
+      field.select();
+    }
+    if (event.key === "ArrowDown" && (event.target === field || event.target.matches("[data-hit]"))) move(event, 1);
+    if (event.key === "ArrowUp" && event.target.matches("[data-hit]")) move(event, -1);
+    if (event.key === "Escape" && event.target.matches("[data-hit]")) field.focus();
+    if (event.key === "Escape") for (const menu of document.querySelectorAll("details.menu[open]")) { menu.open = false; menu.firstElementChild.focus(); }
+  });
+  main.addEventListener("click", (event) => {
+    const link = event.target.closest("[data-filter]");
+    if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    history.pushState({}, "", link.href);
+    field.value = new URL(link.href).searchParams.get("q") ?? "";
+    showSearch(link.href);
+  });
+}
+
+const move = (event, step) => {
+  const hits = [...main.querySelectorAll("[data-hit]")];
+  const next = hits[hits.indexOf(event.target) + step] ?? (step < 0 ? field : null);
+  if (!next) return;
+  event.preventDefault();
+  next.focus();
+};
+
+// Going back from results to a tree, or on from a tree to results, loads the page: its state is its address.
+addEventListener("popstate", () => {
+  const showsResults = main.classList.contains("search");
+  if (isSearch() && showsResults) {
+    field.value = new URL(location.href).searchParams.get("q") ?? "";
+    showSearch(location.href);
+  } else if (isSearch() || showsResults) {
+    location.reload();
+  }
+});

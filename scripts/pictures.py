@@ -1,0 +1,109 @@
+"""Picture every page into docs/pictures: starts the service on a free port and looks at it with Chromium."""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from playwright.sync_api import Browser, Error, sync_playwright
+
+ROOT = Path(__file__).parent.parent
+PICTURES = ROOT / "docs" / "pictures"
+_SERVE = """
+from app.catalogue.hosting import Library, shipped_sources
+from app.web.serving import serve
+serve(Library(shipped_sources()), "127.0.0.1", 0)
+"""
+
+
+class Picture(NamedTuple):
+    """A page as it is pictured."""
+
+    name: str
+    address: str
+    scheme: Literal["light", "dark"] = "light"
+    width: int = 1280
+    height: int = 800
+
+
+_SIGNAL = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationRequest"
+_ERROR = "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError"
+PAGES = (
+    Picture("tree", _SIGNAL),
+    Picture("tree-dark", _ERROR, "dark"),
+    Picture("tree-narrow", "/tree/interfaces/Vehicle.Cabin.HVAC", width=360, height=780),
+    Picture("tree-wide", "/tree/interfaces/Vehicle.Powertrain.TractionBattery", width=1920, height=1080),
+    Picture("error-interface", _ERROR),
+    Picture("search", "/search/interfaces?q=wheel+speed"),
+    Picture("search-dark", "/search/interfaces?q=battery&unit=V", "dark"),
+    Picture("search-narrow", "/search/interfaces?q=wheel+speed", width=360, height=780),
+    Picture("near-miss", "/search/interfaces?q=weel"),
+    Picture("not-found", "/tree/interfaces/Vehicle.Chasis.Axle"),
+    Picture("rules", "/rules"),
+    Picture("rule", "/rules/I201"),
+    Picture("rule-dark", "/rules/I201", "dark"),
+    Picture("units", "/units/interfaces"),
+    Picture("catalogue", "/catalogues/interfaces"),
+    Picture("api", "/docs"),
+    Picture("api-narrow", "/docs", width=360, height=780),
+)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Take the pictures whose names are given, or all."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", help="names of pictures; without any, all are taken")
+    names = parser.parse_args(arguments).names
+    wanted = [picture for picture in PAGES if not names or picture.name in names]
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    with service() as address, chromium() as browser:
+        for picture in wanted:
+            take(picture, address, browser)
+            print((PICTURES / f"{picture.name}.png").relative_to(ROOT))
+    return 0
+
+
+@contextmanager
+def service() -> Iterator[str]:
+    """The address of a service that runs while the block does."""
+    with subprocess.Popen([sys.executable, "-c", _SERVE], cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            match = re.search(r"http://\S+", process.stdout.readline())
+            if match is None:
+                sys.exit("The service did not start.")
+            yield match.group()
+        finally:
+            process.terminate()
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """The system's Chromium, or the one that Playwright installed."""
+    found = (shutil.which(name) for name in ("chromium", "chromium-browser", "google-chrome"))
+    with sync_playwright() as playwright:
+        try:
+            yield playwright.chromium.launch(executable_path=next(filter(None, found), None), args=["--no-sandbox"])
+        except Error as error:
+            sys.exit(f"Chromium cannot be started: {error.message.splitlines()[0]}")
+
+
+def take(picture: Picture, address: str, browser: Browser) -> None:
+    """Picture one page."""
+    size = {"width": picture.width, "height": picture.height}
+    page = browser.new_page(viewport=size, color_scheme=picture.scheme)  # type: ignore[arg-type]
+    page.goto(address + picture.address)
+    if page.locator("[data-tree]").count():
+        page.wait_for_selector("[data-ready]")
+    page.wait_for_load_state("networkidle")
+    page.screenshot(path=PICTURES / f"{picture.name}.png")
+    page.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,27 @@
+"""Run `sigcat diff` and `sigcat try` in process, and make trees to compare."""
+
+import pytest
+
+import app.cli
+from app.catalogue.changes import Change
+from app.catalogue.diff import compare
+from app.cli import diff, try_overlay
+from tests.catalogue.trees import ROOT, catalogue_of
+
+
+def sigcat(*arguments: str) -> int:
+    """Exit status of a command."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(app.cli, "COMMANDS", tuple(dict.fromkeys((*app.cli.COMMANDS, diff, try_overlay))))
+        return app.cli.main(arguments)
+
+
+def changes(old: str, new: str) -> tuple[Change, ...]:
+    """Changes between the trees of two texts, below the root that both have."""
+    return compare(catalogue_of(ROOT + old), catalogue_of(ROOT + new))
+
+
+def signal(path: str, **attributes: object) -> str:
+    """A sensor of datatype float, in vspec."""
+    given = {"type": "sensor", "datatype": "float", "description": f"Value of {path}.", **attributes}
+    return f"{path}:\n" + "".join(f"  {name}: {value}\n" for name, value in given.items())

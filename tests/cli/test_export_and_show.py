@@ -1,0 +1,123 @@
+"""The command line: what is printed, where it goes, and the exit status."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.cli import main
+from tests.catalogue.trees import ROOT
+
+SPEED = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
+
+
+@pytest.fixture
+def tree(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "tree.vspec"
+    file.write_text(ROOT + SPEED)
+    return file
+
+
+def sigcat(*arguments: str, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run the command as a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "app.cli", *arguments],
+        capture_output=True,
+        text=True,
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+        check=False,
+    )
+
+
+def test_export_goes_to_standard_output(tree, capsys):
+    assert main(["export", "json", "-s", "tree.vspec"]) == 0
+    assert json.loads(capsys.readouterr().out)["Vehicle"]["children"]["Speed"]["datatype"] == "float"
+
+
+def test_export_goes_to_a_file(tree):
+    assert main(["export", "json", "-s", "tree.vspec", "-o", "out.json"]) == 0
+    assert "Speed" in json.loads(Path("out.json").read_text())["Vehicle"]["children"]
+
+
+def test_a_tree_with_errors_is_not_exported_and_the_old_file_stays(tree, capsys):
+    Path("out.json").write_text("before")
+    tree.write_text(ROOT + SPEED.replace("float", "flaot"))
+    assert main(["export", "json", "-s", "tree.vspec", "-o", "out.json"]) == 1
+    assert Path("out.json").read_text() == "before"
+    assert "tree.vspec:6:13: error V003 'flaot' is no datatype. Did you mean 'float'?" in capsys.readouterr().err
+
+
+def test_without_a_tree_the_shipped_one_is_meant(capsys):
+    assert main(["export", "json"]) == 0
+    assert "Chassis" in json.loads(capsys.readouterr().out)["Vehicle"]["children"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["export", "json", "-s", "none.vspec"], "none.vspec: there is no such file"),
+        (["export", "json", "-s", "tree.vspec", "-o", "no/such/folder.json"], "there is no such folder"),
+        (["export", "json", "-s", "tree.vspec", "-o", "."], "is a folder"),
+        (["export", "json", "-s", "tree.vspec", "-e", "min"], "name one attribute that VSS does not define"),
+        (["show", "Vehicle.Sped", "-s", "tree.vspec"], "Did you mean Vehicle.Speed?"),
+    ],
+)
+def test_what_cannot_be_done_is_one_line_and_status_2(arguments, message, tree, capsys):
+    assert main(arguments) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert error.count("\n") == 1
+
+
+def test_struct_types_can_have_a_file_of_their_own(monkeypatch, tmp_path):
+    monkeypatch.chdir(Path(__file__).parents[1] / "catalogue" / "cases" / "struct_types")
+    types = tmp_path / "types.json"
+    tree = tmp_path / "tree.json"
+    assert (
+        main(["export", "json", "-s", "tree.vspec", "-t", "types.vspec", "--types-output", str(types), "-o", str(tree)])
+        == 0
+    )
+    assert "Geo" in json.loads(types.read_text())["Types"]["children"]
+    assert "ComplexDataTypes" not in json.loads(tree.read_text())
+
+
+def test_show_prints_every_attribute_with_its_origin(tree, capsys):
+    Path("overlay.vspec").write_text("Vehicle.Speed:\n  datatype: double\n")
+    assert main(["show", "Vehicle.Speed", "-s", "tree.vspec", "-l", "overlay.vspec"]) == 0
+    output = capsys.readouterr().out
+    assert "double  [overlay.vspec:2 (overlay.vspec)]" in output
+    assert "was float  [tree.vspec:6]" in output
+
+
+def test_a_reader_that_goes_away_is_no_error():
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app.cli", "export", "json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=Path(__file__).parents[2],
+    )
+    assert process.stdout is not None
+    process.stdout.read(1)
+    process.stdout.close()
+    assert process.stderr is not None
+    assert process.stderr.read() == b""
+    assert process.wait() == 0
+
+
+def test_help_names_every_command():
+    result = sigcat("--help")
+    assert result.returncode == 0
+    for command in ("lint", "export", "function", "rule", "show", "serve"):
+        assert f"  {command}" in result.stdout
+
+
+@pytest.mark.parametrize("command", ["lint", "export", "function", "rule", "show", "serve"])
+def test_every_command_explains_itself(command):
+    result = sigcat(command, "--help")
+    assert result.returncode == 0
+    assert "usage: sigcat" in result.stdout

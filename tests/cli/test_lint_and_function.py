@@ -1,0 +1,126 @@
+"""`sigcat lint`, `sigcat rule` and `sigcat function`, as people type them."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.cli import main
+from tests.catalogue.trees import ROOT
+
+PROJECT = Path(__file__).parents[2]
+SIGNAL = "Vehicle.Doors:\n  type: sensor\n  datatype: boolean\n  description: Whether a door is open.\n"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_what_sigcat_ships_is_clean(monkeypatch, capsys):
+    monkeypatch.chdir(PROJECT)
+    assert main(["lint", "vspec", "overlays", "examples", "interface_rules"]) == 0
+    assert capsys.readouterr().out == "No findings.\n"
+
+
+def test_a_finding_shows_the_line_and_a_caret_and_the_status_is_1(capsys):
+    Path("tree.vspec").write_text(ROOT + SIGNAL)
+    assert main(["lint", "tree.vspec"]) == 1
+    output = capsys.readouterr().out
+    assert "tree.vspec:4:1: warning V102" in output
+    assert "Vehicle.Doors:\n" in output
+    assert output.endswith("in 1 file.\n")
+
+
+def test_select_and_ignore_take_short_codes(capsys):
+    Path("tree.vspec").write_text(ROOT + SIGNAL)
+    assert main(["lint", "tree.vspec", "--ignore", "V1"]) == 0
+    assert main(["lint", "tree.vspec", "--select", "V102"]) == 1
+    assert main(["lint", "tree.vspec", "--select", "V9"]) == 2
+    assert "No rule has the code 'V9'" in capsys.readouterr().err
+
+
+def test_an_overlay_is_checked_over_the_shipped_tree(capsys):
+    Path("overlay.vspec").write_text("Vehicle.Sped:\n  min: 0\n")
+    assert main(["lint", "overlay.vspec"]) == 1
+    assert "Vehicle.Speed" in capsys.readouterr().out
+
+
+def test_json_goes_to_a_file(capsys):
+    Path("tree.vspec").write_text(ROOT + SIGNAL)
+    assert main(["lint", "tree.vspec", "--format", "json", "-o", "report.json"]) == 1
+    assert "V102" in json.dumps(json.loads(Path("report.json").read_text()))
+    assert capsys.readouterr().out == ""
+
+
+def test_fix_changes_the_wrong_bytes_and_no_others():
+    tree = (
+        ROOT
+        + "# A comment that stays.\nVehicle.Speed:   {type: sensor,   datatype: float, description: how fast it is}\n"
+    )
+    Path("tree.vspec").write_text(tree)
+    assert main(["lint", "tree.vspec", "--diff"]) == 1
+    assert Path("tree.vspec").read_text() == tree
+    assert main(["lint", "tree.vspec", "--fix"]) == 0
+    assert Path("tree.vspec").read_text() == tree.replace("how fast it is", "How fast it is.")
+
+
+def test_a_baseline_tells_new_findings_only():
+    Path("tree.vspec").write_text(ROOT + SIGNAL)
+    assert main(["lint", "tree.vspec", "--write-baseline", "known.json"]) == 0
+    assert main(["lint", "tree.vspec", "--baseline", "known.json"]) == 0
+    Path("tree.vspec").write_text(ROOT + SIGNAL + SIGNAL.replace("Doors", "Windows"))
+    assert main(["lint", "tree.vspec", "--baseline", "known.json"]) == 1
+
+
+def test_the_configuration_is_found_upwards(monkeypatch):
+    Path("sigcat.toml").write_text('[lint.severity]\nV102 = "off"\n')
+    Path("deep/er").mkdir(parents=True)
+    Path("deep/er/tree.vspec").write_text(ROOT + SIGNAL)
+    assert main(["lint", "deep/er/tree.vspec"]) == 0
+
+
+def test_the_linter_loads_neither_web_nor_models_nor_vss_tools():
+    Path("tree.vspec").write_text(ROOT + SIGNAL)
+    program = (
+        "import sys; from app.cli import main; main(['lint', 'tree.vspec']);"
+        "print([name for name in ('fastapi', 'pydantic', 'vss_tools', 'sqlite3', 'jinja2') if name in sys.modules])"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True, env={"PYTHONPATH": str(PROJECT)}
+    )
+    assert result.stdout.endswith("[]\n")
+
+
+def test_a_rule_explains_itself(capsys):
+    assert main(["rule", "v101"]) == 0
+    output = capsys.readouterr().out
+    assert output.startswith("# V101 ")
+    assert "Good:" in output
+    assert "Bad:" in output
+
+
+def test_an_unknown_rule_is_answered_with_near_ones(capsys):
+    assert main(["rule", "V1010"]) == 2
+    assert "V101" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("example", ["core_acc", "eco_control_mpc", "wheel_speed_calculation"])
+def test_an_example_is_built_and_what_is_built_is_valid(example, capsys):
+    declaration = PROJECT / "examples" / example / "function.yaml"
+    assert main(["function", "build", str(declaration), "-o", "function.json"]) == 0
+    assert main(["function", "build", str(declaration), "-o", "again.json"]) == 0
+    assert Path("function.json").read_bytes() == Path("again.json").read_bytes()
+    assert main(["function", "validate", "function.json"]) == 0
+    assert capsys.readouterr().out == "No findings.\n"
+
+
+def test_a_function_with_errors_is_not_built(capsys):
+    text = (PROJECT / "examples" / "core_acc" / "function.yaml").read_text()
+    Path("function.yaml").write_text(text.replace("Vehicle.Mass\n", "Vehicle.Mas\n"))
+    assert main(["function", "build", "function.yaml", "-o", "function.json"]) == 1
+    assert "Vehicle.Mass" in capsys.readouterr().err
+    assert not Path("function.json").exists()

@@ -1,0 +1,15 @@
+"""The shipped catalogue with the interface overlays, composed once, and the examples."""
+
+from functools import cache
+
+from app.catalogue.hosting import load, shipped_sources
+from app.catalogue.model import Catalogue
+from app.data import EXAMPLES
+
+FUNCTIONS = sorted(EXAMPLES.glob("*/function.yaml"))
+
+
+@cache
+def interfaces() -> Catalogue:
+    """VSS with the overlays of data, errors, safety reactions, modes and scheduling."""
+    return load(next(source for source in shipped_sources() if source.id == "interfaces"))

@@ -1,0 +1,69 @@
+"""`function.yaml`: the structure of the file, and what is said about a wrong one."""
+
+import jsonschema
+import pytest
+import yaml
+
+from app.function.declaration import declaration_schema, read_declaration
+from tests.function.shipped import FUNCTIONS
+
+HEAD = "function: F\ndescription: Does.\nresponsible: Team\ncomponents: [{name: F, runnables: [F_Step]}]\n"
+
+
+def found(text: str) -> list[tuple[str, int, int, str]]:
+    return [(f.rule, f.line, f.column, f.pointer) for f in read_declaration(text.encode(), "f").findings]
+
+
+@pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
+def test_the_schema_for_editors_accepts_the_examples(path):
+    """Editors see a date as a text."""
+    value = yaml.safe_load(path.read_text(encoding="utf-8"))
+    value["date"] = str(value["date"])
+    jsonschema.Draft202012Validator(declaration_schema()).validate(value)
+
+
+def test_an_interface_may_be_given_by_its_name_alone():
+    declared = read_declaration(HEAD.encode(), "f").declaration
+    assert declared is not None
+    assert declared.components[0].runnables[0].interface == "F_Step"
+
+
+def test_every_defect_is_told_at_once():
+    text = (
+        "function: 5\ndescripton: x\nresponsible: Team\ncomponents:\n  - name: a\n    runnables:\n"
+        "      - interface: X\n        data: [{path: A.B, role: consume, timeout: -1, queueLength: 1.5}]\n"
+    )
+    at = "/components/0/runnables/0/data/0"
+    assert sorted(found(text)) == [
+        ("F002", 1, 1, ""),
+        ("F003", 2, 13, "/descripton"),
+        ("F004", 1, 11, "/function"),
+        ("F004", 8, 34, f"{at}/role"),
+        ("F004", 8, 52, f"{at}/timeout"),
+        ("F004", 8, 69, f"{at}/queueLength"),
+    ]
+
+
+def test_a_misspelled_key_is_answered_with_the_right_one():
+    finding = read_declaration((HEAD + "athority: us\n").encode(), "f").findings[0]
+    assert (finding.rule, finding.fix) == ("F003", "Did you mean 'authority'?")
+
+
+def test_a_word_that_yaml_reads_as_a_boolean_is_explained():
+    text = HEAD + "modes: {active: [{mode: OFF, description: Off., runnables: []}]}\n"
+    finding = read_declaration(text.encode(), "f").findings[0]
+    assert finding.message == "False is no value for `mode`: a text belongs here."
+    assert "put quotes around" in finding.fix
+
+
+@pytest.mark.parametrize("text", ["- 1", "5", "text", "~"])
+def test_a_file_that_is_no_mapping_is_one_finding(text):
+    assert [rule for rule, *_ in found(text)] in (["F004"], ["F002"])
+
+
+@pytest.mark.parametrize("name", ["*/ #include <x>", '"><script>alert(1)</script>', "a\nb", "'; DROP TABLE", "名前"])
+def test_names_are_taken_as_they_are_written(name):
+    text = yaml.safe_dump({**yaml.safe_load(HEAD), "description": name}, allow_unicode=True)
+    declared = read_declaration(text.encode(), "f").declaration
+    assert declared is not None
+    assert declared.description == name

@@ -1,0 +1,103 @@
+"""Function documents: values, places, and hostile bytes."""
+
+import time
+
+import pytest
+
+from app.catalogue.limits import Limits
+from app.function.document import pointer_text, read_json, read_yaml
+
+JSON = b'{\n  "a": [1, {"b/c": "x"}],\n  "d~": {}\n}\n'
+YAML = b"a:\n  - 1\n  - b/c: x\nd:\n  e: 5\n"
+
+
+@pytest.mark.parametrize(
+    ("pointer", "place"),
+    [((), (1, 1)), (("a",), (2, 8)), (("a", 0), (2, 9)), (("a", 1), (2, 12)), (("a", 1, "b/c"), (2, 20)), (("d~",), (3, 9))],
+)  # fmt: skip
+def test_every_value_of_json_has_a_place(pointer, place):
+    assert read_json(JSON, "f").place(pointer) == place
+
+
+@pytest.mark.parametrize(
+    ("pointer", "place"),
+    [((), (1, 1)), (("a",), (1, 1)), (("a", 0), (2, 5)), (("a", 1, "b/c"), (3, 10)), (("d", "e"), (5, 6))],
+)
+def test_every_value_of_yaml_has_a_place(pointer, place):
+    assert read_yaml(YAML, "f").place(pointer) == place
+
+
+@pytest.mark.parametrize("read", [read_json, read_yaml])
+def test_what_is_not_there_has_the_place_of_what_is_around_it(read):
+    data = JSON if read is read_json else YAML
+    document = read(data, "f")
+    assert document.place(("a", 1, "missing", 3)) == document.place(("a", 1))
+    assert document.place(("nothing",)) == (1, 1)
+
+
+def test_pointers_are_escaped():
+    assert pointer_text(("a", 0, "b/c", "d~")) == "/a/0/b~1c/d~0"
+    assert pointer_text(()) == ""
+
+
+def test_json_that_yaml_would_not_take_is_read():
+    text = '\t{"x":\t"\\ud83d\\ude00", "' + "k" * 2000 + '":1}'
+    document = read_json(text.encode(), "f")
+    assert document.findings == ()
+    assert document.value["x"] == "😀"
+    assert document.place(("k" * 2000,)) == (1, 2029)
+
+
+BAD_JSON = [
+    (b"", "F001", (1, 1)),
+    (b"{", "F001", (1, 2)),
+    (b"{'a': 1}", "F001", (1, 2)),
+    (b'{"a": 1,}', "F001", (1, 8)),
+    (b'{"a": 1} // done', "F001", (1, 10)),
+    (b'{"a":\n NaN}', "F001", (2, 2)),
+    (b'{"a": -Infinity}', "F001", (1, 7)),
+    (b'{"a": 1e999}', "F001", (1, 7)),
+    (b'{"a": ' + b"9" * 5000 + b"}", "F001", (0, 0)),
+    (b'{"a": 1,\n "a": 2}', "R006", (2, 2)),
+    (b'{"a": "\xe9"}', "R002", (1, 8)),
+    ('{"a": 1}'.encode("utf-16"), "R002", (1, 1)),
+    (b"[" * 50_000, "R004", (1, 65)),
+    (b'{"a":' * 50_000, "R004", (1, 321)),
+]
+
+
+@pytest.mark.parametrize(("data", "rule", "place"), BAD_JSON, ids=lambda value: str(value)[:20])
+def test_bad_json_is_one_finding_with_a_place(data, rule, place):
+    document = read_json(data, "f")
+    assert [(f.rule, (f.line, f.column)) for f in document.findings] == [(rule, place)]
+
+
+def test_a_file_beyond_the_limit_is_refused_unread():
+    assert [f.rule for f in read_json(b"[" * 101, "f", Limits(file_bytes=100)).findings] == ["R003"]
+
+
+@pytest.mark.parametrize(
+    "data", [b'"' + b'\\"' * 500_000, b'{"a": "' * 100_000, b"[" * 60 + b'"\\' * 300_000, b"a" * 1_000_000]
+)
+def test_unterminated_texts_are_refused_in_linear_time(data):
+    start = time.perf_counter()
+    assert read_json(data, "f").findings
+    assert time.perf_counter() - start < 2
+
+
+@pytest.mark.parametrize(
+    ("data", "rule"),
+    [
+        (b"", "F002"),
+        (b"a: 1\nb: {c: 1, c: 2}", "R006"),
+        (b"a: &x [*x]", "R014"),
+        (b"a: !!python/object:os.system x", "R014"),
+        (b"a: [1", "R001"),
+        (b"\xff\xfe", "R002"),
+        (b"[" * 50_000, "R004"),
+        (b"a: &a [x,x,x,x,x,x,x,x,x]\n" + b"".join(b"%c: &%c [%s]\n" % (c + 1, c + 1, b",".join([b"*%c" % c] * 9)) for c in range(97, 110)), "R014"),
+    ],
+    ids=range(8),
+)  # fmt: skip
+def test_bad_yaml_is_one_finding(data, rule):
+    assert [finding.rule for finding in read_yaml(data, "f").findings] == [rule]

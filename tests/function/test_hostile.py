@@ -1,0 +1,107 @@
+"""Nothing that a document contains ends in a traceback, and large ones are quick."""
+
+import json
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.function.build import build_function, check_function
+from app.function.document import Pointer
+from app.function.model import to_json
+from app.function.validate import read_function_json, validate_function_json
+from tests.function.shipped import FUNCTIONS, interfaces
+
+LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)
+ANYTHING = st.recursive(
+    LEAVES, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3)
+)
+QUICKLY = settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+DECLARATION = FUNCTIONS[0].read_bytes()
+FUNCTION = json.loads(to_json(build_function(DECLARATION, "f.yaml", interfaces())[0]))
+
+
+def pointers(value: Any, at: Pointer = ()) -> Iterator[Pointer]:
+    yield at
+    items: Any = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from pointers(item, (*at, key))
+
+
+PLACES = [pointer for pointer in pointers(FUNCTION) if pointer]
+
+
+@QUICKLY
+@given(st.binary(max_size=300))
+def test_any_bytes_are_answered_with_findings(data):
+    assert validate_function_json(data, "f.json")
+    assert check_function(data, "f.yaml", interfaces())
+
+
+@QUICKLY
+@given(st.sampled_from(PLACES), ANYTHING)
+def test_any_value_anywhere_is_answered_with_findings_that_have_a_place(pointer, value):
+    document = json.loads(json.dumps(FUNCTION))
+    around = document
+    for part in pointer[:-1]:
+        around = around[part]
+    around[pointer[-1]] = value
+    try:
+        data = json.dumps(document, allow_nan=False).encode()
+    except ValueError:
+        data = json.dumps(document).encode()
+    validated = read_function_json(data, "f.json", interfaces())
+    assert all(finding.line for finding in validated.findings)
+    if validated.function is not None:
+        to_json(validated.function)
+
+
+@QUICKLY
+@given(
+    st.integers(0, len(DECLARATION) - 1),
+    st.integers(1, 12),
+    st.sampled_from([b"", b"x", b"- ", b": ", b"[", b"\t", b"0"]),
+)
+def test_any_damage_to_a_declaration_is_answered_with_findings(start, length, replacement):
+    damaged = DECLARATION[:start] + replacement + DECLARATION[start + length :]
+    for finding in check_function(damaged, "f.yaml", interfaces()):
+        assert finding.message
+
+
+def large(count: int, path: str = "Vehicle.Speed") -> bytes:
+    items = "".join(
+        f"\n          - {{path: {path}{i if path == 'X.Y' else ''}, role: consumed, name: s{i}}}" for i in range(count)
+    )
+    return (
+        "function: CoreAcc\ndescription: Cruise control.\nresponsible: Cruise control team\n"
+        f"components:\n  - name: CoreAcc\n    runnables:\n      - CoreAcc_Init\n      - interface: CoreAcc_Step\n        data:{items}\n"
+        "        errors: [CoreAcc_AliveError_ErrorSts]\n      - CoreAcc_Terminate\n"
+    ).encode()
+
+
+def test_ten_thousand_signals_are_built_and_validated_quickly():
+    interfaces()
+    start = time.perf_counter()
+    function, _ = build_function(large(10_000), "f.yaml", interfaces())
+    data = to_json(function)
+    assert len(validate_function_json(data, "f.json", interfaces())) == 10_000
+    assert len(data) > 3_000_000
+    assert time.perf_counter() - start < 15
+
+
+def test_ten_thousand_wrong_signals_are_told_quickly():
+    interfaces()
+    start = time.perf_counter()
+    found = check_function(large(10_000, "X.Y"), "f.yaml", interfaces())
+    assert sum(finding.rule == "F010" for finding in found) == 10_000
+    assert time.perf_counter() - start < 15
+
+
+@pytest.mark.parametrize("text", ["*/ #include <x>", '"><script>', "\\u0000", "a" * 100_000])
+def test_texts_are_carried_as_data(text):
+    declared = large(1).decode().replace("Cruise control.", json.dumps(text)).encode()
+    function, _ = build_function(declared, "f.yaml", interfaces())
+    assert json.loads(to_json(function))["FunctionInfo"]["Description"] == text

@@ -1,0 +1,60 @@
+"""Every rule does what its own examples say, and every code that sigcat emits has a rule."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from app.catalogue.vocabulary import read_vocabulary
+from app.data import INTERFACE_RULES, VSPEC
+from app.rules.checks import CHECKS
+from app.rules.examples import findings_of_example
+from app.rules.record import MAKERS, load_rules
+
+RULES = load_rules(INTERFACE_RULES)
+UNITS = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"])
+APP = Path(__file__).parents[2] / "app"
+GOOD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in RULES if r.check != "function" for i, e in enumerate(r.good, 1)]
+BAD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in RULES if r.check != "function" for i, e in enumerate(r.bad, 1)]
+
+
+@pytest.mark.parametrize(("rule", "example"), GOOD)
+def test_a_good_example_has_no_finding_of_its_rule(rule, example, tmp_path):
+    findings = findings_of_example(example, RULES, UNITS, tmp_path)
+    assert [f for f in findings if f.rule == rule.id] == []
+
+
+@pytest.mark.parametrize(("rule", "example"), BAD)
+def test_a_bad_example_has_a_finding_of_its_rule(rule, example, tmp_path):
+    findings = findings_of_example(example, RULES, UNITS, tmp_path)
+    own = [f for f in findings if f.rule == rule.id]
+    assert own, f"only {[f.rule for f in findings]}"
+    assert all(f.message and f.file for f in own)
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.id)
+def test_a_rule_names_a_check_and_has_examples(rule):
+    assert rule.check in CHECKS or rule.check in MAKERS
+    text = Path(rule.file).read_text(encoding="utf-8").split(f"\n{rule.id}:\n")[1].split("\n\n")[0]
+    assert (rule.good and rule.bad) or "example: false" in text
+    assert rule.title.endswith(".")
+    assert rule.why.endswith(".")
+
+
+def test_names_of_rules_are_unique_within_a_category():
+    names = [(rule.category, rule.name) for rule in RULES]
+    assert len(set(names)) == len(names)
+
+
+def test_every_code_that_the_catalogue_emits_has_a_record():
+    emitted = set()
+    for file in (APP / "catalogue").glob("*.py"):
+        emitted.update(re.findall(r'"([RVUO]0[0-9]{2})"', file.read_text(encoding="utf-8")))
+    assert emitted <= {rule.id for rule in RULES if rule.check == "composition"}
+
+
+def test_every_code_that_the_linter_emits_has_a_record():
+    emitted = set()
+    for file in (APP / "rules").glob("**/*.py"):
+        emitted.update(re.findall(r'"(L0[0-9]{2})"', file.read_text(encoding="utf-8")))
+    assert emitted == {rule.id for rule in RULES if rule.check == "lint"}

@@ -1,0 +1,50 @@
+"""Search as one types."""
+
+from playwright.sync_api import expect
+
+from tests.web.conftest import Opener
+
+
+def test_results_come_as_one_types_and_back_returns_to_the_tree(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Label")
+    page.keyboard.press("/")
+    page.keyboard.type("spee vehi", delay=15)
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+    assert page.url.endswith("/search/small?q=spee+vehi")
+    expect(page.locator(".hits mark").first).to_have_text("Vehi")
+    page.go_back()
+    expect(page.locator("h1")).to_have_text("Label")
+    page.go_forward()
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+
+
+def test_results_are_walked_by_arrows_and_opened_by_enter(open_page: Opener) -> None:
+    page = open_page("/search/small?q=speed")
+    page.get_by_role("searchbox").focus()
+    page.keyboard.press("ArrowDown")
+    expect(page.locator("[data-hit]").first).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.locator("h1")).to_have_text("Speed")
+
+
+def test_filters_narrow_and_widen(open_page: Opener) -> None:
+    page = open_page("/search/small?q=vehicle")
+    facets = page.get_by_role("complementary", name="Filters")
+    facets.get_by_role("link", name="actuator").click()
+    expect(page.locator("[data-tally]")).to_have_text("2\u00a0results")
+    assert "type=actuator" in page.url
+    facets.get_by_role("link", name="Remove filter Type").click()
+    expect(page.locator("[data-tally]")).to_have_text("14\u00a0results")
+
+
+def test_a_near_miss_proposes_a_word(open_page: Opener) -> None:
+    page = open_page("/search/small?q=sped")
+    page.get_by_role("link", name="speed").click()
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+
+
+def test_markup_that_is_typed_shows_as_text(open_page: Opener) -> None:
+    page = open_page("/search/small")
+    page.get_by_role("searchbox").fill("<img src=x onerror=alert(1)>")
+    expect(page.locator("[data-tally]")).to_contain_text("Nothing")
+    assert page.locator("main img").count() == 0

@@ -1,0 +1,130 @@
+"""The tree in a real browser, by keyboard and by mouse."""
+
+import re
+from urllib.parse import unquote
+
+from playwright.sync_api import Page, expect
+
+from tests.web.conftest import Opener
+
+
+def rows(page: Page) -> list[str]:
+    return page.locator("[role=treeitem] .name").all_inner_texts()
+
+
+def active(page: Page) -> str:
+    return page.locator("[role=treeitem].active .name").inner_text()
+
+
+def test_opening_a_branch_loads_what_is_below_it(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    assert "IsOpen" not in rows(page)
+    door = page.get_by_role("treeitem", name="Door")
+    expect(door).to_have_attribute("aria-expanded", "false")
+    door.locator(".chevron").click()
+    expect(page.get_by_role("treeitem", name="Left")).to_have_attribute("aria-level", "3")
+    expect(page.get_by_role("treeitem", name="Right")).to_have_attribute("aria-posinset", "2")
+    expect(page.get_by_role("treeitem", name="Right")).to_have_attribute("aria-setsize", "2")
+    door.locator(".chevron").click()
+    expect(page.get_by_role("treeitem", name="Left")).to_have_count(0)
+
+
+def test_the_address_is_the_state(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    page.get_by_role("treeitem", name="Door").locator(".name").click()
+    expect(page.locator("h1")).to_have_text("Door")
+    page.get_by_role("treeitem", name="Left").locator(".chevron").click()
+    page.get_by_role("treeitem", name="IsOpen").locator(".name").click()
+    expect(page.locator("h1")).to_have_text("IsOpen")
+    assert "/tree/small/Vehicle.Door.Left.IsOpen" in page.url
+    before = rows(page)
+    page.reload()
+    page.wait_for_selector("[data-ready]")
+    assert rows(page) == before
+    expect(page.locator("[aria-selected=true]")).to_contain_text("IsOpen")
+
+
+def test_back_and_forward_go_through_the_nodes(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Speed")
+    page.get_by_role("treeitem", name="Label").locator(".name").click()
+    expect(page.locator("h1")).to_have_text("Label")
+    page.go_back()
+    expect(page.locator("h1")).to_have_text("Speed")
+    expect(page.locator("[aria-selected=true]")).to_contain_text("Speed")
+    page.go_forward()
+    expect(page.locator("h1")).to_have_text("Label")
+
+
+def test_the_keyboard_of_the_tree_pattern(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    tree = page.get_by_role("tree")
+    tree.focus()
+    press = page.keyboard.press
+    press("End")
+    assert active(page) == rows(page)[-1] == "Function"
+    press("Home")
+    assert active(page) == "Vehicle"
+    press("ArrowRight")
+    assert active(page) == "Speed"
+    press("ArrowDown")
+    press("ArrowRight")
+    expect(page.get_by_role("treeitem", name="Left")).to_be_visible()
+    press("ArrowRight")
+    assert active(page) == "Left"
+    press("ArrowLeft")
+    assert active(page) == "Door"
+    press("ArrowLeft")
+    expect(page.get_by_role("treeitem", name="Left")).to_have_count(0)
+    press("ArrowLeft")
+    assert active(page) == "Vehicle"
+    page.keyboard.type("la")
+    assert active(page) == "Label"
+    press("Enter")
+    expect(page.locator("h1")).to_have_text("Label")
+    press("*")
+    expect(page.get_by_role("treeitem", name="Braking")).to_be_visible()
+    expect(tree).to_have_attribute("aria-activedescendant", re.compile("row-"))
+
+
+def test_expand_all_and_collapse(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Speed")
+    page.get_by_text("Expand all").click()
+    expect(page.get_by_role("treeitem", name="RangeError")).to_be_visible()
+    assert unquote(page.url).endswith("?open=*")
+    page.get_by_text("Collapse").click()
+    expect(page.get_by_role("treeitem", name="RangeError")).to_have_count(0)
+
+
+def test_a_hundred_thousand_nodes_need_a_hundred_rows(open_page: Opener) -> None:
+    page = open_page("/tree/big")
+    page.get_by_text("Expand all").click()
+    expect(page).to_have_url(re.compile(r"open=\*$"))
+    assert page.locator(".extent").evaluate("extent => extent.clientHeight") > 100_000 * 20
+    tree = page.get_by_role("tree")
+    tree.focus()
+    for _ in range(3):
+        assert page.locator("[role=treeitem]").count() <= 100
+        page.mouse.move(100, 300)
+        page.mouse.wheel(0, 700_000)
+        page.wait_for_timeout(60)
+    page.keyboard.press("End")
+    assert active(page) == "Signal99"
+    assert page.locator("[role=treeitem]").count() <= 100
+
+
+def test_previous_next_children_and_path_lead_on(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Door")
+    page.get_by_role("link", name="Next").click()
+    expect(page.locator("h1")).to_have_text("Label")
+    page.locator(".crumbs").get_by_role("link", name="Vehicle").click()
+    expect(page.locator("h1")).to_have_text("Vehicle")
+    page.locator(".nodes").get_by_role("link", name="Door").click()
+    expect(page.locator("h1")).to_have_text("Door")
+    expect(page.locator("[aria-selected=true]")).to_contain_text("Door")
+
+
+def test_a_path_can_be_copied(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Speed", permissions=["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Copy path").click()
+    expect(page.locator("#said")).to_contain_text("Vehicle.Speed")
+    assert page.evaluate("navigator.clipboard.readText()") == "Vehicle.Speed"
