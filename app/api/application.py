@@ -4,7 +4,7 @@ from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
 from app import __version__
-from app.api import catalogues, functions, lint, rules
+from app.api import catalogues, functions, health, lint, rules
 from app.api.problems import install_problems
 from app.api.rulebook import rule_book
 from app.api.settings import DEFAULT_SETTINGS, Settings
@@ -32,7 +32,7 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     app.state.library = library
     app.state.settings = settings
     app.state.rules = rule_book(INTERFACE_RULES)
-    for router in (catalogues.listing, catalogues.router, rules.router, lint.router, functions.router):
+    for router in (catalogues.listing, catalogues.router, rules.router, lint.router, functions.router, health.router):
         app.include_router(router)
     install_problems(app)
     return app

@@ -1,0 +1,12 @@
+"""Health: what a container asks."""
+
+
+def test_the_process_lives(ask):
+    assert ask("/health/live").json() == {"status": "alive", "catalogues": {}}
+
+
+def test_a_ready_service_tells_the_hash_of_each_catalogue(ask):
+    answer = ask("/health/ready").json()
+    assert answer["status"] == "ready"
+    for entry in ask("/api/v1/catalogues").json()["catalogues"]:
+        assert answer["catalogues"][entry["id"]] == entry["digest"]
