@@ -10,13 +10,13 @@ class Health(BaseModel):
     """Answer of a health check."""
 
     status: str = Field(description="`alive`, or `ready`.", examples=["ready"])
-    catalogues: dict[str, str] = Field({}, description="Content hash of each hosted catalogue by id.")
+    catalogues: dict[str, str] = Field(default={}, description="Content hash of each hosted catalogue by id.")
 
 
 @router.get("/live")
 async def get_liveness() -> Health:
     """Whether the process lives. An orchestrator restarts it when this does not answer."""
-    return Health(status="alive")
+    return Health(status="alive", catalogues={})
 
 
 @router.get("/ready")

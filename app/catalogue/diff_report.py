@@ -29,17 +29,18 @@ _LISTED = 6
 """So many paths are listed; of more, the number is told."""
 
 
-def summary(changes: Iterable[Change]) -> str:
-    """`3 changes: 1 breaking, 2 compatible`."""
+def summary(changes: Iterable[Change], hidden: int = 0) -> str:
+    """`3 changes: 1 breaking, 2 compatible`; `hidden` more were left out on demand."""
     counts = _counts(changes)
     total = sum(counts.values())
     if not total:
-        return "No differences."
+        return f"No such changes; {hidden} others not shown." if hidden else "No differences."
     parts = ", ".join(f"{count} {_class_in_words(name)}" for name, count in counts.items() if count)
-    return f"{total} {'change' if total == 1 else 'changes'}: {parts}"
+    others = f"; {hidden} others not shown" if hidden else ""
+    return f"{total} {'change' if total == 1 else 'changes'}: {parts}{others}"
 
 
-def text_report(changes: Sequence[Change], *, is_coloured: bool = False) -> str:
+def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden: int = 0) -> str:
     """The changes as a tree of the paths that users of the old tree know."""
     lines: list[str] = []
     above: tuple[str, ...] = ()
@@ -53,12 +54,12 @@ def text_report(changes: Sequence[Change], *, is_coloured: bool = False) -> str:
         label = _coloured(f"[{_class_in_words(change.compatibility)}]", change.compatibility, is_coloured)
         lines.append(f"{indent}{sign} {printable(name)}{_told(change)}  {label}")
         lines += [f"{indent}    {detail}" for detail in _details(change)]
-    return "\n".join([*lines, *([""] if lines else []), summary(changes), ""])
+    return "\n".join([*lines, *([""] if lines else []), summary(changes, hidden), ""])
 
 
-def markdown_report(changes: Sequence[Change], old: str, new: str) -> str:
+def markdown_report(changes: Sequence[Change], old: str, new: str, hidden: int = 0) -> str:
     """Release notes, the worst first. Whatever comes from the trees stands in code spans, where nothing is markup."""
-    lines = [f"# Changes from {_code(old)} to {_code(new)}", "", summary(changes).rstrip(".") + ".", ""]
+    lines = [f"# Changes from {_code(old)} to {_code(new)}", "", summary(changes, hidden).rstrip(".") + ".", ""]
     for compatibility in CLASSES:
         chosen = [change for change in changes if change.compatibility == compatibility]
         if chosen:

@@ -30,7 +30,8 @@ UNKNOWN = frozenset(("arraysize", "aggregate"))
 _REFERS_OUTSIDE = frozenset(("V003", "V006", "V007"))
 """Findings about units and struct types, which an export may not carry along."""
 _TYPES = "ComplexDataTypes"
-_SURROGATES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})")
+_HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})|\\u[dD][89a-fA-F][0-9a-fA-F]{2}")
+"""A character that JSON escapes as two halves; or a half without its other, which is none."""
 
 Positions = Mapping[str, tuple[int, int]]
 
@@ -122,15 +123,18 @@ class _Reading:
 
 
 def _positions_of(data: bytes, name: str, limits: Limits) -> Document:
-    """The document read as YAML, for its positions; YAML takes all of JSON but characters written as two halves."""
-    text = _SURROGATES.sub(_whole_character, data.decode("utf-8", "replace"))
-    document = read_document(data if "\\u" not in text and "\\U" not in text else text.encode(), name, limits)
+    """The document read as YAML, for its positions; YAML takes all of JSON but characters escaped as two halves."""
+    if b"\\u" in data:
+        data = _HALVES.sub(_whole_character, data.decode("utf-8", "surrogateescape")).encode("utf-8", "surrogateescape")
+    document = read_document(data, name, limits)
     if document.findings:
         raise _refused(name, *document.findings)
     return document
 
 
 def _whole_character(halves: re.Match[str]) -> str:
+    if halves[1] is None:
+        return "\\uFFFD"
     high, low = int(halves[1], 16), int(halves[2], 16)
     return f"\\U{0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00):08x}"
 

@@ -235,5 +235,5 @@ def tolerant(catalogue: Catalogue) -> Catalogue:
 
 
 def _tolerated(finding: Finding) -> Finding:
-    is_tolerable = finding.rule == "R006" or (finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL)
+    is_tolerable = finding.rule in ("R006", "R011") or (finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL)
     return finding._replace(severity="warning") if is_tolerable and finding.severity == "error" else finding

@@ -59,6 +59,8 @@ def read_side(name: str, release: Release, options: Options = NO_OPTIONS) -> Sid
         side = _git_side(name, options)
     else:
         base, overlays = _parts(name)
+        if not base:
+            raise UsageError(f"{name!r}: there is no such file or folder")
         side = _file_side(name, Path(base), overlays, options) or _release_side(name, base, overlays, release, options)
     if has_errors(side.catalogue.findings):
         raise InputRefused(f"{name}: the tree has errors; nothing was compared", side.catalogue.findings)
@@ -86,8 +88,8 @@ def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Opti
 
 
 def _release_side(title: str, base: str, overlays: tuple[Path, ...], release: Release, options: Options) -> Side:
-    if "/" in base or base.endswith((".vspec", ".json")) or not base:
-        raise UsageError(f"{base or title}: there is no such file or folder")
+    if "/" in base or base.endswith((".vspec", ".json")):
+        raise UsageError(f"{base}: there is no such file or folder")
     return Side(title, with_overlays(release(base), _layers(overlays, options), options.limits))
 
 

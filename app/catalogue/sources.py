@@ -8,7 +8,7 @@ from app.catalogue.compose import compose
 from app.catalogue.layers import read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
-from app.catalogue.quirks import OFFICIAL_ROOT, in_present_words, read_units, tolerant
+from app.catalogue.quirks import in_present_words, read_units, tolerant
 from app.catalogue.yaml_document import collector_paused
 from app.data import OVERLAYS, ROOT_FILE, VSPEC
 from app.errors import UsageError
@@ -72,16 +72,15 @@ def source_from_option(text: str) -> Source:
 
 
 def source_of_tree(tree: str) -> Source:
-    """The source of a .vspec file, of a folder with an official root file in it or in its `spec`, or of a release."""
+    """The source of a .vspec file, of a folder with a tree in it, or of a release."""
+    from app.catalogue.root_file import root_file
+
     path = Path(tree)
     if path.is_file():
         return Source(path.stem, path.stem, path)
-    if not path.is_dir():
-        return release_source(tree)
-    for root in (path / OFFICIAL_ROOT, path / "spec" / OFFICIAL_ROOT):
-        if root.is_file():
-            return Source(path.name, path.name, root)
-    raise UsageError(f"{tree}: the folder has no {OFFICIAL_ROOT}; name the root file itself")
+    if path.is_dir():
+        return Source(path.name, path.name, root_file(path))
+    return release_source(tree)
 
 
 def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:

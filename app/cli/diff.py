@@ -75,7 +75,7 @@ def diff(arguments: argparse.Namespace) -> int:
     old, new = (_side(name, arguments) for name in (arguments.old, arguments.new))
     changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
-    report = _report(shown, old.title, new.title, arguments.format, arguments.output)
+    report = _report(shown, len(changes) - len(shown), old.title, new.title, arguments)
     write_bytes(report.encode("utf-8", "backslashreplace"), arguments.output)
     bound = arguments.fail_on
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
@@ -102,16 +102,16 @@ def release(name: str) -> "Catalogue":
     return load(shipped.get(name) or release_source(name))
 
 
-def _report(changes: "Sequence[Change]", old: str, new: str, style: str, output: Path | None) -> str:
+def _report(changes: "Sequence[Change]", hidden: int, old: str, new: str, arguments: argparse.Namespace) -> str:
     import json
 
     from app.catalogue.diff_report import diff_data, markdown_report, text_report
 
-    if style == "json":
+    if arguments.format == "json":
         return json.dumps({"old": old, "new": new, **diff_data(changes)}, indent=2, ensure_ascii=False) + "\n"
-    if style == "markdown":
-        return markdown_report(changes, old, new)
-    return text_report(changes, is_coloured=output is None and is_coloured())
+    if arguments.format == "markdown":
+        return markdown_report(changes, old, new, hidden)
+    return text_report(changes, is_coloured=arguments.output is None and is_coloured(), hidden=hidden)
 
 
 def is_coloured() -> bool:

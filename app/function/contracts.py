@@ -174,25 +174,30 @@ def _parameter(item: ParameterItem, at: Pointer, work: Work) -> Parameter | None
     if value.node.type != "attribute":
         message = f"{item.path!r} is of type {value.node.type}, not an attribute: its value changes while driving."
         work.report("F028", (*at, "path"), message, "List it under `data`.", item.path)
-    default = value.node.values.get("default")
-    is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
-    if value.default is None and value.init is None and not (is_text and default is not None):
-        work.report(
-            "F027", at, f"{item.path!r} has no default.", "Give `init`, or a default in the catalogue.", item.path
-        )
-    start = value.default if value.init is None else value.init
+    text = _default_text(value)
+    start = value.init if value.default is None else value.default
+    if start is None and text is None:
+        fix = "Give `init`, or a default in the catalogue."
+        work.report("F027", at, f"{item.path!r} has no default.", fix, item.path)
     low, high = _limits(value)
     return Parameter(
         asil_level=_asil(item, value.node) or "QM",
-        default=(start or 0) if value.default is None else value.default,
-        init_value=start or 0,
+        default=start or 0,
+        init_value=value.init or 0,
         range_error_action=item.range_error_action,
         interface_type=item.kind,
         attribute=item.attribute,
         units=value.unit or "",
-        default_text=default if is_text and isinstance(default, str) else None,
+        default_text=text,
         **{**_common(item, value), "min": low, "max": high},
     )
+
+
+def _default_text(value: Value) -> str | None:
+    """The catalogue's default of a parameter that is a text."""
+    is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
+    default = value.node.values.get("default")
+    return default if is_text and isinstance(default, str) else None
 
 
 def _limits(value: Value) -> tuple[float, float]:

@@ -124,10 +124,12 @@ class RunnableItem(DeclarationModel):
     events: list[Text] = Field([], description="Events that trigger the call.")
     data: list[DataItem] = Field([], description="Signals that the call reads and writes.")
     parameters: list[ParameterItem] = Field([], description="Parameters that the call reads.")
-    errors: list[Annotated[ErrorItem, BeforeValidator(_reference)]] = Field([], description="Errors that it reports.")
-    safety_reactions: list[Annotated[ReactionItem, BeforeValidator(_reference)]] = Field(
-        [], description="Safety conditions that it is told of."
+    errors: list[Annotated[ErrorItem, BeforeValidator(_reference, json_schema_input_type=str | ErrorItem)]] = Field(
+        [], description="Errors that it reports."
     )
+    safety_reactions: list[
+        Annotated[ReactionItem, BeforeValidator(_reference, json_schema_input_type=str | ReactionItem)]
+    ] = Field([], description="Safety conditions that it is told of.")
     methods: list[MethodItem] = Field([], description="Methods that it uses or offers.")
 
 
@@ -135,8 +137,8 @@ class ComponentItem(DeclarationModel):
     """A part of the function that is deployed as a whole."""
 
     name: Text = Field(description="Name of the component.")
-    runnables: list[Annotated[RunnableItem, BeforeValidator(_reference)]] = Field(
-        min_length=1, description="Calls: init, one step or several, terminate."
+    runnables: list[Annotated[RunnableItem, BeforeValidator(_reference, json_schema_input_type=str | RunnableItem)]] = (
+        Field(min_length=1, description="Calls: init, one step or several, terminate.")
     )
 
 

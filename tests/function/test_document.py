@@ -45,14 +45,13 @@ def test_json_that_yaml_would_not_take_is_read():
     document = read_json(text.encode(), "f")
     assert document.findings == ()
     assert document.value["x"] == "😀"
-    assert document.place(("k" * 2000,)) == (1, 2029)
+    assert document.place(("k" * 2000,)) == (1, 2027)
 
 
 BAD_JSON = [
     (b"", "F001", (1, 1)),
     (b"{", "F001", (1, 2)),
     (b"{'a': 1}", "F001", (1, 2)),
-    (b'{"a": 1,}', "F001", (1, 8)),
     (b'{"a": 1} // done', "F001", (1, 10)),
     (b'{"a":\n NaN}', "F001", (2, 2)),
     (b'{"a": -Infinity}', "F001", (1, 7)),
@@ -70,6 +69,11 @@ BAD_JSON = [
 def test_bad_json_is_one_finding_with_a_place(data, rule, place):
     document = read_json(data, "f")
     assert [(f.rule, (f.line, f.column)) for f in document.findings] == [(rule, place)]
+
+
+def test_a_comma_too_many_is_not_json():
+    """Where it is found differs between versions of Python."""
+    assert [finding.rule for finding in read_json(b'{"a": 1,}', "f").findings] == ["F001"]
 
 
 def test_a_file_beyond_the_limit_is_refused_unread():

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -52,6 +53,12 @@ def vspec_export(overlays: list[Path], output: Path) -> Any:
     return json.loads(output.read_text(encoding="utf-8"))
 
 
+def paths_of(prefix: str, nodes: Any) -> Iterator[str]:
+    for name, node in nodes.items():
+        yield prefix + name
+        yield from paths_of(f"{prefix}{name}.", node.get("children", {}))
+
+
 def test_all_of_them_compose_without_a_finding():
     assert interfaces().findings == ()
 
@@ -63,15 +70,7 @@ def test_each_of_them_composes_alone(name):
 
 def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes(tmp_path):
     exported = vspec_export([overlay(name) for name in NAMES], tmp_path / "tree.json")
-    paths = set()
-
-    def walk(prefix, nodes):
-        for name, node in nodes.items():
-            paths.add(prefix + name)
-            walk(f"{prefix}{name}.", node.get("children", {}))
-
-    walk("", exported)
-    assert paths == set(interfaces().nodes)
+    assert set(paths_of("", exported)) == set(interfaces().nodes)
 
 
 @pytest.mark.parametrize("name", NAMES)

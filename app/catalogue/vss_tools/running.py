@@ -19,6 +19,8 @@ from app.findings import Finding, Severity
 
 _WORKER = Path(__file__).with_name("worker.py")
 _SEVERITIES: Mapping[str, Severity] = {"WARNING": "warning", "ERROR": "error", "CRITICAL": "error"}
+_NO_NEWS = re.compile("Unknown extra attribute|No '(?:unit|quantity)' files defined")
+"""Warnings that do not count if the export succeeds: a catalogue is there to be extended, and may have no units."""
 _NODE_PATH = re.compile(r"\w+(?:\.\w+)+")
 
 
@@ -46,7 +48,7 @@ def run(catalogue: Catalogue, format_: Format, options: Mapping[str, Any], name:
         files = (*_main_files(places.output, name, format_), *_files_beside(options, format_, places))
         if not any(not file.option for file in files):
             raise InputRefused(f"vss-tools exported nothing as {format_.name}.", findings)
-        return Export(files, findings)
+        return Export(files, tuple(finding for finding in findings if not _NO_NEWS.search(finding.message)))
 
 
 def _request(

@@ -1,19 +1,14 @@
 """Run `sigcat diff` and `sigcat try` in process, and make trees to compare."""
 
-import pytest
-
-import app.cli
 from app.catalogue.changes import Change
 from app.catalogue.diff import compare
-from app.cli import diff, try_overlay
+from app.cli import main
 from tests.catalogue.trees import ROOT, catalogue_of
 
 
 def sigcat(*arguments: str) -> int:
     """Exit status of a command."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(app.cli, "COMMANDS", tuple(dict.fromkeys((*app.cli.COMMANDS, diff, try_overlay))))
-        return app.cli.main(arguments)
+    return main(arguments)
 
 
 def changes(old: str, new: str) -> tuple[Change, ...]:

@@ -1,7 +1,9 @@
 """Every export has the same bytes as that of `vspec export` on the original files."""
 
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 import pytest
@@ -25,7 +27,7 @@ class Case(NamedTuple):
     """An export, and the same as arguments of `vspec export`."""
 
     format: str
-    options: dict[str, object] = {}
+    options: Mapping[str, object] = MappingProxyType({})
     arguments: tuple[str, ...] = ()
     overlay: bool = True
     types: bool = True

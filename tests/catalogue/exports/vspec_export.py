@@ -31,4 +31,5 @@ def exit_status(job: dict[str, Any]) -> int:
 
 
 for line in sys.stdin:
-    print(exit_status(json.loads(line)), flush=True)
+    sys.stdout.write(f"{exit_status(json.loads(line))}\n")
+    sys.stdout.flush()

@@ -1,0 +1,1 @@
+"""ROS 2: packages, messages, topics and nodes, derived from functions."""
