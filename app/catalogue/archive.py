@@ -4,6 +4,7 @@ An archive comes from elsewhere. Paths that leave the folder, links out of it, d
 and archives that unpack to far more than they are, are refused, whether the file is one that would be kept or not.
 """
 
+import errno
 import gzip
 import io
 import lzma
@@ -72,6 +73,7 @@ _BROKEN = (
     OverflowError,
     NotImplementedError,
     RuntimeError,
+    LookupError,
 )  # fmt: skip
 _CHUNK = 64 * 1024
 _LARGEST_DIRECTORY = 8 * 1024 * 1024
@@ -208,6 +210,10 @@ def _entries(archive: Path, limits: ArchiveLimits) -> Iterator[_Opened]:
                 raise ArchiveRefused("the file is neither a tar.gz, a tar nor a zip archive")
         except _BROKEN as error:
             raise ArchiveRefused(f"the archive is damaged or not whole: {error or type(error).__name__}") from None
+        except OSError as error:
+            if error.errno != errno.EINVAL:
+                raise
+            raise ArchiveRefused("the archive is damaged: it points to before its beginning") from None
 
 
 class _Growing(io.RawIOBase):

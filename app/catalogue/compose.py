@@ -9,8 +9,9 @@ from app.catalogue.layers import Layer, read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.merge import merge
 from app.catalogue.model import Catalogue
+from app.catalogue.quirks import in_present_words, read_units, tolerant
 from app.catalogue.tree import draft_tree, frozen_tree
-from app.catalogue.vocabulary import EMPTY, Vocabulary, default_files, read_vocabulary
+from app.catalogue.vocabulary import EMPTY, Vocabulary
 from app.catalogue.yaml_document import collector_paused
 from app.findings import Finding, in_order
 from app.names import last_name, parent_path
@@ -27,18 +28,23 @@ def read_catalogue(
     name: str = "",
     expanded: bool = True,
     limits: Limits = DEFAULT_LIMITS,
+    is_release: bool = False,
 ) -> Catalogue:
-    """Read a tree from files and compose it. Options have the meaning of those of `vspec export`."""
+    """Read a tree from files and compose it. Options have the meaning of those of `vspec export`.
+
+    `is_release`: the tree is an official one; errors of its own are warnings, as in every tree of before VSS 5.0.
+    """
     with collector_paused():
-        vocabulary = read_vocabulary(
-            default_files(spec, units, "units.yaml"), default_files(spec, quantities, "quantities.yaml"), limits
-        )
+        vocabulary, is_older = read_units(spec, units, quantities, limits)
         base = read_layer(spec, include_dirs, limits=limits)
+        if is_older:
+            base = in_present_words(base)
         layers = [read_layer(path, include_dirs, is_overlay=True, limits=limits) for path in overlays]
         type_layers = [read_layer(path, include_dirs, limits=limits) for path in types]
-        return compose(
+        catalogue = compose(
             [base, *layers], vocabulary, type_layers, name=name or spec.stem, expanded=expanded, limits=limits
         )
+    return tolerant(catalogue) if is_older or is_release else catalogue
 
 
 def compose(

@@ -1,7 +1,5 @@
 """The catalogue: a frozen tree of nodes, found by path."""
 
-import hashlib
-import json
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from types import MappingProxyType
@@ -107,6 +105,9 @@ class Catalogue:
     @cached_property
     def digest(self) -> str:
         """SHA-256 of the content: equal for equal trees, however they are split into files and layers."""
+        import hashlib
+        import json
+
         sha = hashlib.sha256()
         known: dict[int, bytes] = {}
         for path, node in self.nodes.items():

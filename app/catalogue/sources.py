@@ -4,12 +4,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from app.catalogue.compose import compose
-from app.catalogue.layers import read_layer
+from app.catalogue.compose import read_catalogue
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
-from app.catalogue.quirks import in_present_words, read_units, tolerant
-from app.catalogue.yaml_document import collector_paused
 from app.data import OVERLAYS, ROOT_FILE, VSPEC
 from app.errors import UsageError
 
@@ -91,12 +88,14 @@ def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tup
 
 def load(source: Source, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
     """Read and compose the catalogue of a source, of whatever release it is."""
-    with collector_paused():
-        units = read_units(source.spec, source.units, source.quantities, limits)
-        base = read_layer(source.spec, source.include_dirs, limits=limits)
-        overlays = [read_layer(path, source.include_dirs, is_overlay=True, limits=limits) for path in source.overlays]
-        types = [read_layer(path, source.include_dirs, limits=limits) for path in source.types]
-        if units.is_older:
-            base = in_present_words(base)
-        catalogue = compose([base, *overlays], units.vocabulary, types, name=source.id, limits=limits)
-    return tolerant(catalogue) if units.is_older or source.release else catalogue
+    return read_catalogue(
+        source.spec,
+        source.overlays,
+        include_dirs=source.include_dirs,
+        units=source.units,
+        quantities=source.quantities,
+        types=source.types,
+        name=source.id,
+        limits=limits,
+        is_release=bool(source.release),
+    )

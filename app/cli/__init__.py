@@ -7,18 +7,24 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from functools import partial
+from importlib import import_module
+from typing import Any
 
 from app import __version__
-from app.cli import diff, export, function, lint, pull, releases, rule, serve, show, try_overlay
 from app.errors import InputRefused, SigcatError
 
-COMMANDS = (lint, diff, try_overlay, show, export, function, rule, pull, releases, serve)
+COMMANDS = ("lint", "diff", "try", "show", "export", "function", "rule", "pull", "releases", "serve")
+"""Names of the commands; each stands in the module of its name."""
+_MODULES = {"try": "try_overlay"}
+"""Modules of commands whose names are words of Python."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status. Nothing that a user does ends in a traceback."""
     try:
-        arguments = _parser().parse_args(argv)
+        given = sys.argv[1:] if argv is None else argv
+        arguments = _parser(given[0] if given else "").parse_args(given)
         status: int = arguments.run(arguments)
         sys.stdout.flush()
     except InputRefused as error:
@@ -38,17 +44,37 @@ def main(argv: Sequence[str] | None = None) -> int:
     return status
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+class _Parser(argparse.ArgumentParser):
+    """A parser that asks for the width of the terminal itself: argparse loads all of shutil for it."""
+
+    def __init__(self, *arguments: Any, **named: Any) -> None:
+        named.setdefault("formatter_class", partial(argparse.HelpFormatter, width=_columns() - 2))
+        super().__init__(*arguments, **named)
+
+
+def _parser(wanted: str) -> argparse.ArgumentParser:
+    """The parser of the command `wanted`; of all commands where it is none of them, such as `--help`."""
+    parser = _Parser(
         prog="sigcat",
         description="A signal catalogue: browse, lint and export VSS trees with their interfaces, build functions.",
         epilog="Exit status: 0 done or clean, 1 findings or differences, 2 could not run.",
     )
     parser.add_argument("--version", action="version", version=f"sigcat {__version__}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in COMMANDS:
-        command.add_parser(commands)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="sigcat")
+    for name in (wanted,) if wanted in COMMANDS else COMMANDS:
+        import_module(f"app.cli.{_MODULES.get(name, name)}").add_parser(commands)
     return parser
+
+
+def _columns() -> int:
+    try:
+        return int(os.environ.get("COLUMNS", "")) or 80
+    except ValueError:
+        pass
+    try:
+        return os.get_terminal_size().columns or 80
+    except OSError:
+        return 80
 
 
 def _failed(message: str, status: int) -> int:

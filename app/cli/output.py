@@ -2,7 +2,6 @@
 
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 from app.errors import UsageError
@@ -26,6 +25,8 @@ def write_bytes(data: bytes, output: Path | None) -> None:
         raise UsageError(f"{output}: is a folder")
     if not output.parent.is_dir():
         raise UsageError(f"{output.parent}: there is no such folder")
+    import tempfile
+
     handle, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")
     try:
         with os.fdopen(handle, "wb") as file:

@@ -20,10 +20,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def show_rule(arguments: argparse.Namespace) -> int:
     """Print the rules. Raises NotFound with the nearest codes and names."""
+    from app.rules.compiled import compiled_rules
     from app.rules.pages import rule_page
-    from app.rules.record import load_rules
 
-    rules = load_rules(INTERFACE_RULES)
+    rules = compiled_rules(INTERFACE_RULES)
     if arguments.code is None:
         for rule in rules:
             print(f"{rule.id:5} {rule.severity if rule.default else 'off':8} {rule.title}")

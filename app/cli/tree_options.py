@@ -15,7 +15,13 @@ if TYPE_CHECKING:
 def add_tree_options(parser: argparse.ArgumentParser) -> None:
     """Add -s, -l, -I, -u, -q and -t. Without -s, the tree that sigcat ships is meant."""
     group = parser.add_argument_group("the tree")
-    group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="root .vspec file (default: the shipped tree)")
+    group.add_argument(
+        "-s",
+        "--vspec",
+        type=Path,
+        metavar="TREE",
+        help="root .vspec file, a folder with one, or a pulled release such as v5.0 (default: the shipped tree)",
+    )
     add_many(group, "-l", "--overlays", "overlay, applied in the order given")
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
     add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
@@ -55,10 +61,21 @@ def tree_files(arguments: argparse.Namespace) -> tuple[Path, tuple[Path, ...], t
     """Root file, units and overlays that the options name, or those that sigcat ships."""
     from app.catalogue.sources import shipped_sources
 
-    for path in (arguments.vspec, *arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
-        if path is not None and not path.is_file():
+    for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
+        if not path.is_file():
             raise UsageError(f"{path}: there is no such file")
     if arguments.vspec is not None:
-        return arguments.vspec, tuple(arguments.units), tuple(arguments.overlays)
+        return _root(arguments.vspec), tuple(arguments.units), tuple(arguments.overlays)
     shipped = shipped_sources()[0]
     return shipped.spec, (*shipped.units, *arguments.units), (*shipped.overlays, *arguments.overlays)
+
+
+def _root(tree: Path) -> Path:
+    """The root file that -s names: a file, the one in a folder, or that of a pulled release."""
+    from app.catalogue.sources import source_of_tree
+
+    if tree.is_file():
+        return tree
+    if not tree.is_dir() and (tree.suffix in (".vspec", ".yaml", ".yml") or len(tree.parts) > 1):
+        raise UsageError(f"{tree}: there is no such file")
+    return source_of_tree(str(tree)).spec

@@ -8,8 +8,9 @@ from typing import Any
 from app.errors import UsageError
 from app.findings import SEVERITIES, Finding, Severity
 from app.names import did_you_mean
+from app.rules.compiled import compiled_rules
 from app.rules.options import LintOptions, PerFile
-from app.rules.record import Rule, load_rule_files, load_rules
+from app.rules.record import Rule, load_rule_files
 
 OFF = "off"
 
@@ -19,7 +20,7 @@ def rules_for(options: LintOptions) -> tuple[Rule, ...]:
 
     Raises InputRefused if a rule file cannot be used, UsageError if the options name what does not exist.
     """
-    shipped = load_rules(options.rule_folder)
+    shipped = compiled_rules(options.rule_folder)
     own = load_rule_files(options.rule_files, trusted=False) if options.rule_files else ()
     rules = {rule.id: rule for rule in (*shipped, *own)}
     for code, given in options.rule_options.items():

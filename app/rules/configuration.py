@@ -3,7 +3,6 @@
 Paths in it are relative to its folder. Options of the command line are laid over it by whoever reads them.
 """
 
-import tomllib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -29,6 +28,8 @@ def find_configuration(start: Path) -> Path | None:
 
 def read_configuration(path: Path) -> LintOptions:
     """The options of a configuration file. Raises InputRefused, with every field that is wrong."""
+    import tomllib
+
     try:
         data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
     except OSError as error:

@@ -173,6 +173,14 @@ def test_a_truncated_archive_is_refused(tmp_path, data, part):
     assert refusal(tmp_path, data[: int(len(data) * part)])
 
 
+def test_a_zip_that_points_to_before_its_beginning_is_refused(tmp_path):
+    data = bytearray(zip_bytes())
+    end = data.rindex(b"PK\x05\x06")
+    start = struct.unpack_from("<I", data, end + 16)[0]
+    struct.pack_into("<I", data, end + 16, start + 400)
+    assert refusal(tmp_path, bytes(data))
+
+
 @settings(max_examples=150, deadline=None)
 @given(position=st.integers(0, 10_000), byte=st.integers(0, 255), is_zip=st.booleans())
 def test_a_damaged_archive_is_unpacked_or_refused_and_never_leads_out(tmp_path_factory, position, byte, is_zip):

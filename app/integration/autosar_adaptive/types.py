@@ -6,7 +6,7 @@ from app.function.model import Datatype, FunctionJson
 from app.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from app.integration.autosar_adaptive.work import Work
 from app.integration.datatypes import BY_VSS, of_reference
-from app.integration.names import distinct, short_name
+from app.integration.autosar_names import distinct, short_name
 
 _STORAGE = "uint8"
 

@@ -4,6 +4,7 @@ import io
 import sys
 import zipfile
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -44,7 +45,7 @@ def test_catalogues_with_different_units_do_not_mix(tmp_path):
         export(without, "csv")
 
 
-def written(folder, tree, *, furlong=False):
+def written(folder: Path, tree: str, *, furlong: bool = False) -> Path:
     folder.mkdir()
     (folder / "tree.vspec").write_text(tree)
     if furlong:

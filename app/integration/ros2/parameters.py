@@ -1,0 +1,133 @@
+"""Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from app.catalogue.datatypes import INTEGER_RANGES
+from app.function.conversion import Linear
+from app.function.datatypes import value_range
+from app.function.model import Contract, Datatype, Parameter
+from app.integration.names import field_name, package_name
+from app.integration.ros2.conversions import conversion, converted, physical
+from app.integration.ros2.limits import Limits
+from app.integration.ros2.messages import unresolved
+from app.integration.ros2.model import RosParameter
+from app.integration.ros2.types import FieldType, c_definition, field_type
+from app.integration.ros2.uses import Place
+from app.names import last_name
+
+_LARGEST = 2**63 - 1
+"""Largest integer of a parameter."""
+
+
+def parameters_of(
+    contracts: Iterable[Contract], place: Place, table: Mapping[str, Datatype], limits: Limits
+) -> tuple[RosParameter, ...]:
+    """The parameters of a component's calls, each once."""
+    made: dict[str, RosParameter] = {}
+    for contract in contracts:
+        for parameter in contract.parameters or ():
+            if parameter.name not in {known.parameter for known in made.values()}:
+                resolved = _parameter(parameter, place, set(made), table, limits)
+                if resolved is not None:
+                    made[resolved.name] = resolved
+    return tuple(made.values())
+
+
+def _parameter(
+    item: Parameter, place: Place, taken: set[str], table: Mapping[str, Datatype], limits: Limits
+) -> RosParameter | None:
+    interface = item.vss_path or f"{place.name}.{item.name}"
+    kind = field_type(item.datatype, item.vss_datatype, table)
+    if kind is None:
+        unresolved(limits, interface, item.datatype)
+        return None
+    if kind.element is None:
+        message = f"{interface}: nodes have no parameters that are structs; it is left out."
+        limits.report("N209", interface, message, "Declare a parameter for each member.")
+        return None
+    _unexpressed(item, kind, interface, limits)
+    name = field_name(last_name(item.vss_path or item.name), taken)
+    limits.renamed(interface, item.name, name.text, name.reason)
+    linear = physical(item, interface, limits)
+    low, high = _limits(item, kind, linear)
+    api = package_name(f"{place.name}_{item.name}_from_parameter").text
+    return RosParameter(
+        name=name.text,
+        parameter=item.name,
+        type=_type(kind),
+        description=item.description,
+        default=_default(item, kind, linear),
+        low=low,
+        high=high,
+        constraints=_constraints(kind),
+        read_only=item.interface_type == "Measurement",
+        units=item.vss_unit or item.units or None,
+        variable=item.variable or item.name,
+        variable_type=c_definition(item.datatype, table),
+        variable_units=item.units or None,
+        conversion=conversion(
+            api, name.text, item.datatype, kind, linear, table, _type(kind), is_outgoing=False
+        ),
+        storage=item.interface_type,
+        attribute=item.attribute,
+        range_error_action=item.range_error_action,
+        vss_path=item.vss_path,
+    )  # fmt: skip
+
+
+def _type(kind: FieldType) -> str:
+    assert kind.element is not None
+    vss = kind.element.vss
+    name = {"boolean": "bool", "string": "string"}.get(vss) or ("integer" if vss in INTEGER_RANGES else "double")
+    return f"{name}_array" if kind.suffix else name
+
+
+def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | None, float | None]:
+    """The range, where it says more than the datatype does."""
+    assert kind.element is not None
+    full = value_range(kind.element.vss)
+    if full is None or kind.element.vss == "boolean" or kind.suffix or item.min == item.max:
+        return None, None
+    ends = sorted(value for value in (converted(item.min, linear), converted(item.max, linear)) if value is not None)
+    low, high = (ends[0] if ends[0] > full[0] else None), (ends[1] if ends[1] < full[1] else None)
+    return (low, high) if low is not None or high is not None else (None, None)
+
+
+def _default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
+    value = _one_default(item, kind, linear)
+    if not kind.suffix:
+        return value
+    length = int(kind.suffix[1:-1] or 0)
+    return [value] * min(length, 10_000)
+
+
+def _one_default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
+    assert kind.element is not None
+    if kind.is_text:
+        named = {symbol.value: symbol.symbol for symbol in kind.symbols}
+        return named.get(int(item.init_value), "") if kind.symbols else item.default_text or ""
+    if kind.element.vss == "boolean":
+        return bool(item.init_value)
+    value = converted(item.init_value, linear) or 0
+    return round(value) if kind.element.vss in INTEGER_RANGES else float(value)
+
+
+def _constraints(kind: FieldType) -> str | None:
+    if not kind.symbols:
+        return None
+    if kind.is_text:
+        return "one of " + ", ".join(symbol.symbol for symbol in kind.symbols)
+    return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
+
+
+def _unexpressed(item: Parameter, kind: FieldType, interface: str, limits: Limits) -> None:
+    if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
+        message = f"{interface} is kept over a restart; parameters of nodes are not."
+        limits.report("N208", interface, message, "Write it to a file when the node is cleaned up.")
+    if item.interface_type == "Measurement":
+        message = f"{interface} is a measurement; as a parameter it is read, and nobody is told when it changes."
+        limits.report("N209", interface, message, "Provide it as a signal.")
+    if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
+        message = f"{interface}: integers of parameters end at {_LARGEST}."
+        limits.report("N209", interface, message, "Narrow the range with `max`.")

@@ -1,0 +1,139 @@
+"""A page on which one writes an overlay, a tree or a function, and sees at once what is wrong with it."""
+
+from typing import Annotated, Literal, NamedTuple
+from urllib.parse import parse_qs
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from app.api.presenting import finding_counts
+from app.api.requests import PostedText, TheLibrary, TheRules
+from app.api.rulebook import RuleBook
+from app.catalogue.hosting import Hosted
+from app.catalogue.model import Catalogue
+from app.data import OVERLAYS
+from app.errors import UsageError
+from app.findings import Finding
+from app.function.build import build, is_function_json
+from app.function.declaration import read_declaration
+from app.function.model import FunctionJson
+from app.function.validate import read_function_json
+from app.rules.lint import lint_text
+from app.web.documents import documents_of
+from app.web.function_pages import Named, named
+from app.web.interface_diagram import interface_diagram
+from app.web.rendering import page
+from app.web.shelf import FILE, from_shelf
+from app.web.source_view import source_view
+from app.web.timeline import time_line
+
+router = APIRouter()
+Kind = Literal["overlay", "function", "tree"]
+KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
+_OVERLAY = """\
+# An overlay changes or adds nodes. Findings appear as you type.
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  min: 0
+  max: 300
+  ASILlevel: B
+  description: Speed of the vehicle along its direction of travel.
+
+Vehicle.Chassis.brake_fluid_level:
+  type: sensor
+  datatype: uint8
+  unit: percnt
+  max: 100
+"""
+_TREE = """\
+Vehicle:
+  type: branch
+  description: Everything about one vehicle.
+
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  description: Speed of the vehicle along its direction of travel.
+"""
+
+
+class Tried(NamedTuple):
+    """What was found in a text, and the function that it declares, if it does."""
+
+    findings: tuple[Finding, ...]
+    function: FunctionJson | None = None
+
+
+@router.get("/try")
+def show_try(
+    request: Request,
+    library: TheLibrary,
+    rules: TheRules,
+    kind: Kind = "overlay",
+    catalogue: Named = None,
+    example: Annotated[str, Query(max_length=100)] = "",
+) -> Response:
+    """The page with a text to begin with: a shipped function, a shipped overlay, or a few lines."""
+    hosted = named(library, catalogue)
+    return _page(request, hosted, rules, kind, _beginning(kind, example, hosted.catalogue))
+
+
+@router.post("/try")
+def try_text(request: Request, library: TheLibrary, rules: TheRules, body: PostedText) -> Response:
+    """The page with what was found in the posted text. Nothing of it is kept."""
+    try:
+        form = parse_qs(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=10)
+    except ValueError:
+        raise UsageError("The form has more fields than there are on the page.") from None
+    posted = {name: values[-1] for name, values in form.items()}
+    given = posted.get("kind", "overlay")
+    kind = next((each for each in KINDS if each == given), None)
+    if kind is None:
+        raise UsageError(f"{given[:100]!r} is no kind of text; there are {', '.join(KINDS)}.")
+    hosted = named(library, posted.get("catalogue") or None)
+    return _page(request, hosted, rules, kind, posted.get("text", "").replace("\r\n", "\n"))
+
+
+def tried(text: str, kind: Kind, catalogue: Catalogue, rules: RuleBook) -> Tried:
+    """What is wrong with a text, and the function that it declares."""
+    data = text.encode("utf-8", "replace")
+    if kind != "function":
+        return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=kind == "tree"))
+    if is_function_json(data, FILE):
+        validated = read_function_json(data, "function.json", catalogue)
+        return Tried(validated.findings, validated.function)
+    built = build(read_declaration(data, FILE), catalogue)
+    return Tried(built.findings, built.function)
+
+
+def _page(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, text: str) -> Response:
+    result = tried(text, kind, hosted.catalogue, rules)
+    function = result.function
+    return page(
+        request,
+        "try.html",
+        hosted=hosted,
+        kind=kind,
+        kinds=KINDS,
+        posted=text,
+        findings=result.findings,
+        counts=finding_counts(result.findings),
+        source=source_view(text, result.findings),
+        function=function,
+        diagram=interface_diagram(function) if function else None,
+        timeline=time_line([function]) if function else None,
+        documents=documents_of(function) if function else (),
+    )
+
+
+def _beginning(kind: Kind, example: str, catalogue: Catalogue) -> str:
+    if kind == "function":
+        return from_shelf(catalogue, example or "core_acc").text
+    if kind == "overlay" and example:
+        shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
+        if example in shipped:
+            return shipped[example].read_text("utf-8")
+    return _TREE if kind == "tree" else _OVERLAY

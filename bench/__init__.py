@@ -1,0 +1,1 @@
+"""Measure sigcat, each figure beside its reference in the same run: `python -m bench`."""

@@ -1,0 +1,34 @@
+"""Take figures side by side: the ones to compare in turn, several times, and the median of each."""
+
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+ROOT = Path(__file__).parent.parent
+Measure = Callable[[], float]
+
+
+def interleaved(measures: Sequence[Measure], runs: int) -> list[float]:
+    """The median of each measure, taken in turn so that a busy machine is busy for all."""
+    taken = [[measure() for measure in measures] for _ in range(runs)]
+    return [median(values) for values in zip(*taken, strict=True)]
+
+
+def probe(name: str, tree: Path) -> Measure:
+    """A measure of `bench.probe`, in a fresh process each time."""
+    command = [sys.executable, "-m", "bench.probe", name, str(tree)]
+    return lambda: float(subprocess.run(command, cwd=ROOT, capture_output=True, check=True).stdout)
+
+
+def command(*words: str) -> Measure:
+    """Seconds from the start of a command to its end."""
+
+    def measure() -> float:
+        start = perf_counter()
+        subprocess.run(words, cwd=ROOT, capture_output=True, check=True)
+        return perf_counter() - start
+
+    return measure

@@ -1,0 +1,145 @@
+"""What is measured, and beside what."""
+
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from time import perf_counter
+from typing import NamedTuple
+
+from app.catalogue.compose import compose, read_catalogue
+from app.catalogue.export_json import tree_data, tree_json
+from app.catalogue.layers import read_layer
+from app.catalogue.search import SearchIndex
+from app.catalogue.sources import shipped_sources
+from app.data import ROOT_FILE
+from bench import trees
+from bench.measuring import command, interleaved, probe
+
+TWENTY_THOUSAND = 20_000
+HUNDRED_THOUSAND = 100_000
+
+
+class Row(NamedTuple):
+    """A figure beside its reference, as texts."""
+
+    work: str
+    figure: str
+    reference: str
+    ratio: str
+    wanted: str
+
+
+class Bench(NamedTuple):
+    """Where to put trees, and how often to measure."""
+
+    folder: Path
+    runs: int
+
+
+def standard(bench: Bench) -> Row:
+    """The standard tree, cold and in process."""
+    figure, reference = interleaved([probe("compose", ROOT_FILE), probe("get_trees", ROOT_FILE)], bench.runs)
+    return _faster("compose the standard tree, cold", figure, "`get_trees`", reference, 10)
+
+
+def standard_command(bench: Bench) -> Row:
+    """The same as a command."""
+    tree, output = str(ROOT_FILE), str(bench.folder / "out.json")
+    ours = command(sys.executable, "-m", "app.cli", "export", "json", "-s", tree, "-o", output)
+    vspec = command(str(Path(sys.executable).with_name("vspec")), "export", "json", "-s", tree, "-o", output)
+    return _faster("`sigcat export json`", *_split(interleaved([ours, vspec], bench.runs), "`vspec export json`"), 6)
+
+
+def flat(bench: Bench) -> Row:
+    """Twenty thousand signals below one branch."""
+    tree = trees.flat(bench.folder, TWENTY_THOUSAND)
+    figure, reference = interleaved([probe("compose", tree), probe("get_trees", tree)], min(bench.runs, 3))
+    return _faster("compose 20,000 flat signals", figure, "`get_trees`", reference, 10)
+
+
+def instances(bench: Bench) -> Row:
+    """A hundred thousand signals below instances, beside five times twenty thousand flat ones."""
+    hundred = probe("compose", trees.below_instances(bench.folder, HUNDRED_THOUSAND))
+    twenty = probe("compose", trees.flat(bench.folder / "instances", TWENTY_THOUSAND))
+    figure, reference = interleaved([hundred, twenty], bench.runs)
+    return _at_most("compose 100,000 signals below instances", figure, "5 × 20,000 flat", 5 * reference, 1)
+
+
+def floor(bench: Bench) -> Row:
+    """The standard tree beside libyaml alone."""
+    figure, reference = interleaved([probe("compose", ROOT_FILE), probe("floor", ROOT_FILE)], bench.runs)
+    return _at_most("compose the standard tree", figure, "`yaml.compose` of the same files", reference, 8)
+
+
+def recompose(bench: Bench) -> Row:
+    """The shipped tree with its overlays, after one more overlay changed."""
+    source = shipped_sources()[0]
+    files = [*source.overlays, trees.overlay(bench.folder, 1)]
+
+    def cold() -> float:
+        start = perf_counter()
+        read_catalogue(source.spec, files, units=source.units)
+        return perf_counter() - start
+
+    def warm() -> float:
+        earlier = read_catalogue(source.spec, files, units=source.units)
+        changed = trees.overlay(bench.folder, round(perf_counter()))
+        start = perf_counter()
+        layers = [*earlier.layers[:-1], read_layer(changed, is_overlay=True)]
+        compose(layers, earlier.vocabulary, earlier=earlier)
+        return perf_counter() - start
+
+    figure, reference = interleaved([warm, cold], 3 * bench.runs)
+    return _faster("recompose after one overlay changed", figure, "cold", reference, 5)
+
+
+def search(bench: Bench) -> Row:
+    """A thousand searches for three words, ranked, with counts of every filter."""
+    index = SearchIndex(read_catalogue(trees.flat(bench.folder / "search", HUNDRED_THOUSAND)))
+    taken = []
+    for query in trees.queries(1000):
+        start = perf_counter()
+        index.search(query)
+        taken.append(perf_counter() - start)
+    p99 = sorted(taken)[989]
+    return Row("search 100,000 signals for three words, p99", _time(p99), "", "", "at most 10 ms")
+
+
+def memory(bench: Bench) -> Row:
+    """What a catalogue of a hundred thousand signals holds, beside its JSON."""
+    tree = trees.flat(bench.folder / "memory", HUNDRED_THOUSAND)
+    size = len(tree_json(tree_data(read_catalogue(tree))).encode())
+    held = probe("memory", tree)()
+    ratio = f"{held / size:.1f} ×"
+    work, wanted = "memory for 100,000 flat signals", "at most 6 ×"
+    return Row(work, f"{held / 1e6:.0f} MB", f"its JSON: {size / 1e6:.0f} MB", ratio, wanted)
+
+
+ROWS: Mapping[str, Callable[[Bench], Row]] = {
+    "standard": standard, "command": standard_command, "flat": flat, "instances": instances, "floor": floor,
+    "recompose": recompose, "search": search, "memory": memory,
+}  # fmt: skip
+
+
+def _split(medians: list[float], name: str) -> tuple[float, str, float]:
+    figure, reference = medians
+    return figure, name, reference
+
+
+def _faster(work: str, figure: float, name: str, reference: float, wanted: int) -> Row:
+    ratio = f"{reference / figure:.1f} × faster"
+    return Row(work, _time(figure), f"{name}: {_time(reference)}", ratio, f"at least {wanted} ×")
+
+
+def _at_most(work: str, figure: float, name: str, reference: float, wanted: int) -> Row:
+    return Row(work, _time(figure), f"{name}: {_time(reference)}", f"{figure / reference:.2f} ×", f"at most {wanted} ×")
+
+
+def _time(seconds: float) -> str:
+    return (
+        f"{seconds:.2f} s"
+        if seconds >= 1
+        else f"{seconds * 1000:.0f} ms"
+        if seconds >= 0.02
+        else f"{seconds * 1000:.1f} ms"
+    )
