@@ -13,6 +13,7 @@ from app.catalogue.search import SearchIndex
 from app.catalogue.sources import shipped_sources
 from app.data import ROOT_FILE
 from bench import trees
+from bench.integration import write_set
 from bench.measuring import command, interleaved, probe
 
 TWENTY_THOUSAND = 20_000
@@ -115,9 +116,29 @@ def memory(bench: Bench) -> Row:
     return Row(work, f"{held / 1e6:.0f} MB", f"its JSON: {size / 1e6:.0f} MB", ratio, wanted)
 
 
+def integration(bench: Bench) -> Row:
+    """3 executables, 18 services and 162 events, from function files to ARXML, as one process."""
+    figure, reference = _integration(bench, 1)
+    work = "functions to Integration JSON and ARXML, 162 events"
+    return Row(work, _time(figure), f"read and write the same bytes: {_time(reference)}", "", "under 1 s")
+
+
+def integration_ten(bench: Bench) -> Row:
+    """Ten times as many of all of them."""
+    small, _ = _integration(bench, 1)
+    large, _ = _integration(bench, 10)
+    return _at_most("the same, 1,620 events", large, "10 × 162 events", 10 * small, 1)
+
+
+def _integration(bench: Bench, times: int) -> list[float]:
+    folder = str(write_set(bench.folder / f"set{times}", times))
+    words = (sys.executable, "-m", "bench.integration")
+    return interleaved([command(*words, "derive", folder), command(*words, "floor", folder)], bench.runs)
+
+
 ROWS: Mapping[str, Callable[[Bench], Row]] = {
     "standard": standard, "command": standard_command, "flat": flat, "instances": instances, "floor": floor,
-    "recompose": recompose, "search": search, "memory": memory,
+    "recompose": recompose, "search": search, "memory": memory, "integration": integration, "integration10": integration_ten,
 }  # fmt: skip
 
 

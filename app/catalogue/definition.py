@@ -169,7 +169,7 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
     changed: dict[str, Any] = {}
     for name, value in values.items():
         convert = _CONVERSIONS.get(name)
-        if convert is None or value is None:
+        if convert is None or value is None or (convert is _text and type(value) is str):
             continue
         converted = convert(value)
         if converted is _NO_VALUE:
@@ -290,10 +290,11 @@ def _flat(instances: list[Any]) -> Iterator[Any]:
 def _check_core_attributes(values: Mapping[str, Any], problems: list[Problem]) -> None:
     node_type = values["type"]
     own = BRANCH_ATTRIBUTES if node_type == BRANCH else COMMON_ATTRIBUTES if node_type == STRUCT else DATA_ATTRIBUTES
-    for name in values:
-        if name in CORE_ATTRIBUTES and name not in own:
-            message = f"`{name}` has no meaning for the node type {node_type}."
-            problems.append(Problem("V005", name, message, "Remove it."))
+    if not own.issuperset(values):
+        for name in values:
+            if name in CORE_ATTRIBUTES and name not in own:
+                message = f"`{name}` has no meaning for the node type {node_type}."
+                problems.append(Problem("V005", name, message, "Remove it."))
     uid = values.get("constUID")
     if isinstance(uid, str) and not re.fullmatch(r"0x[0-9A-Fa-f]{8}\n?", uid):
         problems.append(Problem("V017", "constUID", f"{uid!r} is not 0x and eight hexadecimal digits."))
@@ -311,8 +312,9 @@ def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: li
         fix = did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
         problems.append(Problem("V003", "datatype", f"{datatype!r} is no datatype.", fix))
         return
-    for check in _DATA_CHECKS:
-        problems.extend(check(values, resolved, scope))
+    for attributes, check in _DATA_CHECKS:
+        if not attributes.isdisjoint(values):
+            problems.extend(check(values, resolved, scope))
 
 
 def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -475,9 +477,15 @@ def _mismatch(pattern: str, text: str) -> str:
 
 
 _DATA_CHECKS = (
-    _unit_problems, _conflicts, _range_problems, _enum_problems, _allowed_problems, _default_problems,
-    _pattern_problems,
-)  # fmt: skip
+    (frozenset(("unit",)), _unit_problems),
+    (frozenset(("min", "max", "allowed", "enum", "arraysize")), _conflicts),
+    (frozenset(("min", "max")), _range_problems),
+    (frozenset(("enum",)), _enum_problems),
+    (frozenset(("allowed",)), _allowed_problems),
+    (frozenset(("default",)), _default_problems),
+    (frozenset(("pattern",)), _pattern_problems),
+)
+"""Each check, and the attributes without which it has nothing to say."""
 
 
 def _shown(value: Any) -> str:

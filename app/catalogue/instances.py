@@ -98,6 +98,8 @@ def _range_length(text: str) -> int:
 
 
 def _size(draft: Draft, expansion: _Expansion) -> int:
+    if not draft.children:
+        return 1
     known = expansion.sizes.get(id(draft))
     if known is None:
         size = 1 + sum(_size(child, expansion) for child in draft.children.values())
@@ -107,6 +109,8 @@ def _size(draft: Draft, expansion: _Expansion) -> int:
 
 def _expanded(draft: Draft, expansion: _Expansion) -> list[Draft]:
     """The draft expanded, and after it the siblings that its instances put beside it."""
+    if not draft.children and draft.definition.type != BRANCH:
+        return [draft]
     known = expansion.done.get(id(draft))
     if known is not None:
         return known[1]

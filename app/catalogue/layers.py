@@ -1,11 +1,11 @@
 """Layers: a base tree or an overlay with everything that it includes, in the order in which it applies."""
 
-import hashlib
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
+from app.catalogue.digest import digest_of
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
 from app.findings import Finding, Severity
@@ -36,7 +36,7 @@ class Layer:
     @cached_property
     def digest(self) -> str:
         """SHA-256 over the digests of all files, in order."""
-        return hashlib.sha256("".join(file.digest for file in self.files).encode()).hexdigest()
+        return digest_of("".join(file.digest for file in self.files).encode())
 
 
 class _Reading(NamedTuple):
@@ -79,7 +79,7 @@ def read_layer(
 
 def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: Limits = DEFAULT_LIMITS) -> Layer:
     """A layer from text that stands in no file, such as a posted overlay. It cannot include files."""
-    source = SourceFile(name, name if is_overlay else "", hashlib.sha256(text).hexdigest())
+    source = SourceFile(name, name if is_overlay else "", digest_of(text))
     file = parse_vspec(text, source, limits)
     refused = tuple(
         Finding("R010", "error", f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
@@ -170,7 +170,7 @@ def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None
         reading.findings.append(Finding("R003", "error", message, str(path)))
         return None
     overlay = reading.name if reading.is_overlay else ""
-    source = SourceFile(str(path), overlay, hashlib.sha256(data).hexdigest())
+    source = SourceFile(str(path), overlay, digest_of(data))
     file = parse_vspec(data, source, reading.limits)
     reading.files[path] = file
     return file

@@ -14,7 +14,6 @@ duplicate keys; what a tree of that time has of these is a warning.
 """
 
 import copy
-import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -22,6 +21,7 @@ from typing import Any, NamedTuple
 
 from app.catalogue.datatypes import DATATYPES, PRIMITIVES
 from app.catalogue.layers import Layer
+from app.catalogue.digest import digest_of
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
 from app.catalogue.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary
@@ -97,7 +97,7 @@ def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
         return None
     if not _OLD_WORD.search(data):
         return None
-    source = SourceFile(str(path), "", hashlib.sha256(data).hexdigest())
+    source = SourceFile(str(path), "", digest_of(data))
     entries = list(_entries(parse_vspec(data, source, limits)))
     return _OlderFile(source, entries) if any(entry.is_older for entry in entries) else None
 

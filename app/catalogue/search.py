@@ -4,17 +4,18 @@ Sets of nodes are integers with one bit for each node, in tree order. Union, int
 nodes then take microseconds, so that every key press can be answered with ranked results and the count of every filter.
 """
 
+from array import array
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import reduce
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache, reduce
 from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
 
 from app.catalogue.interfaces import category_of
 from app.catalogue.model import Catalogue, Node
-from app.names import nearest, words
+from app.names import nearest, parent_path, words
 
 Bits = int
 """A set of nodes: bit n stands for the n-th node of the catalogue."""
@@ -32,25 +33,47 @@ class SearchResult(NamedTuple):
     """Words of the catalogue near a word that is nowhere in it."""
 
 
-class _Vocabulary(NamedTuple):
-    """Sorted words, and the nodes in which each stands."""
+class _Words:
+    """Sorted words, and the nodes in which each stands: their numbers one after another, in the order of the words.
 
-    words: list[str]
-    bits: list[Bits]
+    A prefix is a range of words, so a range of numbers. The set of every block of numbers is known beforehand, so that
+    a prefix costs a few unions and the numbers of two broken blocks, however many words and nodes it has.
+    """
+
+    def __init__(self, numbers_by_word: Mapping[str, Sequence[int]]) -> None:
+        self.words = sorted(numbers_by_word)
+        self._numbers = array("I")
+        self._starts = array("I", [0])
+        for word in self.words:
+            self._numbers.extend(numbers_by_word[word])
+            self._starts.append(len(self._numbers))
+        whole = len(self._numbers) - len(self._numbers) % _BLOCK
+        self._blocks = [_bits(self._numbers[start : start + _BLOCK]) for start in range(0, whole, _BLOCK)]
 
     def with_prefix(self, prefix: str) -> Bits:
         """Nodes with a word that begins with `prefix`."""
-        found = 0
-        position = bisect_left(self.words, prefix)
-        while position < len(self.words) and self.words[position].startswith(prefix):
-            found |= self.bits[position]
-            position += 1
-        return found
+        return self._between(bisect_left(self.words, prefix), bisect_left(self.words, prefix + _LAST))
 
     def exactly(self, word: str) -> Bits:
         """Nodes with exactly this word."""
         position = bisect_left(self.words, word)
-        return self.bits[position] if position < len(self.words) and self.words[position] == word else 0
+        is_known = position < len(self.words) and self.words[position] == word
+        return self._between(position, position + 1) if is_known else 0
+
+    def _between(self, first_word: int, last_word: int) -> Bits:
+        start, end = self._starts[first_word], self._starts[last_word]
+        first, last = -(-start // _BLOCK), end // _BLOCK
+        if first >= last:
+            return _bits(self._numbers[start:end])
+        found = _bits(self._numbers[start : first * _BLOCK]) | _bits(self._numbers[last * _BLOCK : end])
+        for block in self._blocks[first:last]:
+            found |= block
+        return found
+
+
+_BLOCK = 1024
+_LAST = "\U0010ffff"
+"""Sorts after every letter: what begins with a prefix stands before the prefix and this."""
 
 
 class SearchIndex:
@@ -59,9 +82,9 @@ class SearchIndex:
     def __init__(self, catalogue: Catalogue) -> None:
         self._nodes = tuple(catalogue.nodes.values())
         self._everything: Bits = (1 << len(self._nodes)) - 1
-        self._in_name = _index(self._nodes, lambda node: _tokens(node.name))
-        self._in_path = _index(self._nodes, lambda node: _tokens(node.path))
-        self._in_text = _text_index(self._nodes, catalogue)
+        self._in_name = _Words(_by_word(_tokens(node.name) for node in self._nodes))
+        self._in_path = _Words(_by_word(_path_tokens(self._nodes)))
+        self._in_text = _Words(_by_word(_text_tokens(self._nodes, catalogue)))
         self._facets = {facet: _facet(self._nodes, _FACET_VALUES[facet]) for facet in FACETS}
 
     def search(
@@ -110,38 +133,42 @@ class SearchIndex:
         return tuple(near for word in unknown[:3] for near in nearest(word, self._in_path.words))
 
 
-def _tokens(name: str) -> set[str]:
-    """Lower-case words of a path, and its whole names, so that `wheelspeed` finds as `speed` does."""
-    tokens = set()
-    for part in name.split("."):
-        tokens.add(part.lower())
-        tokens.update(word.lower() for word in words(part))
-    return tokens
+@lru_cache(maxsize=8192)
+def _tokens(name: str) -> frozenset[str]:
+    """Lower-case words of a name, and the whole of it, so that `wheelspeed` finds as `speed` does."""
+    return frozenset((name.lower(), *(word.lower() for word in words(name))))
 
 
-def _index(nodes: tuple[Node, ...], tokens_of: Callable[[Node], set[str]]) -> _Vocabulary:
-    numbers: defaultdict[str, list[int]] = defaultdict(list)
-    for number, node in enumerate(nodes):
-        for token in tokens_of(node):
-            numbers[token].append(number)
-    ordered = sorted(numbers)
-    return _Vocabulary(ordered, [_bits(numbers[word]) for word in ordered])
+def _path_tokens(nodes: Iterable[Node]) -> Iterator[frozenset[str]]:
+    """Tokens of every name of each node's path."""
+    known: dict[str, frozenset[str]] = {"": frozenset()}
+    for node in nodes:  # parents first
+        tokens = known[parent_path(node.path)] | _tokens(node.name)
+        if node.children:
+            known[node.path] = tokens
+        yield tokens
 
 
-def _text_index(nodes: tuple[Node, ...], catalogue: Catalogue) -> _Vocabulary:
+def _text_tokens(nodes: Iterable[Node], catalogue: Catalogue) -> Iterator[set[str]]:
     """Words of description, comment and unit. Instances share a definition: its words are found once."""
-    numbers: defaultdict[int, list[int]] = defaultdict(list)
-    definitions = {}
-    for number, node in enumerate(nodes):
-        numbers[id(node.definition)].append(number)
-        definitions[id(node.definition)] = node
-    by_word: defaultdict[str, Bits] = defaultdict(int)
-    for key, node in definitions.items():
-        bits = _bits(numbers[key])
-        for word in _text_words(node, catalogue):
-            by_word[word] |= bits
-    ordered = sorted(by_word)
-    return _Vocabulary(ordered, [by_word[word] for word in ordered])
+    known: dict[int, set[str]] = {}
+    for node in nodes:
+        key = id(node.definition)
+        if key not in known:
+            known[key] = _text_words(node, catalogue)
+        yield known[key]
+
+
+def _by_word(tokens_of_nodes: Iterable[Iterable[str]]) -> Mapping[str, Sequence[int]]:
+    numbers: defaultdict[str, array[int]] = defaultdict(_no_numbers)
+    for number, tokens in enumerate(tokens_of_nodes):
+        for token in tokens:
+            numbers[token].append(number)
+    return numbers
+
+
+def _no_numbers() -> "array[int]":
+    return array("I")
 
 
 def _text_words(node: Node, catalogue: Catalogue) -> set[str]:
@@ -152,10 +179,10 @@ def _text_words(node: Node, catalogue: Catalogue) -> set[str]:
     return {word.strip(".,;:()[]'\"").lower() for part in parts for word in part.split()} - {""}
 
 
-def _bits(numbers: list[int]) -> Bits:
-    if len(numbers) == 1:
-        return 1 << numbers[0]
-    mask = bytearray(numbers[-1] // 8 + 1)
+def _bits(numbers: Sequence[int]) -> Bits:
+    if not numbers:
+        return 0
+    mask = bytearray(max(numbers) // 8 + 1)
     for number in numbers:
         mask[number >> 3] |= 1 << (number & 7)
     return int.from_bytes(mask, "little")

@@ -89,16 +89,28 @@ def _node(draft: Draft, path: str, above: Definition | None, told: set[int], fin
     definition = draft.definition
     if id(definition) not in told:
         told.add(id(definition))
-        findings.extend(_findings(definition, path, above))
+        if definition.problems or (above is not None and (above.type != BRANCH or definition.type in _BELOW_FEW)):
+            findings.extend(_findings(definition, path, above))
+    if not draft.children:
+        return Node(path, definition, ())
     prefix = path + "."
     children = tuple(
         [
-            _node(child, prefix + child.name, definition, told, findings)
+            _node(child, _same(prefix + child.name, child.definition.path), definition, told, findings)
             for child in draft.children.values()
             if not child.definition.values.get("delete")
         ]
     )
     return Node(path, definition, children)
+
+
+_BELOW_FEW = frozenset(("property", STRUCT))
+"""Types that do not stand below every branch, or below branches only."""
+
+
+def _same(path: str, known: str) -> str:
+    """`path` as the text that is held already, if it is equal: most nodes stand where they are defined."""
+    return known if path == known else path
 
 
 def _findings(definition: Definition, path: str, above: Definition | None) -> Iterable[Finding]:

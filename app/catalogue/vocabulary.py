@@ -3,12 +3,12 @@
 A vocabulary is a value: two catalogues with different units live in one process.
 """
 
-import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from app.catalogue.datatypes import DATATYPES
+from app.catalogue.digest import digest_of
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.vspec_file import Origin, SourceFile, Statement, parse_vspec
 from app.findings import Finding
@@ -98,7 +98,7 @@ def _entries(
             reason = error.strerror or str(error)
             findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", str(path)))
             continue
-        source = SourceFile(str(path), "", hashlib.sha256(data).hexdigest())
+        source = SourceFile(str(path), "", digest_of(data))
         file = parse_vspec(data, source, limits)
         sources.append(source)
         findings.extend(file.findings)

@@ -6,7 +6,8 @@ lines, and `includes:` lists on branches.
 
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from array import array
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode
@@ -58,7 +59,7 @@ class Statement:
     __slots__ = ("_key_mark", "_marks", "file", "path", "values")
 
     def __init__(
-        self, path: str, file: SourceFile, values: Mapping[str, Any], key_mark: int, marks: tuple[int, ...]
+        self, path: str, file: SourceFile, values: Mapping[str, Any], key_mark: int, marks: Sequence[int]
     ) -> None:
         self.path = path
         self.file = file
@@ -168,10 +169,9 @@ def _read_statement(
         _report_duplicates(node, source.name, "Attribute", path, findings)
     includes_at = None
     if "includes" in values and values.get("type") == "branch":
-        includes_at = (values.pop("includes"), marks.pop("includes"))
-    mark = key.start_mark
-    key_mark = _pack(mark.line, mark.column, 0, mark.column)
-    statement = Statement(path, source, values, key_mark, tuple(marks.values()))
+        mark = marks.pop(list(values).index("includes"))
+        includes_at = (values.pop("includes"), mark)
+    statement = Statement(path, source, values, _mark(key.start_mark, key.start_mark), array("Q", marks))
     if includes_at is not None:
         includes.extend(_include_list(statement, *includes_at, findings))
     return statement
@@ -181,17 +181,20 @@ class _NotAttributes(Unbuildable):
     """The value of a node's key is not a mapping."""
 
 
-def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], dict[str, int]]:
+def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int]]:
+    """Values by name, and the packed position of each in the same order."""
     values: dict[str, Any] = {}
-    marks: dict[str, int] = {}
+    marks: list[int] = []
     for key, value in merged_pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
             raise Unbuildable(f"{name!r} is not the name of an attribute.", key)
-        start = key.start_mark
-        end = value.start_mark
+        start, end = key.start_mark, value.start_mark
+        if name in values:
+            marks[list(values).index(name)] = _mark(start, end)
+        else:
+            marks.append(_mark(start, end))
         values[name] = builder.scalar(value) if isinstance(value, ScalarNode) else builder.value(value)
-        marks[name] = _pack(start.line, start.column, end.line - start.line, end.column)
     return values, marks
 
 
@@ -246,12 +249,20 @@ def _is_null(node: Node) -> bool:
     return isinstance(node, ScalarNode) and node.tag.endswith(":null")
 
 
-def _pack(line: int, column: int, lines_between: int, value_column: int) -> int:
+def _mark(key: Any, value: Any) -> int:
+    """Positions of a key and of its value in one integer of 64 bits; what does not fit is cut."""
+    line: int = key.line
+    column: int = key.column
+    lines_between: int = value.line - line
+    value_column: int = value.column
     if column > _MOST_COLUMNS or value_column > _MOST_COLUMNS or not 0 <= lines_between <= _MOST_LINES:
         column, value_column = min(column, _MOST_COLUMNS), min(value_column, _MOST_COLUMNS)
         lines_between = min(max(lines_between, 0), _MOST_LINES)
-    packed = ((line << _COLUMN_BITS) | column) << _LINES_BETWEEN_BITS
-    return ((packed | lines_between) << _COLUMN_BITS) | value_column
+    return line << _LINE | column << _COLUMN | lines_between << _COLUMN_BITS | value_column
+
+
+_COLUMN = _LINES_BETWEEN_BITS + _COLUMN_BITS
+_LINE = _COLUMN_BITS + _COLUMN
 
 
 def _unpack(mark: int) -> tuple[int, int, int, int]:

@@ -6,6 +6,7 @@ files that cannot nest deeply. Values are built here, with the meaning of `yaml.
 """
 
 import gc
+import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -24,11 +25,19 @@ _LIBYAML: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _STANDARD = "tag:yaml.org,2002:"
 TEXT = _STANDARD + "str"
 """Tag of a scalar that is a text."""
+_SEQUENCE = _STANDARD + "seq"
+_MAPPING = _STANDARD + "map"
 _OPENERS = ("[", "{", "- ", "-\t", "? ", "?\t")
 """What can open a collection without more indentation than the line before."""
 _SHALLOW_OPENERS = 2_000
 """So many openers cannot exhaust the stack, however they nest; a file with fewer needs no exact count."""
 _INDENTATION = " " * 200
+_ITEM = r"""(?:'[^'\n]*+'|"[^"\\\n]*+"|[^\s'"\[\]{}#,][^'"\[\]{}#,\n]*+)"""
+_LIST_ON_A_LINE = re.compile(
+    rf"""[^\n\[\]{{}}'"#]*+\[[ \t]*+(?:{_ITEM}[ \t]*+(?:,[ \t]*+{_ITEM}[ \t]*+)*+)?+\][ \t]*+"""
+)
+"""A line with one list, opened and closed: `allowed: [LOW, 'HIGH']`. Quoted parts close on the line and no other bracket
+stands in it, so whatever came before, the line leaves the depth as it was. Linear: nothing is tried twice."""
 _BOOLEANS = {"yes": True, "true": True, "on": True, "no": False, "false": False, "off": False}
 
 
@@ -43,9 +52,13 @@ class _Loader(_LIBYAML):  # type: ignore[misc]
 
     def resolve(self, kind: Any, value: Any, implicit: Any) -> Any:
         """Tag of a node that has none of its own."""
-        if kind is ScalarNode and implicit[0]:
-            return _plain_tag(value) if len(value) < _SHORT else _tag_of_plain(value)
-        return super().resolve(kind, value, implicit)
+        if kind is not ScalarNode:
+            return _SEQUENCE if kind is SequenceNode else _MAPPING
+        if not implicit[0]:
+            return TEXT
+        if len(value) < _SHORT:
+            return _plain_tag(value)
+        return TEXT if value[0].isalpha() else _tag_of_plain(value)
 
 
 def _tag_of_plain(value: str) -> str:
@@ -55,6 +68,9 @@ def _tag_of_plain(value: str) -> str:
 
 _RESOLVER = yaml.resolver.Resolver()
 _SHORT = 32
+"""Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
+_NUMERIC = frozenset("+-.0123456789")
+"""How a plain scalar starts that may be anything but a text, though it is no short word."""
 _plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
 
 
@@ -145,7 +161,7 @@ class Builder:
             raise Unbuildable("An alias refers to the collection that it stands in.", node)
         if len(self._above) > self._nesting:
             raise Unbuildable(f"Collections nest deeper than {self._nesting} levels.", node)
-        if node.tag not in (_STANDARD + "seq", _STANDARD + "map"):
+        if node.tag not in (_SEQUENCE, _MAPPING):
             raise Unbuildable(f"Collections tagged {_short(node.tag)} are not supported.", node)
         self._above.add(id(node))
         try:
@@ -239,7 +255,10 @@ class _TooDeep(Exception):
 
 
 def _refuse_deep_nesting(text: str, limit: int) -> None:
-    if sum(map(text.count, _OPENERS)) <= _SHALLOW_OPENERS and _INDENTATION not in text:
+    openers = sum(map(text.count, _OPENERS))
+    if openers > _SHALLOW_OPENERS:
+        openers -= sum(1 for line in text.split("\n") if "[" in line and _LIST_ON_A_LINE.fullmatch(line))
+    if openers <= _SHALLOW_OPENERS and _INDENTATION not in text:
         return
     depth = 0
     for event in yaml.parse(text, Loader=_LIBYAML):

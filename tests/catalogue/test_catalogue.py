@@ -42,9 +42,9 @@ def test_a_node_is_found_by_path_and_so_is_its_parent():
 def test_nothing_can_be_changed():
     catalogue = catalogue_of(signals("Speed"))
     with pytest.raises(TypeError):
-        catalogue.nodes["Vehicle.New"] = catalogue.nodes["Vehicle"]
+        catalogue.nodes["Vehicle.New"] = catalogue.nodes["Vehicle"]  # type: ignore[index]
     with pytest.raises(AttributeError):
-        catalogue.nodes["Vehicle"].path = "Car"
+        catalogue.nodes["Vehicle"].path = "Car"  # type: ignore[misc]
 
 
 def test_the_hash_is_of_the_content_and_not_of_the_files():
