@@ -14,7 +14,21 @@ from typing import Any
 from app import __version__
 from app.errors import InputRefused, SigcatError
 
-COMMANDS = ("lint", "diff", "try", "show", "export", "function", "rule", "pull", "releases", "serve")
+COMMANDS = (
+    "lint",
+    "diff",
+    "try",
+    "show",
+    "export",
+    "function",
+    "integrate",
+    "generate",
+    "schema",
+    "rule",
+    "pull",
+    "releases",
+    "serve",
+)
 """Names of the commands; each stands in the module of its name."""
 _MODULES = {"try": "try_overlay"}
 """Modules of commands whose names are words of Python."""

@@ -1,8 +1,11 @@
 """`sigcat lint [PATH...]`."""
 
 import argparse
+import atexit
+import gc
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -74,6 +77,17 @@ def _add_result(parser: argparse.ArgumentParser) -> None:
 
 def lint(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if any is more than a note."""
+    was_enabled = gc.isenabled()
+    gc.disable()  # loading and linting make no garbage worth the search for it
+    atexit.register(gc.freeze)  # nor does what is left at the end need to be looked through
+    try:
+        return _lint(arguments)
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _lint(arguments: argparse.Namespace) -> int:
     from app.rules.lint import lint_paths
 
     paths = arguments.paths or [Path()]
@@ -109,7 +123,7 @@ def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOpt
         quantities=(*options.quantities, *arguments.quantities),
         types=(*options.types, *arguments.types),
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
-        check_function=_check_function,
+        check_functions=_check_functions,
     )
 
 
@@ -117,12 +131,12 @@ def _codes(given: list[str]) -> tuple[str, ...]:
     return tuple(code.strip() for part in given for code in part.split(",") if code.strip())
 
 
-def _check_function(data: bytes, name: str) -> "Sequence[Finding]":
-    """Check a function file against the shipped catalogue; loaded only when there is one."""
+def _check_functions(files: "Sequence[tuple[bytes, str]]", is_whole: bool) -> "Sequence[Finding]":
+    """Check function files against the shipped catalogue; loaded only when there are any."""
     from app.catalogue.sources import load, shipped_sources
-    from app.function.build import check_function
+    from app.function.sets import check_functions
 
-    return check_function(data, name, load(shipped_sources()[0]))
+    return check_functions(files, load(shipped_sources()[0]), is_whole=is_whole)
 
 
 def _write_baseline(result: "LintResult", options: "LintOptions", file: Path) -> int:
@@ -137,8 +151,7 @@ def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResul
     """Repair files, or show how; the result that is left is told by the caller."""
     from app.rules.fixes import fixed_files
 
-    sources = {f.file: Path(f.file).read_bytes().decode("utf-8") for f in result.findings if Path(f.file).is_file()}
-    fixed = fixed_files(result.findings, result.repairs, sources, unsafe=arguments.unsafe_fixes)
+    fixed = fixed_files(result.findings, result.repairs, _texts_of(result.findings), unsafe=arguments.unsafe_fixes)
     for file in fixed:
         if arguments.diff:
             sys.stdout.write(file.diff)
@@ -148,6 +161,15 @@ def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResul
     verb = "could be" if arguments.diff else "were"
     print(f"sigcat: {count} of {len(result.findings)} findings {verb} repaired", file=sys.stderr)
     return result
+
+
+def _texts_of(findings: "Sequence[Finding]") -> dict[str, str]:
+    """Texts of the files that findings are about, byte for byte; a file that is no UTF-8 has nothing to repair."""
+    texts = {}
+    for name in dict.fromkeys(finding.file for finding in findings):
+        with suppress(OSError, ValueError):
+            texts[name] = Path(name).read_bytes().decode("utf-8")
+    return texts
 
 
 def _report(result: "LintResult", options: "LintOptions", arguments: argparse.Namespace) -> None:

@@ -6,7 +6,7 @@ schemas and ROS 2 call the same thing.
 
 from typing import NamedTuple
 
-from app.function.datatypes import BY_REFERENCE, PRIMITIVES, c_type
+from app.function.datatypes import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
 
 
 class Spelling(NamedTuple):
@@ -43,7 +43,8 @@ _OTHERS = {
 
 SPELLINGS = tuple(Spelling(row.vss, row.reference, row.c, *_OTHERS[row.vss]) for row in PRIMITIVES)
 BY_VSS = {row.vss: row for row in SPELLINGS}
-BY_ADAPTIVE = {row.adaptive: row for row in SPELLINGS}
+BY_ADAPTIVE = {row.adaptive: row for row in SPELLINGS} | {"float32": next(r for r in SPELLINGS if r.vss == "float")}
+"""The published schema has two words for one datatype: `float` and `float32`."""
 
 _BY_KIND = {
     ("boolean", 8): "boolean", ("text", 0): "string", ("floating", 32): "float", ("floating", 64): "double",
@@ -53,12 +54,14 @@ _BY_KIND = {
 
 
 def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
-    """The primitive that a reference of a document stands for: its C definition decides, then its name.
+    """The primitive that a reference of a document stands for: its C definition decides where its name disagrees.
 
-    The published example calls `double` `DT_SInt64`: the code that is compiled is right, the name is not.
+    The published example calls `double` `DT_SInt64`: the code that is compiled is right, the name is not. But its
+    `DT_Bool` held in an `unsigned char` is a boolean.
     """
     meant = c_type(c_definition) if c_definition else None
+    promised = reference_type(reference)
+    if reference in BY_REFERENCE and (meant is None or (promised is not None and agree(promised, meant))):
+        return BY_VSS[BY_REFERENCE[reference].vss]
     vss = _BY_KIND.get((meant.kind, meant.bits)) if meant else None
-    if vss is None and reference in BY_REFERENCE:
-        vss = BY_REFERENCE[reference].vss
     return BY_VSS[vss] if vss else None

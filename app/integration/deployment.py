@@ -7,11 +7,12 @@ from pydantic import Field, ValidationError
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.errors import InputRefused
-from app.findings import Finding, has_errors
-from app.function.declaration import DeclarationModel, Text
+from app.findings import has_errors
 from app.function.document import read_yaml
+from app.function.form import DeclarationModel, Text
 from app.function.structure import structural_findings
 from app.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
+from app.integration.ros2.settings import Ros2Settings
 
 
 class Deployment(DeclarationModel):
@@ -32,8 +33,7 @@ class Deployment(DeclarationModel):
     autosar_adaptive: AutosarAdaptiveSettings = Field(
         AutosarAdaptiveSettings.model_validate({}), description="What holds for AUTOSAR adaptive."
     )
-
-
+    ros2: Ros2Settings = Field(Ros2Settings.model_validate({}), description="What holds for ROS 2.")
 
 
 DEFAULT_DEPLOYMENT = Deployment.model_validate({})

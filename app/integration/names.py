@@ -22,22 +22,33 @@ LONGEST = 100
 
 CPP_KEYWORDS = frozenset(
     (
-        "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
-        "co_await co_return co_yield compl concept const const_cast consteval constexpr constinit continue decltype "
-        "default delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline "
-        "int long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
-        "register reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast "
-        "struct switch template this thread_local throw true try typedef typeid typename union unsigned using virtual "
-        "void volatile wchar_t while xor xor_eq"
-    ).split()
-)
+        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
+        "char", "char8_t", "char16_t", "char32_t", "class", "co_await", "co_return", "co_yield", "compl", "concept",
+        "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do",
+        "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend",
+        "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr",
+        "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
+        "restrict", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch",
+        "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
+        "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+    )
+)  # fmt: skip
 PYTHON_KEYWORDS = frozenset((*keyword.kwlist, *keyword.softkwlist))
-C_MACROS = frozenset("BUFSIZ EOF ERROR FALSE INFINITY INT_MAX INT_MIN NAN NULL TRUE assert errno stderr stdin stdout".split())
+C_MACROS = frozenset(
+    (
+        "BUFSIZ", "EOF", "ERROR", "FALSE", "INFINITY", "INT_MAX", "INT_MIN", "NAN", "NULL", "TRUE", "assert", "errno",
+        "stderr", "stdin", "stdout",
+    )
+)  # fmt: skip
 IDL_KEYWORDS = frozenset(
-    "abstract any attribute boolean component const context custom exception factory fixed home import in inout "
-    "interface local map module multiple native octet oneway out port primarykey provides publishes raises readonly "
-    "sequence string supports switch truncatable typeprefix union unsigned uses valuebase valuetype wchar wstring".split()
-)
+    (
+        "abstract", "any", "attribute", "boolean", "component", "const", "context", "custom", "exception", "factory",
+        "fixed", "home", "import", "in", "inout", "interface", "local", "map", "module", "multiple", "native", "octet",
+        "oneway", "out", "port", "primarykey", "provides", "publishes", "raises", "readonly", "sequence", "string",
+        "supports", "switch", "truncatable", "typeprefix", "union", "unsigned", "uses", "valuebase", "valuetype",
+        "wchar", "wstring",
+    )
+)  # fmt: skip
 GENERATED = frozenset(("structure_needs_at_least_one_member", "check_fields", "slots", "structure"))
 """Members that the generated code has already."""
 
@@ -79,7 +90,9 @@ def topic_name(*segments: str) -> str:
     return "".join(f"/{_named(snake_case(segment), 'value', '_', (), reserved=False).text}" for segment in segments)
 
 
-def _named(text: str, word: str, joint: str, taken: Container[str], *, lower: bool = False, reserved: bool = True) -> Name:
+def _named(
+    text: str, word: str, joint: str, taken: Container[str], *, lower: bool = False, reserved: bool = True
+) -> Name:
     reason = ""
     if not text or not text[0].isalpha():
         text, reason = f"{word}{joint if text else ''}{text}", "a name begins with a letter"

@@ -1,7 +1,7 @@
 """Where each field of each interface went: nothing that a function declares is dropped in silence."""
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
@@ -32,13 +32,17 @@ class FieldTarget(NamedTuple):
 
 
 def entries(
-    function: str, interface: str, kind: str, model: BaseModel, targets: dict[str, FieldTarget | str]
+    function: str,
+    interface: str,
+    kind: str,
+    model: BaseModel,
+    targets: "Mapping[str, FieldTarget] | Mapping[str, FieldTarget | str]",
 ) -> list[Entry]:
     """An entry for each field that has a value. A field that no target is known for is told as not carried."""
-    written = model.model_dump(by_alias=True, mode="json")
     made = []
-    for field, value in written.items():
-        if value in (None, [], {}):
+    named = [(str(field.alias or name), getattr(model, name)) for name, field in type(model).model_fields.items()]
+    for field, value in (*named, *(model.model_extra or {}).items()):
+        if value is None or value in ((), [], {}):
             continue
         known = targets.get(field, FieldTarget(NOT_CARRIED, "no field of Function JSON that sigcat knows"))
         target = FieldTarget(known) if isinstance(known, str) else known

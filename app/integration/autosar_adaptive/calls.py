@@ -1,6 +1,7 @@
 """Calls, modes and parameters of a component."""
 
 from collections.abc import Sequence
+from typing import TypeVar
 
 from app.function.model import Parameter, Runnable
 from app.integration.autosar_adaptive import model
@@ -9,7 +10,14 @@ from app.integration.autosar_adaptive.types import TypeTable
 from app.integration.autosar_adaptive.work import Part, Work
 from app.integration.autosar_names import distinct, short_name
 
-_RUN_TYPES = {"Init": "Init", "Cyclic": "Cyclic", "EventTriggered": "Cyclic", "Shutdown": "Terminate", "Terminate": "Terminate"}
+T = TypeVar("T", str, None)
+_RUN_TYPES = {
+    "Init": "Init",
+    "Cyclic": "Cyclic",
+    "EventTriggered": "Cyclic",
+    "Shutdown": "Terminate",
+    "Terminate": "Terminate",
+}
 _SCHEDULING = {"preemptive": "Preemptive", "nonpreemptive": "Non-preemptive", "rr": "RR", "fifo": "FIFO"}
 
 
@@ -72,18 +80,21 @@ def _mode(run_type: str, modes: RunModes) -> str:
 def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
     """Modes of the function, with those of the calls that are this component's."""
     mine = {call.name for call in part.component.runnables}
-    return tuple(
-        model.FunctionMode(
-            function=part.function_name,
-            name=mode.name,
-            description=mode.description,
-            calls=tuple(name for name in mode.runnables if name in mine),
+    return (
+        tuple(
+            model.FunctionMode(
+                function=part.function_name,
+                name=mode.name,
+                description=mode.description,
+                calls=tuple(name for name in mode.runnables if name in mine),
+            )
+            for mode in part.function.modes or ()
         )
-        for mode in part.function.modes or ()
-    ) or None
+        or None
+    )
 
 
-def parameters(part: Part, types: TypeTable) -> tuple[model.ParameterEntry, ...] | None:
+def parameters(part: Part, types: TypeTable, work: Work) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they tell it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], Parameter] = {}
@@ -95,21 +106,27 @@ def parameters(part: Part, types: TypeTable) -> tuple[model.ParameterEntry, ...]
                 users.setdefault(key, []).append(call.name)
     keys = list(found)
     names = distinct({f"{index:06d}": short_name(name) for index, (name, _) in enumerate(keys)})
-    return tuple(
-        _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types)
-        for index, key in enumerate(keys)
-    ) or None
+    return (
+        tuple(
+            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, work)
+            for index, key in enumerate(keys)
+        )
+        or None
+    )
 
 
-def _parameter(name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable) -> model.ParameterEntry:
+def _parameter(
+    name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, work: Work
+) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
+    where = f"{parameter.name} of {part.function_name}"
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
         datatype=_parameter_type(parameter, part, types),
-        range_error_action=parameter.range_error_action or None,
-        interface_type=stored,
-        attribute=parameter.attribute,
+        range_error_action=_known(parameter.range_error_action or None, ("Default", "Init"), None, where, work),
+        interface_type=_known(stored, ("Calibration", "Measurement", "PersistanceMemory"), "Calibration", where, work),
+        attribute=_known(parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", where, work),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,
@@ -121,6 +138,16 @@ def _parameter(name: str, parameter: Parameter, users: Sequence[str], part: Part
         conversion_factor=parameter.conversion_factor,
         conversion_offset=parameter.conversion_offset,
     )
+
+
+def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, work: Work) -> str | T:
+    """The word, if the published schema has it; a word of another spelling is told, not written."""
+    if word is None or word in words:
+        return word or otherwise
+    near = {known.lower(): known for known in words}.get(word.lower())
+    message = f"{where}: {word!r} is none of {', '.join(words)}; {near or otherwise or 'nothing'} is written."
+    work.report("A013", "warning", message, where.split(" ", 1)[0])
+    return near or otherwise
 
 
 def _parameter_type(parameter: Parameter, part: Part, types: TypeTable) -> model.ParameterType:

@@ -1,12 +1,12 @@
 """From functions to the Integration JSON of AUTOSAR adaptive, without any further input."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from app.errors import UsageError
 from app.findings import Finding
-from app.function.model import FunctionJson
+from app.function.model import Contract, FunctionJson
 from app.integration.autosar_adaptive import model
 from app.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from app.integration.autosar_adaptive.elements import Service, disagreements, services, view
@@ -14,13 +14,17 @@ from app.integration.autosar_adaptive.grouping import placed
 from app.integration.autosar_adaptive.settings import ComponentSettings
 from app.integration.autosar_adaptive.targets import report
 from app.integration.autosar_adaptive.types import TypeTable
+from app.integration.autosar_adaptive.unused import tell_unused
 from app.integration.autosar_adaptive.work import Part, Work, items
-from app.integration.deployment import DEFAULT_DEPLOYMENT, Deployment
 from app.integration.autosar_names import short_name
-from app.integration.report import Entry
+from app.integration.deployment import DEFAULT_DEPLOYMENT, Deployment
+from app.integration.report import NOT_CARRIED, Entry
 
 NO_DATE = "1970-01-01"
 """Date of a document whose functions have none: the published schema wants one, and today's would change the bytes."""
+
+UNKNOWN_PROVIDER = "SOME/IP"
+"""Provider of a service that comes from somewhere in the network, as the authors write it."""
 
 
 class Derived(NamedTuple):
@@ -48,10 +52,20 @@ def derive(functions: Sequence[FunctionJson], deployment: Deployment = DEFAULT_D
         info=_info(ordered, deployment),
         components=components,
         datatypes=types.entries or None,
-        deployment=_transport(ordered, deployment),
+        deployment=_deployment_names(ordered, deployment),
         provenance=tuple(f.provenance.model_dump(mode="json") for f in ordered if f.provenance) or None,
     )
-    return Derived(made, tuple(dict.fromkeys(work.findings)), report(work, sides, all_services))
+    tell_unused(sides, all_services, work)
+    told = report(work, sides, all_services)
+    _tell_left_out(told, work)
+    return Derived(made, tuple(dict.fromkeys(work.findings)), told)
+
+
+def _tell_left_out(told: Sequence[Entry], work: Work) -> None:
+    for entry in told:
+        if entry.target == NOT_CARRIED:
+            message = f"{entry.field} of {entry.interface} ({entry.function}) is not carried: {entry.note}."
+            work.report("A012", "warning", message, entry.interface)
 
 
 def _refuse_doubles(functions: Sequence[FunctionJson]) -> None:
@@ -76,9 +90,10 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, wo
         header_files=_header_files(part, settings),
         modes=modes,
         calls=made,
-        parameters=parameters(part, types),
+        parameters=parameters(part, types, work),
         services=tuple(_interfaces(part, all_services, types, work)),
         function=part.function_name,
+        version=part.function.info.version,
         description=part.function.info.description,
         function_modes=function_modes(part),
     )
@@ -89,11 +104,20 @@ def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | 
     if settings.header_files is not None:
         return tuple(settings.header_files) or None
     contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
-    listed = [item for c in contracts for item in (*(c.signals or ()), *(c.queues or ()), *(c.parameters or ()))]
-    return (f"{part.name}.h",) if any(item.variable for item in listed) else None
+    return (f"{part.name}.h",) if any(map(_tells_variables, contracts)) else None
 
 
-def _interfaces(part: Part, all_services: Sequence[Service], types: TypeTable, work: Work) -> list[model.ServiceInterface]:
+def _tells_variables(contract: Contract) -> bool:
+    return (
+        any(item.variable for item in contract.signals or ())
+        or any(item.variable for item in contract.queues or ())
+        or any(item.variable for item in contract.parameters or ())
+    )
+
+
+def _interfaces(
+    part: Part, all_services: Sequence[Service], types: TypeTable, work: Work
+) -> list[model.ServiceInterface]:
     """Services of a component, what it consumes first, as in the published example."""
     made = []
     for service in all_services:
@@ -104,24 +128,33 @@ def _interfaces(part: Part, all_services: Sequence[Service], types: TypeTable, w
 
 
 def _interface(service: Service, content: model.Services, provides: bool, work: Work) -> model.ServiceInterface:
-    used = {item.event_group for item in (*content.events, *content.fields)}
-    provider = model.Provider(
-        name=service.group.provider.name if service.group.provider else "SOME/IP",
-        deployment="SOME/IP",
-        instance_id=service.instance,
-        contract=work.deployment.autosar_adaptive.contract,
-    )
-    groups = sorted((number, name) for name, number in service.event_groups.items() if name in used)
+    used = {event.event_group for event in content.events} | {field.event_group for field in content.fields}
+    providers = tuple(
+        model.Provider(
+            name=name, deployment="SOME/IP", instance_id=service.instance,
+            contract=work.deployment.autosar_adaptive.contract,
+        )
+        for name in _provider_names(service, content)
+    )  # fmt: skip
+    groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
     return model.ServiceInterface(
         name=service.name,
         role="Provider" if provides else "Consumer",
         services=(content,),
-        providers=None if provides else (provider,),
+        providers=None if provides else providers,
         service_id=service.id,
         instance_id=service.instance,
-        event_groups=tuple(model.EventGroup(name=name, id=number) for number, name in groups) or None,
+        event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
         origin=service.group.origin,
     )
+
+
+def _provider_names(service: Service, content: model.Services) -> list[str]:
+    """The component of the set, or who the functions say provides it from outside; else only the network is known."""
+    if service.group.provider is not None:
+        return [service.group.provider.name]
+    uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
+    return sorted({name for name in uses if name}) or [UNKNOWN_PROVIDER]
 
 
 def _meta(functions: Sequence[FunctionJson], work: Work) -> model.MetaInformation:
@@ -143,8 +176,8 @@ def _date(function: FunctionJson) -> str:
     return f"{match[3]}-{match[2]}-{match[1]}" if match else NO_DATE
 
 
-def _joined(texts: "Sequence[str | None] | object") -> str:
-    return "; ".join(dict.fromkeys(text for text in texts if text))  # type: ignore[attr-defined]
+def _joined(texts: Iterable[str | None]) -> str:
+    return "; ".join(dict.fromkeys(text for text in texts if text))
 
 
 def _info(functions: Sequence[FunctionJson], deployment: Deployment) -> model.FunctionInformation:
@@ -157,11 +190,10 @@ def _info(functions: Sequence[FunctionJson], deployment: Deployment) -> model.Fu
     )
 
 
-def _transport(functions: Sequence[FunctionJson], deployment: Deployment) -> model.Transport:
+def _deployment_names(functions: Sequence[FunctionJson], deployment: Deployment) -> model.DeploymentNames:
     name = short_name(application_name(functions, deployment))
     settings = deployment.autosar_adaptive
-    return model.Transport(
+    return model.DeploymentNames(
         package=settings.package or name,
         function_group=settings.function_group or short_name(f"{name}FunctionGroup"),
-        port=settings.port,
     )

@@ -19,7 +19,7 @@ from app.integration.autosar_adaptive.identifiers import (
 )
 from app.integration.autosar_adaptive.types import TypeTable
 from app.integration.autosar_adaptive.work import Item, Work
-from app.integration.autosar_names import distinct, event_name, service_name, short_name
+from app.integration.autosar_names import distinct, event_name, short_name
 
 FIELD_GROUP = "Fields"
 """Event group of the notifiers of fields."""
@@ -93,7 +93,9 @@ def _elements(sides: Sequence[Placed], service: str, work: Work) -> tuple[Elemen
     found: defaultdict[tuple[str, type], list[Placed]] = defaultdict(list)
     for side in sides:
         found[side.identity, _kind(side.item)].append(side)
-    wanted = {f"{identity} {kind.__name__}": _wanted(identity, listed[0], work) for (identity, kind), listed in found.items()}
+    wanted = {
+        f"{identity} {kind.__name__}": _wanted(identity, listed[0], work) for (identity, kind), listed in found.items()
+    }
     names = distinct(wanted)
     _tell_renamed({f"{service}.{names[key]}": f"{service}.{wanted[key]}" for key in wanted}, work)
     made = [
@@ -131,7 +133,9 @@ def _numbers(names: Iterable[str], span: Span, work: Work, scope: str, suffix: s
         if number is None:
             continue
         if not span.first <= number <= span.last or number in fixed.values():
-            reason = "is given twice" if number in fixed.values() else f"is not from 0x{span.first:04X} to 0x{span.last:04X}"
+            reason = (
+                "is given twice" if number in fixed.values() else f"is not from 0x{span.first:04X} to 0x{span.last:04X}"
+            )
             message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment {reason}."
             work.report("A009", "error", message, f"{scope}{name}", "Give another one.")
             continue
@@ -189,7 +193,7 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
     leading = element.leading.item
     interface = leading.interface
     assert isinstance(interface, Signal | DataQueue)
-    variables = tuple(dict.fromkeys(side.item.interface.variable for side in sides if _variable(side)))  # type: ignore[union-attr]
+    variables = tuple(dict.fromkeys(filter(None, map(_variable, sides))))
     is_catalogue = _in_catalogue_datatype(interface)
     return model.Event(
         name=element.name,
@@ -321,5 +325,3 @@ def _sent_as(side: Placed, types: TypeTable) -> tuple[str, str]:
     assert isinstance(interface, Signal | DataQueue)
     word = types.on_the_wire(side.item.part.function, interface.datatype, interface.vss_datatype)
     return word, (interface.vss_unit or interface.units or "")
-
-

@@ -80,7 +80,9 @@ def _outside(item: Item, identity: str, work: Work) -> Group:
         return _configured(identity, work) or _of_origin(branch_of(identity))
     message = f"{identity} ({item.where}) has no VSS path, and no function of the set provides it."
     fix = f"Tell its path in the deployment, under paths: {item.part.function_name}.{item.interface.name}, or add the provider."
-    work.report("A002", "warning", message, identity, "Add its provider." if isinstance(item.interface, Method) else fix)
+    work.report(
+        "A002", "warning", message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
+    )
     return _of_origin(f"{item.part.name}Required")
 
 

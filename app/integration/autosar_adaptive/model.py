@@ -134,6 +134,12 @@ class ParameterType(WireModel):
     default: bool | Number | str | None = published("Default", "Value of a new vehicle.", default=None)
     init_value: bool | Number | str | None = published("InitValue", "Value at start-up.", default=None)
 
+    @property
+    def word(self) -> str:
+        """Word for a primitive, or the name of a datatype of the document."""
+        word = self.reference or self.datatype or self.text_datatype or self.name or "uint8_t"
+        return "bool" if word == "boolean" else word
+
 
 class ParameterEntry(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
@@ -290,16 +296,16 @@ class Component(WireModel):
     parameters: tuple[ParameterEntry, ...] | None = published("ParameterList", "Parameters.", strict=False)
     services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
     function: str | None = own("Function", "Name of the function.")
+    version: str | None = own("Version", "Version of the function.")
     description: str | None = own("Description", "What the function does.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
 
 
-class Transport(WireModel):
-    """What the communication takes beside the ids."""
+class DeploymentNames(WireModel):
+    """Names that the ARXML takes beside those of the elements."""
 
     package: str = always("Package", "Outermost package of the ARXML.")
     function_group: str = always("FunctionGroup", "Function group of the executables.")
-    port: Integer = always("UdpPort", "UDP port of the services.")
 
 
 class IntegrationModel(WireModel):
@@ -309,10 +315,8 @@ class IntegrationModel(WireModel):
     info: FunctionInformation = published("FunctionInformation", "Identity of the application.")
     components: tuple[Component, ...] = published("ComponentList", "Components.", strict=False)
     datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
-    deployment: Transport | None = own("Deployment", "Names and ports of the deployment.")
-    provenance: tuple[dict[str, Any], ...] | None = own(
-        "Provenance", "What each function was made from.", strict=False
-    )
+    deployment: DeploymentNames | None = own("Deployment", "Names and ports of the deployment.")
+    provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
 
 
 def to_json(model: IntegrationModel) -> bytes:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from app.function.declaration import DeclarationModel, Text
+from app.function.form import DeclarationModel, Text
 from app.function.wire import Integer
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
@@ -48,7 +48,6 @@ class AutosarAdaptiveSettings(DeclarationModel):
         [], description="Service interfaces of signals that no function of the set provides; by first branch if absent."
     )
     contract: Text = Field("AdaptiveAUTOSAR", description="Name of the middleware contract.")
-    port: Annotated[Integer, Field(ge=1, le=65535)] = Field(30501, description="UDP port of the services.")
     identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from app.function.model import Datatype, FunctionJson
 from app.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from app.integration.autosar_adaptive.work import Work
-from app.integration.datatypes import BY_VSS, of_reference
 from app.integration.autosar_names import distinct, short_name
+from app.integration.datatypes import BY_VSS, of_reference
 
 _STORAGE = "uint8"
 
@@ -108,7 +108,9 @@ class TypeTable:
 
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
         message = f"Datatype {datatype.reference} of {function.info.function_name} contains itself."
-        self._work.report("A006", "error", message, fix="SOME/IP cannot send it: cut the cycle, for instance by an index.")
+        self._work.report(
+            "A006", "error", message, fix="SOME/IP cannot send it: cut the cycle, for instance by an index."
+        )
 
 
 def _symbols(datatype: Datatype) -> tuple[Symbol, ...]:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from app.findings import Finding, Severity
 from app.function.model import Component, DataQueue, Error, FunctionJson, Method, ModeInterface, SafetyReaction, Signal
 from app.function.model import Runnable as Call
-from app.integration.deployment import Deployment
 from app.integration.autosar_names import distinct, short_name
+from app.integration.deployment import Deployment
 
 Interface = Signal | DataQueue | Method | Error | SafetyReaction | ModeInterface
 

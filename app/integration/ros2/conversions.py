@@ -77,6 +77,8 @@ def _narrows(source: Spelling, target: Spelling, way: Linear) -> bool:
 
 
 def _linear(factor: object, offset: object, interface: str, limits: Limits) -> Linear:
+    if factor is None and offset is None:
+        return IDENTITY
     numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
     if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
         message = f"{interface}: factor {factor!r} and offset {offset!r} are no conversion."

@@ -22,7 +22,10 @@ class MessageBook:
         self._limits = limits
         self._messages: dict[str, Message] = {}
         self._services: dict[str, Service] = {}
+        self._taken: set[str] = set()
         self._structs: dict[str, str] = {}
+        self.modes: dict[str, str] = {}
+        """Messages of mode interfaces, by interface name: every node of a function has them."""
         self._open: list[str] = []
 
     @property
@@ -62,8 +65,9 @@ class MessageBook:
         return None if name is None else name + kind.suffix
 
     def _name(self, source: str, interface: str) -> str:
-        name = message_name(source, {*self._messages, *self._services})
+        name = message_name(source, self._taken)
         self._limits.renamed(interface, source, name.text, name.reason)
+        self._taken.add(name.text.lower())
         return name.text
 
     def _struct(self, reference: str, interface: str) -> str | None:

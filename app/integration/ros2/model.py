@@ -48,8 +48,12 @@ class FieldMapping(WireModel):
     variable: str = described("Variable", "Expression of the C code.", source=OWN)
     variable_type: str = described("VariableDataType", "Its datatype.", source=OWN)
     variable_units: str | None = described("VariableUnits", "Its unit.", default=None, source=OWN)
-    conversion: str | None = described("Conversion", "Name of the conversion, if one is needed.", default=None, source=OWN)
-    min: Number | None = described("Min", "Smallest valid value, in the unit of the variable.", default=None, source=OWN)
+    conversion: str | None = described(
+        "Conversion", "Name of the conversion, if one is needed.", default=None, source=OWN
+    )
+    min: Number | None = described(
+        "Min", "Smallest valid value, in the unit of the variable.", default=None, source=OWN
+    )
     max: Number | None = described("Max", "Largest valid value, in the unit of the variable.", default=None, source=OWN)
     default: Number | None = described("Default", "Value that stands in.", default=None, source=OWN)
     init_value: Number | None = described("InitValue", "Value before the first one.", default=None, source=OWN)
@@ -58,6 +62,9 @@ class FieldMapping(WireModel):
     timeout_error: str | None = described("TimeoutError", "Error that it sets.", default=None, source=OWN)
     access: str | None = described("Access", "Immediate or Buffered.", default=None, source=OWN)
     queue_length: Integer | None = described("QueueLength", "Values to queue.", default=None, source=OWN)
+    external_provider: str | None = described(
+        "ExternalProvider", "Who provides it, where no other function does.", default=None, source=OWN
+    )
     asil_level: str | None = described("AsilLevel", "ASIL of the signal.", default=None, source=OWN)
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 
@@ -217,6 +224,8 @@ class Schedule(WireModel):
     deadline_min: Number | None = described("DeadlineMin", "Shortest duration.", default=None, unit="ms", source=OWN)
     deadline_max: Number | None = described("DeadlineMax", "Longest duration.", default=None, unit="ms", source=OWN)
     deadline_error: str | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
+    logical: str | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
+    logical_error: str | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
 
 
 class RosParameter(WireModel):
@@ -235,7 +244,9 @@ class RosParameter(WireModel):
     variable: str = described("Variable", "Expression of the C code.", source=OWN)
     variable_type: str = described("VariableDataType", "Its datatype.", source=OWN)
     variable_units: str | None = described("VariableUnits", "Its unit.", default=None, source=OWN)
-    conversion: Conversion | None = described("Conversion", "From the parameter to the variable.", default=None, source=OWN)
+    conversion: Conversion | None = described(
+        "Conversion", "From the parameter to the variable.", default=None, source=OWN
+    )
     storage: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.", source=OWN)
     attribute: str = described("Attribute", "Normal, LearningParameter or NA.", source=OWN)
     range_error_action: str = described("RangeErrorAction", "Default or Init.", source=OWN)
@@ -253,6 +264,9 @@ class Diagnostic(WireModel):
     maturation_time: Integer = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
     occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
     reset_time: Number | None = described("ResetTime", "Time until reset.", default=None, unit="ms", source=OWN)
+    reset_condition: str | None = described(
+        "ResetCondition", "Condition of the reset, in words.", default=None, source=OWN
+    )
     dependencies: tuple[str, ...] = described(
         "Dependencies", "Names of statuses that set this error too.", source=OWN, strict=False
     )
@@ -295,7 +309,9 @@ class RosNode(WireModel):
     modes: tuple[ModeTopic, ...] = described("ModeTopics", "Topics of modes.", source=OWN, strict=False)
     diagnostics: tuple[Diagnostic, ...] = described("Diagnostics", "Statuses of errors.", source=OWN, strict=False)
     diagnostics_topic: str = described("DiagnosticsTopic", "Topic of the statuses.", source=OWN)
-    conditions: tuple[ConditionMonitor, ...] = described("SafetyReactions", "Safety conditions.", source=OWN, strict=False)
+    conditions: tuple[ConditionMonitor, ...] = described(
+        "SafetyReactions", "Safety conditions.", source=OWN, strict=False
+    )
 
 
 class Package(WireModel):

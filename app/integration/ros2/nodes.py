@@ -73,7 +73,7 @@ def node_of(
         transitions=_transitions(place),
         schedules=tuple(_schedule(call, place, exchanged, limits) for call in running),
         parameters=parameters_of(own, place, book.table, limits),
-        modes=tuple(_modes(place, settings, book, limits)) if is_first else (),
+        modes=tuple(_modes(place, settings, book, limits, is_first=is_first)),
         diagnostics=tuple(_diagnostic(error, place, statuses, limits) for error in errors.values()),
         diagnostics_topic=DIAGNOSTICS,
         conditions=tuple(_condition(each, statuses, book.table, limits) for each in reactions.values()),
@@ -113,10 +113,11 @@ def _schedule(call: Runnable, place: Place, exchanged: Sequence[Communication], 
     topics = () if is_timed else _triggers(call, place, exchanged)
     if (is_timed and not call.cycle_time) or (not is_timed and not topics):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
-        limits.report("N215", call.name, f"{call.name} has no trigger: {lacking} is missing.", "Add it, or the run type.")
+        limits.report(
+            "N215", call.name, f"{call.name} has no trigger: {lacking} is missing.", "Add it, or the run type."
+        )
     own_group = call.scheduling.lower().replace("-", "").replace("_", "") == "preemptive"
     group = package_name(call.name if own_group else f"{place.node}_calls").text
-    _unexpressed(call, limits)
     return Schedule(
         runnable=call.name,
         trigger="Timer" if is_timed else "Topics",
@@ -185,7 +186,15 @@ def _supervision(call: Runnable) -> dict[str, Any]:
         made["alive_error"] = alive.error_name
     if deadline:
         made |= {"deadline_min": deadline.min, "deadline_max": deadline.max, "deadline_error": deadline.error_name}
+    if call.watchdog and call.watchdog.logical:
+        made |= {"logical": call.watchdog.logical, "logical_error": call.watchdog.logical_error}
     return made
+
+
+def report_calls(place: Place, limits: Limits) -> None:
+    """Note what no call of a node can have."""
+    for call in place.component.runnables:
+        _unexpressed(call, limits)
 
 
 def _unexpressed(call: Runnable, limits: Limits) -> None:
@@ -200,9 +209,14 @@ def _unexpressed(call: Runnable, limits: Limits) -> None:
 # -- modes --------------------------------------------------------------------------------------------------------
 
 
-def _modes(place: Place, settings: Ros2Settings, book: MessageBook, limits: Limits) -> Iterable[ModeTopic]:
-    """A topic for each mode interface of the function; its first node has them."""
+def _modes(
+    place: Place, settings: Ros2Settings, book: MessageBook, limits: Limits, *, is_first: bool
+) -> Iterable[ModeTopic]:
+    """A topic for each mode interface of the function. Every node is told the mode; the first one tells it."""
     for interface in place.function.mode_interfaces or ():
+        is_told = interface.direction.lower() == "in"
+        if not is_told and not is_first:
+            continue
         kind = field_type(interface.datatype, None, book.table)
         if kind is None or kind.element is None:
             unresolved(limits, interface.name, interface.datatype)
@@ -211,7 +225,7 @@ def _modes(place: Place, settings: Ros2Settings, book: MessageBook, limits: Limi
         yield ModeTopic(
             interface=interface.name,
             topic=settings.namespace + topic_name(place.name, way),
-            role=SUBSCRIPTION if interface.direction.lower() == "in" else PUBLISHER,
+            role=SUBSCRIPTION if is_told else PUBLISHER,
             message=f"{book.package}/msg/{_mode_message(interface, place, book, limits)}",
             field="mode",
             quality=MODE,
@@ -220,6 +234,8 @@ def _modes(place: Place, settings: Ros2Settings, book: MessageBook, limits: Limi
 
 
 def _mode_message(interface: ModeInterface, place: Place, book: MessageBook, limits: Limits) -> str:
+    if interface.name in book.modes:
+        return book.modes[interface.name]
     kind = field_type(interface.datatype, None, book.table)
     assert kind is not None
     field = MessageField(
@@ -229,7 +245,11 @@ def _mode_message(interface: ModeInterface, place: Place, book: MessageBook, lim
         vss_path=interface.vss_path,
     )
     values = constants(kind.symbols, kind, "", interface.name, limits)
-    return book.add(f"{place.name}_Mode_{interface.direction}", interface.name, interface.description, (STAMP, field), values)
+    name = book.add(
+        f"{place.name}_Mode_{interface.direction}", interface.name, interface.description, (STAMP, field), values
+    )
+    book.modes[interface.name] = name
+    return name
 
 
 # -- errors and safety conditions ---------------------------------------------------------------------------------
@@ -237,7 +257,9 @@ def _mode_message(interface: ModeInterface, place: Place, book: MessageBook, lim
 
 def _diagnostic(error: Error, place: Place, statuses: Mapping[str, str], limits: Limits) -> Diagnostic:
     if error.ignition_count_limit:
-        message = f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is not carried."
+        message = (
+            f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is not carried."
+        )
         limits.report("N207", error.name, message, "Keep the count in a fault memory beside ROS 2.")
     if error.reset_condition:
         message = f"{error.name}: the reset condition is in words, which no node can check."
@@ -251,6 +273,7 @@ def _diagnostic(error: Error, place: Place, statuses: Mapping[str, str], limits:
         maturation_time=error.maturation_time,
         occurrence_count_limit=error.occurrence_count_limit,
         reset_time=error.reset_time,
+        reset_condition=error.reset_condition,
         dependencies=_statuses(error.name, error.dependencies, statuses, limits),
         vss_path=error.vss_path,
     )

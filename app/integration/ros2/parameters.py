@@ -14,7 +14,6 @@ from app.integration.ros2.messages import unresolved
 from app.integration.ros2.model import RosParameter
 from app.integration.ros2.types import FieldType, c_definition, field_type
 from app.integration.ros2.uses import Place
-from app.names import last_name
 
 _LARGEST = 2**63 - 1
 """Largest integer of a parameter."""
@@ -47,7 +46,7 @@ def _parameter(
         limits.report("N209", interface, message, "Declare a parameter for each member.")
         return None
     _unexpressed(item, kind, interface, limits)
-    name = field_name(last_name(item.vss_path or item.name), taken)
+    name = field_name(item.name, taken)
     limits.renamed(interface, item.name, name.text, name.reason)
     linear = physical(item, interface, limits)
     low, high = _limits(item, kind, linear)

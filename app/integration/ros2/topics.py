@@ -229,7 +229,9 @@ def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
     for use in mine:
         cycles = [other.cycle for other in topic.uses if other.is_provider and other.key == use.key and other.cycle]
         if use.timeout and not use.is_provider and cycles and use.timeout < 2 * max(cycles):
-            message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {max(cycles)} ms."
+            message = (
+                f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {max(cycles)} ms."
+            )
             limits.report("N213", use.interface, message, "One late value sets it: allow twice the cycle.")
 
 
@@ -285,6 +287,7 @@ def _mapping(use: Use, member: Member, book: MessageBook, made: Conversion | Non
         timeout_error=data.timeout_error,
         access=getattr(data, "access", None),
         queue_length=use.queue_length,
+        external_provider=data.external_provider,
         asil_level=use.asil,
         vss_path=use.path or None,
     )

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from app.function.model import PROVIDER, Component, DataQueue, FunctionJson, Runnable, Signal, milliseconds
+from app.function.model import PROVIDER, Component, Contract, DataQueue, FunctionJson, Runnable, Signal, milliseconds
 from app.integration.names import package_name
 from app.integration.ros2.limits import Limits
 
@@ -93,8 +93,13 @@ def uses_of(all_places: Sequence[Place], paths: Mapping[str, str]) -> tuple[Use,
 def _uses(place: Place, paths: Mapping[str, str]) -> Iterator[Use]:
     for runnable in place.component.runnables:
         for contract in runnable.contracts or ():
-            for data in (*(contract.signals or ()), *(contract.queues or ())):
+            for data in data_of(contract):
                 yield Use(place, runnable, data, data.vss_path or paths.get(f"{place.name}.{data.name}", ""))
+
+
+def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
+    """Signals and queues."""
+    return (*(contract.signals or ()), *(contract.queues or ()))
 
 
 def run_kind(runnable: Runnable) -> Kind:

@@ -1,0 +1,31 @@
+"""Where each element stands in the packages."""
+
+from typing import NamedTuple
+
+
+class Paths(NamedTuple):
+    """Paths below the outermost package."""
+
+    root: str
+
+    def of(self, package: str, *names: str) -> str:
+        """Path of an element, or of one inside it."""
+        return "/" + "/".join((self.root, package, *names))
+
+
+DATATYPES = "DataTypes"
+COMPU_METHODS = "CompuMethods"
+UNITS = "Units"
+CONSTRAINTS = "DataConstraints"
+INTERFACES = "ServiceInterfaces"
+STORAGES = "PersistencyInterfaces"
+COMPONENTS = "Components"
+EXECUTABLES = "Executables"
+FUNCTION_GROUPS = "FunctionGroups"
+STARTUP = "StartupConfigurations"
+PROCESSES = "Processes"
+DEPLOYMENTS = "ServiceDeployments"
+INSTANCES = "ServiceInstances"
+MAPPINGS = "PortMappings"
+
+TYPE = "STD-CPP-IMPLEMENTATION-DATA-TYPE"

@@ -1,0 +1,95 @@
+"""ARXML elements as plain values, and their way into the AUTOSAR metamodel of `autosar-data`."""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from autosar_data import AutosarModel, AutosarVersion, Element
+
+VERSION = AutosarVersion.AUTOSAR_00052
+"""R23-11."""
+
+_NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+class Tag(NamedTuple):
+    """An element: its children, or its text. One with a name has it as SHORT-NAME."""
+
+    tag: str
+    children: "tuple[Tag, ...]" = ()
+    text: str | None = None
+    name: str | None = None
+    attributes: tuple[tuple[str, str], ...] = ()
+
+
+def tag(tag_name: str, *children: "Tag | None", text: str | float | None = None, name: str | None = None) -> Tag:
+    """An element; children that are None are left out."""
+    shown = None if text is None else str(text)
+    return Tag(tag_name, tuple(child for child in children if child is not None), shown, name)
+
+
+def listed(tag_name: str, children: Iterable[Tag]) -> Tag | None:
+    """An element that holds a list; None if the list is empty, as the metamodel has no empty lists."""
+    kept = tuple(children)
+    return Tag(tag_name, kept) if kept else None
+
+
+def reference(tag_name: str, path: str, kind: str) -> Tag:
+    """A reference to an element by its path and kind."""
+    return Tag(tag_name, (), path, None, (("DEST", kind),))
+
+
+def description(text: str | None) -> Tag | None:
+    """DESC in English; None without a text."""
+    if not text:
+        return None
+    return tag("DESC", Tag("L-2", (), text, None, (("L", "EN"),)))
+
+
+def trace(values: Sequence[tuple[str, object]]) -> Tag | None:
+    """Admin data: where the element comes from, and what of it the metamodel has no place for."""
+    kept = tuple(
+        Tag("SD", (), str(value), None, (("GID", key),)) for key, value in values if value not in (None, "", ())
+    )
+    if not kept:
+        return None
+    return tag("ADMIN-DATA", tag("SDGS", Tag("SDG", kept, None, None, (("GID", "sigcat"),))))
+
+
+class Package(NamedTuple):
+    """A package below the outermost one."""
+
+    name: str
+    elements: tuple[Tag, ...]
+
+
+def written(filename: str, root: str, packages: Sequence[Package]) -> bytes:
+    """An ARXML file with the packages that hold anything. Elements land in the order of the metamodel."""
+    model = AutosarModel()
+    file = model.create_file(filename, VERSION)
+    outermost = model.root_element.create_sub_element("AR-PACKAGES").create_named_sub_element("AR-PACKAGE", root)
+    filled = [package for package in packages if package.elements]
+    if filled:
+        inner = outermost.create_sub_element("AR-PACKAGES")
+        for package in filled:
+            elements = inner.create_named_sub_element("AR-PACKAGE", package.name).create_sub_element("ELEMENTS")
+            _fill(elements, package.elements)
+    return (file.serialize().rstrip("\n") + "\n").encode()
+
+
+def _fill(parent: Element, children: Sequence[Tag]) -> None:
+    for child in children:
+        if child.name is not None:
+            element = parent.create_named_sub_element(child.tag, child.name)
+        else:
+            element = parent.create_sub_element(child.tag)
+        for key, value in child.attributes:
+            element.set_attribute(key, plain(value))  # type: ignore[arg-type]
+        if child.text is not None:
+            element.character_data = plain(child.text)
+        _fill(element, child.children)
+
+
+def plain(text: str) -> str:
+    """The text without characters that XML 1.0 cannot hold in any form; a replacement character stands for each."""
+    return _NOT_XML.sub("\ufffd", text)

@@ -1,0 +1,341 @@
+"""An integration becomes ARXML of AUTOSAR adaptive R23-11."""
+
+import json
+import xml.etree.ElementTree as ET
+from functools import cache
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.adapter.arxml.generate import generate
+from app.cli import main
+from app.errors import InputRefused
+from app.integration.autosar_adaptive.derive import derive
+from app.integration.autosar_adaptive.document import read_integration
+from app.integration.autosar_adaptive.model import to_json
+from tests.adapter.arxml_judge import (
+    dangling,
+    doubled_names,
+    doubled_numbers,
+    loaded,
+    misplaced,
+    numbers,
+    without_number,
+)
+from tests.integration.autosar_adaptive.sets import SHARED, at, examples, function, signal
+
+PUBLISHED_EXAMPLE = SHARED / "integration_model_AA_core_acc.json"
+RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
+          "METHOD-ID": (1, 0x7FFF), "EVENT-GROUP-ID": (1, 0xFFFE)}  # fmt: skip
+
+POINT = {
+    "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
+    "Fields": [{"Name": "X", "Datatype": "DT_Float32", "Units": "m"}, {"Name": "Label", "Datatype": "DT_String"}],
+}  # fmt: skip
+POINTS = {
+    "typeRef": "DT_Points", "category": "userdefined", "cDef": "struct Point *", "Kind": "array", "ElementType": "DT_Point",
+}  # fmt: skip
+COLOURS = {
+    "typeRef": "DT_Colour", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration",
+    "Symbols": [{"Symbol": "RED", "Value": 0}, {"Symbol": "GREEN", "Value": 7}],
+}  # fmt: skip
+METHOD = {
+    "Name": "SetSpeed", "Description": "Sets <it> & more.", "Role": "Provider",
+    "InDataTypeList": [{"Name": "v", "Datatype": "DT_Float32", "Units": "km/h"}],
+    "OutDataTypeList": [{"Name": "done", "Datatype": "DT_Bool", "Units": ""}],
+}  # fmt: skip
+
+
+def every_kind():
+    """A function with every kind of datatype and element."""
+    return function(
+        "Demo",
+        [
+            signal("Points", "Provider", Datatype="DT_Points", VssPath="Vehicle.A.Points", VssDatatype="Types.Point[]"),
+            signal("Colour", Datatype="DT_Colour", VssPath="Vehicle.A.Colour", VssDatatype="string"),
+            signal("Text", Datatype="DT_String", VssPath="Vehicle.A.Text", VssDatatype="string"),
+            signal("Scaled", Factor="0.01", Offset="-40", Units="celsius"),
+            at("Vehicle.B.Speed"),
+        ],
+        [POINT, POINTS, COLOURS],
+        contract={"MethodList": [METHOD]},
+    )
+
+
+@cache
+def made(name):
+    functions = examples() if name == "examples" else (every_kind(),)
+    return generate(derive(functions).model)
+
+
+SETS = pytest.mark.parametrize("name", ["examples", "every kind"])
+
+
+def tags(files):
+    return [element for file in files for element in ET.fromstring(file.data).iter()]
+
+
+def texts(files, tag):
+    return [element.text for element in tags(files) if element.tag.endswith(f"}}{tag}")]
+
+
+# -- as AUTOSAR has it --------------------------------------------------------------------------------------------
+
+
+@SETS
+def test_the_files_load_strictly(name):
+    loaded(made(name))
+
+
+@SETS
+def test_every_reference_is_resolved(name):
+    assert dangling(loaded(made(name))) == []
+
+
+@SETS
+def test_elements_stand_in_the_order_of_the_metamodel(name):
+    assert misplaced(loaded(made(name)).root_element) == []
+
+
+@SETS
+def test_short_names_are_unique(name):
+    assert doubled_names(loaded(made(name))) == []
+
+
+@SETS
+def test_ids_exist_and_are_unique_and_in_range(name):
+    model = loaded(made(name))
+    assert without_number(model) == []
+    assert doubled_numbers(model) == []
+    assert all(RANGES[kind][0] <= number <= RANGES[kind][1] for _, kind, _, number in numbers(model))
+
+
+@SETS
+def test_the_files_survive_a_round_trip(name):
+    files = made(name)
+    for file in files:
+        again = loaded([file]).serialize_files()[file.name]
+        assert again.rstrip("\n") == file.data.decode().rstrip("\n")
+
+
+def test_the_judge_of_order_sees_what_is_wrong():
+    file = made("examples")[3]
+    text = file.data.decode()
+    first, second = text.index("<EVENT-GROUPS>"), text.index("</EVENT-GROUPS>") + len("</EVENT-GROUPS>")
+    at_id = text.index("<SERVICE-INTERFACE-REF", 0)
+    swapped = text[:at_id] + text[first:second] + text[at_id:first] + text[second:]
+    with pytest.raises(Exception, match=r"."):
+        assert misplaced(loaded([file._replace(data=swapped.encode())]).root_element) == []
+
+
+def test_the_version_is_r23_11():
+    for file in made("examples"):
+        assert b"AUTOSAR_00052.xsd" in file.data
+
+
+def test_the_same_model_gives_the_same_bytes():
+    assert generate(derive(examples()).model) == made("examples")
+
+
+# -- what an integrator looks for ---------------------------------------------------------------------------------
+
+
+def test_the_files_are_those_that_integrators_expect():
+    assert [file.name for file in made("examples")] == [
+        "types.arxml", "interfaces.arxml", "components.arxml", "deployment.arxml",
+    ]  # fmt: skip
+
+
+def test_every_executable_has_a_root_component_and_a_process_in_the_states_of_its_calls():
+    model = loaded(made("examples"))
+    root = "/CoreAcc_and_EcoControlMpc_and_WheelSpeedCalculation"
+    assert model.get_element_by_path(f"{root}/Executables/CoreAccExecutable/CoreAcc_Root") is not None
+    process = model.get_element_by_path(f"{root}/Processes/CoreAccProcess")
+    states = [
+        str(element.character_data).rpartition("/")[2]
+        for _, element in process.elements_dfs
+        if element.element_name == "TARGET-MODE-DECLARATION-REF"
+    ]
+    assert states == ["Startup", "Run", "Terminate"]
+
+
+def test_every_service_of_every_component_is_mapped_to_a_port():
+    services = [interface for part in derive(examples()).model.components for interface in part.services]
+    assert len(texts(made("examples"), "TARGET-PORT-PROTOTYPE-REF")) == len(services)
+
+
+def test_an_event_is_traced_to_its_vss_path_and_has_unit_and_limits():
+    model = loaded(made("examples"))
+    root = "/CoreAcc_and_EcoControlMpc_and_WheelSpeedCalculation"
+    event = model.get_element_by_path(f"{root}/ServiceInterfaces/VehicleChassisService/Chassis_Brake_CylP")
+    text = event.serialize()
+    assert '<SD GID="VssPath">Vehicle.Chassis.Brake.CylP</SD>' in text
+    assert f"{root}/Units/bar" in text
+    assert f"{root}/CompuMethods/CM_bar" in text
+    assert "DC_m30_to_276_9" in text
+
+
+def test_a_struct_an_array_of_it_an_enumeration_and_a_scaling_have_their_elements():
+    files = made("every kind")
+    categories = texts(files, "CATEGORY")
+    assert {"STRUCTURE", "VECTOR", "STRING", "VALUE", "TYPE_REFERENCE", "TEXTTABLE", "LINEAR"} <= set(categories)
+    assert texts(files, "VT") == ["RED", "GREEN"]
+    assert texts(files, "COMPU-NUMERATOR") != []
+    assert "Sets <it> & more." in texts(files, "L-2")
+
+
+def test_a_policy_of_posix_is_in_the_startup_configuration():
+    one = function(signals=[at("Vehicle.A.B")], call={"Scheduling": "FIFO", "Priority": "12"})
+    files = generate(derive([one]).model)
+    loaded(files)
+    assert texts(files, "SCHEDULING-POLICY") == ["SCHED_FIFO"]
+    assert texts(files, "SCHEDULING-PRIORITY") == ["12"]
+
+
+# -- Integration JSON from elsewhere ------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(not PUBLISHED_EXAMPLE.exists(), reason="the published example is not here")
+def test_the_published_example_becomes_arxml_with_ids_by_rule():
+    files = generate(read_integration(PUBLISHED_EXAMPLE.read_bytes(), "published.json"))
+    model = loaded(files)
+    assert dangling(model) == []
+    assert misplaced(model.root_element) == []
+    assert without_number(model) == []
+    assert doubled_numbers(model) == []
+
+
+def document(**changes):
+    base = json.loads(to_json(derive([function(signals=[at("Vehicle.A.B")])]).model))
+    return {**base, **changes}
+
+
+def refused(value):
+    with pytest.raises(InputRefused) as caught:
+        read_integration(json.dumps(value, indent=1).encode(), "integration.json")
+    return caught.value.findings
+
+
+def test_what_autosar_cannot_name_is_refused_where_it_stands():
+    value = document()
+    value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"][0]["Name"] = '"/><script>'
+    found = refused(value)
+    assert [finding.rule for finding in found] == ["A020"]
+    assert found[0].pointer == "/ComponentList/0/ServiceInterfaceList/0/ServiceList/0/Events/0"
+    assert found[0].line > 1
+
+
+def test_a_datatype_that_is_not_defined_is_refused():
+    value = document()
+    value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"][0]["DataType"] = "DT_Nothing"
+    assert "'DT_Nothing' of A_B is not defined" in refused(value)[0].message
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        {"Name": "uint8_t", "Class": "type_reference", "cDef": "bool"},
+        {"Name": "A/B", "Class": "structure", "Field": []},
+        {"Name": "E", "Class": "enumeration", "EnumField": [{"Symbol": "</VT>", "Value": 1}]},
+        {"Name": "S", "Class": "structure", "Field": [{"Name": "a", "Type": "bool"}, {"Name": "A", "Type": "bool"}]},
+        {"Name": "S", "Class": "structure", "Field": [{"Name": "a", "Type": "nothing"}]},
+        {"Name": "L", "Class": "array", "Dimension": 3},
+    ],
+)
+def test_datatypes_that_autosar_cannot_have_are_refused(entry):
+    assert refused(document(DataTypes=[entry]))[0].rule == "A020"
+
+
+@pytest.mark.parametrize(("key", "value"), [("Package", "a b"), ("FunctionGroup", "1")])
+def test_names_of_the_deployment_are_checked(key, value):
+    base = document()
+    base["Deployment"][key] = value
+    assert refused(base)[0].pointer == f"/Deployment/{key}"
+
+
+def test_an_id_that_two_have_is_refused():
+    model = derive([function(signals=[at("Vehicle.A.B"), at("Vehicle.A.C")])]).model
+    value = json.loads(to_json(model))
+    for event in value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"]:
+        event["EventID"] = 32770
+    assert "have the same id: 32770" in refused(value)[0].message
+
+
+@pytest.mark.parametrize("data", [b"", b"[]", b"{}", b"\xff\xfe", b"nonsense", b'{"ComponentList": 3}', b"[" * 100_000])
+def test_what_is_no_integration_json_is_refused(data):
+    with pytest.raises(InputRefused) as caught:
+        read_integration(data, "integration.json")
+    assert caught.value.findings
+
+
+# -- texts that want to get out -----------------------------------------------------------------------------------
+
+HOSTILE = [
+    '"><script>alert(1)</script>',
+    "*/ #include <x>",
+    "]]><!--",
+    "&amp;&lt;",
+    "\u0000\u0001\u001f",
+    "\ufffe",
+    "été 🚗",
+    "a\nb\tc",
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_hostile_texts_stay_texts(text):
+    method = METHOD | {"Description": text}
+    one = function(
+        "Demo",
+        [signal("S", Description=text, Variable=text, Units=text, VssPath="Vehicle.A.S")],
+        contract={"MethodList": [method]},
+    )
+    files = generate(derive([one]).model)
+    model = loaded(files)
+    assert dangling(model) == []
+    assert not [element for element in tags(files) if element.tag.lower().endswith("script")]
+    if text.isprintable():
+        assert text in texts(files, "L-2")
+
+
+@pytest.mark.parametrize("name", [*HOSTILE, "x" * 5000, "class", "1st"])
+def test_hostile_names_load_and_resolve(name):
+    one = function(
+        name, [signal(name, "Provider"), signal(f"{name}x")], contract={"MethodList": [METHOD | {"Name": name}]}
+    )
+    model = loaded(generate(derive([one]).model))
+    assert dangling(model) == []
+    assert doubled_names(model) == []
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
+def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):
+    one = function(
+        name,
+        [signal(text, VssPath=path or None, Description=text, Units=name), signal(name, "Provider", Variable=text)],
+    )
+    model = loaded(generate(derive([one]).model))
+    assert dangling(model) == []
+    assert doubled_names(model) == []
+    assert misplaced(model.root_element) == []
+
+
+# -- the command --------------------------------------------------------------------------------------------------
+
+
+def test_the_command_writes_the_files(tmp_path):
+    source = tmp_path / "integration.json"
+    source.write_bytes(to_json(derive(examples()).model))
+    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out")]) == 0
+    written = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    assert written == {file.name: file.data for file in made("examples")}
+
+
+def test_the_command_refuses_what_is_no_integration(tmp_path, capsys):
+    source = tmp_path / "integration.json"
+    source.write_text("{}", encoding="utf-8")
+    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out")]) == 1
+    assert "F002" in capsys.readouterr().err
+    assert main(["generate", "arxml", str(tmp_path / "none.json"), "-o", str(tmp_path / "out")]) == 2

@@ -1,0 +1,456 @@
+"""Functions become the Integration JSON of AUTOSAR adaptive."""
+
+import json
+
+import jsonschema
+import pytest
+
+from app.errors import UsageError
+from app.function.model import (
+    DataQueue,
+    Error,
+    FunctionJson,
+    Method,
+    ModeInterface,
+    Parameter,
+    Runnable,
+    SafetyReaction,
+    Signal,
+)
+from app.integration.autosar_adaptive.derive import derive
+from app.integration.autosar_adaptive.document import read_integration
+from app.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
+from app.integration.autosar_adaptive.targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
+from app.integration.deployment import Deployment, read_deployment
+from app.integration.report import NOT_CARRIED, to_markdown
+from tests.integration.autosar_adaptive.sets import SHARED, at, example, examples, function, signal
+
+PUBLISHED_SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"
+
+
+def deployed(**settings) -> Deployment:
+    return Deployment.model_validate(settings)
+
+
+def services(model: IntegrationModel, component=None):
+    """Service interfaces by name and role."""
+    return {
+        (interface.name, interface.role): interface
+        for part in model.components
+        if component in (None, part.name)
+        for interface in part.services
+    }
+
+
+def events(model: IntegrationModel):
+    """Events by service and name."""
+    return {
+        (interface.name, event.name): event
+        for part in model.components
+        for interface in part.services
+        for event in interface.services[0].events
+    }
+
+
+def rules(derived):
+    return [finding.rule for finding in derived.findings]
+
+
+# -- the examples -------------------------------------------------------------------------------------------------
+
+
+def test_the_examples_are_integrated_without_a_finding():
+    assert derive(examples()).findings == ()
+
+
+def test_the_document_validates_under_our_schema():
+    document = json.loads(to_json(derive(examples()).model))
+    jsonschema.Draft202012Validator(integration_schema()).validate(document)
+
+
+@pytest.mark.skipif(not PUBLISHED_SCHEMA.exists(), reason="the published schema is not here")
+@pytest.mark.parametrize("name", ["CoreAcc", "EcoControlMpc", "WheelSpeedCalculation", "all"])
+def test_the_document_validates_under_the_published_schema(name):
+    document = json.loads(to_json(derive(examples() if name == "all" else [example(name)]).model))
+    validator = jsonschema.Draft202012Validator(json.loads(PUBLISHED_SCHEMA.read_text(encoding="utf-8")))
+    validator.validate(document)
+
+
+def test_the_order_of_the_functions_does_not_matter():
+    assert to_json(derive(examples()).model) == to_json(derive(examples()[::-1]).model)
+
+
+def test_the_document_read_back_is_the_same():
+    model = derive(examples()).model
+    assert to_json(read_integration(to_json(model), "integration.json")) == to_json(model)
+
+
+def test_a_function_given_twice_is_refused():
+    with pytest.raises(UsageError, match="given twice: CoreAcc"):
+        derive([example("CoreAcc"), example("CoreAcc")])
+
+
+# -- services -----------------------------------------------------------------------------------------------------
+
+
+def test_what_a_function_of_the_set_provides_is_a_service_of_its_own():
+    model = derive([example("CoreAcc"), example("EcoControlMpc")]).model
+    consumed = services(model, "CoreAcc")["EcoControlMpcService", "Consumer"]
+    provided = services(model, "EcoControlMpc")["EcoControlMpcService", "Provider"]
+    assert [event.name for event in consumed.services[0].events] == ["ADAS_EcoControl_AccelerationProposal"]
+    assert consumed.providers is not None
+    assert consumed.providers[0].name == "EcoControlMpc"
+    assert consumed.service_id == provided.service_id
+    assert consumed.services[0].events[0].event_id == provided.services[0].events[0].event_id
+
+
+def test_what_nobody_of_the_set_provides_is_gathered_by_its_first_branch():
+    names = services(derive([example("CoreAcc")]).model)
+    assert ("VehicleChassisService", "Consumer") in names
+    assert ("VehicleADASService", "Consumer") in names
+    assert names["VehicleService", "Consumer"].services[0].events[0].name == "Vehicle_Mass"
+
+
+def test_the_deployment_may_gather_them_otherwise():
+    services_wanted = [{"name": "Map", "paths": ["Vehicle.ADAS.Map"]}]
+    derived = derive([example("CoreAcc")], deployed(autosarAdaptive={"services": services_wanted}))
+    names = services(derived.model)
+    gathered = names["Map", "Consumer"].services[0].events
+    assert [event.name for event in gathered] == ["ADAS_Map_DFS_MapDataSpdUnitTyp"]
+
+
+def test_an_event_travels_in_the_datatype_and_unit_of_the_catalogue():
+    event = events(derive([example("CoreAcc")]).model)["VehicleADASService", "ADAS_CruiseControl_SpeedSet"]
+    assert (event.datatype, event.unit, event.min, event.max) == ("float", "km/h", 0, 252)
+    assert event.uses is not None
+    use = event.uses[0].signal
+    assert use is not None
+    assert (use.units, use.max, use.conversion_factor) == ("m/s", 70, "3.6")
+    assert event.data_mapping == ("core_inputs.bus_ACCIn.Bus_Cust.SetSpd",)
+
+
+def test_a_signal_without_a_path_is_told_and_the_deployment_can_help():
+    one = function(signals=[signal("Speed")])
+    derived = derive([one])
+    assert rules(derived) == ["A002"]
+    assert ("DemoRequiredService", "Consumer") in services(derived.model)
+    helped = derive([one], deployed(paths={"Demo.Speed": "Vehicle.Speed"}))
+    assert rules(helped) == []
+    assert ("VehicleService", "Vehicle_Speed") in events(helped.model)
+
+
+def test_two_providers_of_one_signal_are_told():
+    derived = derive([function(name, [at("Vehicle.A.B", "Provider")]) for name in ("One", "Two")])
+    assert rules(derived) == ["A003"]
+    assert {("OneService", "Provider"), ("TwoService", "Provider")} <= set(services(derived.model))
+
+
+def test_sides_that_disagree_are_told():
+    other = at("Vehicle.A.B") | {"VssDatatype": "double"}
+    derived = derive([function("One", [at("Vehicle.A.B", "Provider")]), function("Two", [other])])
+    assert rules(derived) == ["A004"]
+    assert "double in km/h" in derived.findings[0].message
+
+
+def test_names_that_are_the_same_to_autosar_are_kept_apart():
+    derived = derive([function(signals=[at("Vehicle.A.B_C"), at("Vehicle.A.B.C"), at("Vehicle.A.b.c")])])
+    names = [name for _, name in events(derived.model)]
+    assert len({name.lower() for name in names}) == 3
+    assert rules(derived) == ["A007", "A007"]
+
+
+def test_errors_safety_reactions_and_modes_are_fields():
+    names = services(derive([example("WheelSpeedCalculation")]).model)
+    own = [field.name for field in names["WheelSpeedCalculationService", "Provider"].services[0].fields]
+    assert "WheelSpeedCalculation_RangeError_ErrorSts" in own
+    assert "WheelSpeedCalculation_Mode_Out" in own
+    safety = names["SafetyManagementService", "Consumer"].services[0].fields
+    assert [field.name for field in safety] == ["WhlSpdRLInvalid_SftyCondSts"]
+    modes = names["ModeManagementService", "Consumer"].services[0].fields
+    assert [field.name for field in modes] == ["WheelSpeedCalculation_Mode_In"]
+
+
+def test_calls_keep_every_field_of_the_paper():
+    component = derive([example("WheelSpeedCalculation")]).model.components[0]
+    step = next(call for call in component.calls if call.name.endswith("_Step"))
+    assert (step.modes, step.run_type, step.cycle_time, step.scheduling) == (("Run",), "Cyclic", 10, "Preemptive")
+    assert step.function_modes == ("NORMAL", "SERVICE")
+    assert step.watchdog is not None
+    assert step.watchdog.deadline is not None
+    assert (step.stack_size, step.execution_offset, step.priority) == ("2048", "2", "10")
+
+
+def test_a_call_on_events_is_told():
+    derived = derive([function(signals=[at("Vehicle.A.B")], call={"Runtype": "EventTriggered", "Cycletime": None})])
+    assert rules(derived) == ["A010"]
+    assert derived.model.components[0].calls[0].trigger == "Event"
+
+
+def test_methods_have_arguments_and_an_id():
+    method = {
+        "Name": "SetSpeed", "Description": "Sets it.", "Role": "Provider",
+        "InDataTypeList": [{"Name": "v", "Datatype": "DT_Float32", "Units": "km/h"}], "OutDataTypeList": [],
+    }  # fmt: skip
+    user = function("User", contract={"MethodList": [method | {"Role": "Consumer"}]})
+    model = derive([function(contract={"MethodList": [method]}), user]).model
+    made = services(model)["DemoService", "Provider"].services[0].methods[0]
+    assert made.inputs is not None
+    assert (made.inputs[0].name, made.inputs[0].datatype, made.inputs[0].unit) == ("v", "float", "km/h")
+    assert services(model)["DemoService", "Consumer"].services[0].methods[0].method_id == made.method_id
+
+
+def test_a_datatype_without_content_is_told():
+    opaque = {"typeRef": "DT_Thing", "category": "userdefined", "cDef": "struct Thing"}
+    derived = derive([function(signals=[signal("T", Datatype="DT_Thing", VssPath="Vehicle.A.T")], datatypes=[opaque])])
+    assert rules(derived) == ["A005"]
+
+
+def test_a_datatype_that_contains_itself_is_refused():
+    loop = {
+        "typeRef": "DT_Loop", "category": "userdefined", "cDef": "struct Loop", "Kind": "struct",
+        "Fields": [{"Name": "Next", "Datatype": "DT_Loop"}],
+    }  # fmt: skip
+    derived = derive([function(signals=[signal("T", Datatype="DT_Loop", VssPath="Vehicle.A.T")], datatypes=[loop])])
+    assert [(finding.rule, finding.severity) for finding in derived.findings] == [("A006", "error")]
+
+
+def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
+    texts = {
+        "typeRef": "DT_StringArray",
+        "category": "userdefined",
+        "cDef": "char **",
+        "Kind": "array",
+        "ElementType": "DT_String",
+    }
+    model = derive(
+        [function(signals=[signal("T", Datatype="DT_StringArray", VssPath="Vehicle.A.T")], datatypes=[texts])]
+    ).model
+    assert model.datatypes is not None
+    entry = model.datatypes[0]
+    assert (entry.kind, entry.dimension, entry.element) == ("array", "dynamic", "string")
+    if PUBLISHED_SCHEMA.exists():
+        schema = json.loads(PUBLISHED_SCHEMA.read_text(encoding="utf-8"))
+        jsonschema.Draft202012Validator(schema).validate(json.loads(to_json(model)))
+
+
+# -- ids ----------------------------------------------------------------------------------------------------------
+
+
+def ids(model: IntegrationModel):
+    """Every id by what it belongs to."""
+    found = {}
+    for part in model.components:
+        for interface in part.services:
+            found[interface.name] = interface.service_id
+            found[f"{interface.name}:instance"] = interface.instance_id
+            for group in interface.event_groups or ():
+                found[f"{interface.name}.{group.name} group"] = group.id
+            for event in interface.services[0].events:
+                found[f"{interface.name}.{event.name}"] = event.event_id
+            for field in interface.services[0].fields:
+                found[f"{interface.name}.{field.name}"] = field.notifier_id
+                found[f"{interface.name}.Get{field.name}"] = field.getter_id
+    return found
+
+
+def test_ids_do_not_change_when_a_signal_is_added():
+    paths = [f"Vehicle.Branch{i}.Signal{j}" for i in range(5) for j in range(8)]
+    before = ids(derive([function(signals=[at(path) for path in paths])]).model)
+    for more in ("Vehicle.Aaa.First", "Vehicle.Branch2.Between", "Vehicle.Zzz.Last"):
+        after = ids(derive([function(signals=[at(path) for path in sorted([*paths, more])])]).model)
+        assert before.items() <= after.items()
+
+
+def test_ids_do_not_change_when_a_function_is_added():
+    before = ids(derive([example("EcoControlMpc")]).model)
+    after = ids(derive(examples()).model)
+    assert before.items() <= after.items()
+
+
+def test_ids_are_unique_and_in_range():
+    paths = [f"Vehicle.Branch{i % 18}.Signal{i}" for i in range(3000)]
+    model = derive([function(signals=[at(path) for path in paths])]).model
+    found = list(services(model).values())
+    assert len({service.service_id for service in found}) == len({service.instance_id for service in found}) == 18
+    for service in found:
+        numbers = [event.event_id for event in service.services[0].events]
+        assert len(set(numbers)) == len(numbers)
+        assert all(number is not None and 0x8001 <= number <= 0xFFFE for number in numbers)
+
+
+def test_ids_that_depend_on_each_other_are_told_with_what_keeps_them():
+    paths = [f"Vehicle.Branch.Signal{i}" for i in range(600)]
+    derived = derive([function(signals=[at(path) for path in paths])])
+    told = [finding for finding in derived.findings if finding.rule == "A008"]
+    assert told
+    assert told[0].fix.startswith("To keep it, write it into the deployment: identifiers: {VehicleBranchService.")
+
+
+def test_the_deployment_may_fix_ids():
+    given = {"VehicleBranchService": 4660, "VehicleBranchService:instance": 7, "VehicleBranchService.Branch_B": 32769}
+    derived = derive([function(signals=[at("Vehicle.Branch.B")])], deployed(autosarAdaptive={"identifiers": given}))
+    made = ids(derived.model)
+    assert given.items() <= made.items()
+
+
+def test_an_id_that_the_deployment_gives_twice_or_out_of_range_is_refused():
+    given = {
+        "VehicleBranchService.Branch_A": 5,
+        "VehicleBranchService.Branch_B": 32769,
+        "VehicleBranchService.Branch_C": 32769,
+    }
+    one = function(signals=[at(f"Vehicle.Branch.{name}") for name in "ABC"])
+    derived = derive([one], deployed(autosarAdaptive={"identifiers": given}))
+    assert [(finding.rule, finding.severity) for finding in derived.findings] == [("A009", "error")] * 2
+
+
+# -- nothing is dropped -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", [Signal, DataQueue, Method, Error, SafetyReaction, ModeInterface])
+def test_every_field_of_an_interface_has_a_place(kind):
+    assert {str(field.alias) for field in kind.model_fields.values()} <= set(TABLES[kind][1])
+
+
+def test_every_field_of_a_call_and_of_a_parameter_has_a_place():
+    assert {str(field.alias) for field in Runnable.model_fields.values()} <= set(CALL_TARGETS)
+    assert {str(field.alias) for field in Parameter.model_fields.values()} <= set(PARAMETER_TARGETS)
+
+
+def test_the_report_has_every_field_that_has_a_value():
+    derived = derive(examples())
+    assert all(entry.target != NOT_CARRIED for entry in derived.report)
+    told = {(entry.interface, entry.field): entry.target for entry in derived.report}
+    assert told["BrkCylP", "Timeout"] == "CoreAcc/VehicleChassisService/Chassis_Brake_CylP/Uses/Signal/Timeout"
+    assert told["WheelSpeedCalculation_Step", "StackSize"].endswith(
+        "/FunctionList/WheelSpeedCalculation_Step/StackSize"
+    )
+
+
+def test_a_value_that_the_report_tells_of_stands_there():
+    """Every number and text of a signal is in the document, wherever it went."""
+    derived = derive([example("CoreAcc")])
+    written = to_json(derived.model).decode()
+    for call in example("CoreAcc").components[0].runnables:
+        for contract in call.contracts or ():
+            for listed in (contract.signals, contract.errors, contract.safety_reactions, contract.parameters):
+                for interface in listed or ():
+                    for value in interface.model_dump(mode="json").values():
+                        if value not in (None, [], {}):
+                            assert json.dumps(value, ensure_ascii=False).strip("[]").split(",")[0] in written
+
+
+def test_a_field_that_no_one_knows_is_told():
+    method = {
+        "Name": "M", "Description": "Does.", "Role": "Provider", "InDataTypeList": [], "OutDataTypeList": [], "Colour": "red",
+    }  # fmt: skip
+    derived = derive([function(contract={"MethodList": [method]})])
+    assert rules(derived) == ["A012"]
+    assert derived.findings[0].message.startswith("Colour of M (Demo) is not carried")
+
+
+def test_the_report_escapes_what_documents_contain():
+    derived = derive([function(signals=[signal('a|b"><script>', VssPath="Vehicle.A.B")])])
+    text = to_markdown(derived.report)
+    assert "<script>" not in text
+    assert "a\\|b" in text
+
+
+# -- input that nobody wants --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name", ["*/ #include <x>", '"><script>', "", "   ", "1st", "x" * 5000, "\u0000", "été", "class"]
+)
+def test_hostile_names_become_short_names(name):
+    model = derive([function(name, signals=[signal(name), signal(f"{name}2", "Provider")])]).model
+    read_integration(to_json(model), "integration.json")
+
+
+def test_what_the_deployment_says_of_nothing_is_told_with_what_was_meant():
+    settings = {
+        "components": {"Dem": {"executable": "X"}},
+        "identifiers": {"VehicleAServic": 7},
+        "services": [{"name": "Map", "paths": ["Vehicle.AB"]}],
+    }
+    derived = derive(
+        [function(signals=[at("Vehicle.A.B")])], deployed(paths={"Demo.C": "V.A"}, autosarAdaptive=settings)
+    )
+    assert rules(derived) == ["A014"] * 4
+    assert "Did you mean 'Demo'?" in [finding.fix for finding in derived.findings]
+    assert any(finding.fix.startswith("Did you mean 'VehicleAService'") for finding in derived.findings)
+
+
+def parameter(**more):
+    return {
+        "Name": "P", "Description": "Tunes.", "Datatype": "DT_Float32", "Asillevel": "QM", "Min": 0, "Max": 1,
+        "Default": 0, "InitValue": 0, "RangeErrorAction": "Default", "Interfacetype": "Calibration",
+        "Attribute": "Normal", "Units": "", **more,
+    }  # fmt: skip
+
+
+def test_a_word_that_the_published_schema_lacks_is_told_and_not_written():
+    words = parameter(Interfacetype="calibration", Attribute="Odd", RangeErrorAction="Ignore")
+    derived = derive([function(contract={"ParameterList": [words]})])
+    assert rules(derived) == ["A013"] * 3
+    assert derived.model.components[0].parameters is not None
+    entry = derived.model.components[0].parameters[0]
+    assert (entry.interface_type, entry.attribute, entry.range_error_action) == ("Calibration", "NA", None)
+
+
+def test_a_parameter_has_its_storage_class_datatype_and_values():
+    parameters = derive([example("CoreAcc")]).model.components[0].parameters
+    assert parameters is not None
+    one = parameters[0]
+    assert (one.name, one.interface_type, one.variable) == ("ALatMax", "Calibration", "core_params.ALatMax")
+    assert (one.datatype.datatype, one.datatype.min, one.datatype.max, one.datatype.unit) == ("float", 0.5, 8, "m/s^2")
+
+
+def test_who_provides_from_outside_is_the_provider():
+    one = function(signals=[at("Vehicle.A.B", ExternalProvider="Gateway")])
+    provider = services(derive([one]).model)["VehicleAService", "Consumer"].providers
+    assert provider is not None
+    assert [item.name for item in provider] == ["Gateway"]
+
+
+def test_a_queue_is_an_event_that_keeps_its_length():
+    queue = {
+        "Name": "Q", "Description": "Counts.", "Role": "Provider", "AsilInfo": "QM", "QueueLength": 8,
+        "Datatype": "DT_Float32", "Factor": 1, "Offset": 0, "InitValue": 0, "Units": "m",
+    }  # fmt: skip
+    model = derive([function(contract={"DataQList": [queue]})]).model
+    uses = events(model)["DemoService", "Q"].uses
+    assert uses is not None
+    assert uses[0].queue is not None
+    assert uses[0].queue.queue_length == 8
+
+
+def test_two_components_of_one_function_talk_over_a_service():
+    base = function(signals=[at("Vehicle.A.B", "Provider")]).model_dump(mode="json")
+    other = function(signals=[at("Vehicle.A.B")]).model_dump(mode="json")["ComponentList"][0]
+    base["ComponentList"].append({**other, "Name": "Reader"})
+    model = derive([FunctionJson.model_validate(base)]).model
+    assert ("DemoService", "Consumer") in services(model, "Reader")
+    assert [component.executable for component in model.components] == ["DemoExecutable", "ReaderExecutable"]
+
+
+def test_a_deployment_with_an_unknown_key_is_refused_with_its_line():
+    from app.errors import InputRefused
+
+    with pytest.raises(InputRefused) as refused:
+        read_deployment(b"name: X\nautosarAdaptive:\n  prot: 3\n", "deployment.yaml")
+    assert [(finding.rule, finding.line) for finding in refused.value.findings] == [("F003", 3)]
+
+
+def test_no_function_is_refused():
+    with pytest.raises(UsageError):
+        derive([])
+
+
+def test_ten_thousand_signals_are_quick():
+    from time import perf_counter
+
+    one = function(signals=[at(f"Vehicle.Branch{i % 50}.Signal{i}") for i in range(10_000)])
+    start = perf_counter()
+    derive([one])
+    assert perf_counter() - start < 10

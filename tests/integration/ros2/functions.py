@@ -1,0 +1,68 @@
+"""Functions to integrate: the shipped examples, and small ones in which one thing differs."""
+
+import json
+from functools import cache
+
+from app.function.build import build_function
+from app.function.model import FunctionJson
+from app.integration.deployment import Deployment
+from app.integration.ros2.derive import derive
+from app.integration.ros2.model import to_json
+from tests.function.shipped import FUNCTIONS, interfaces
+
+
+@cache
+def example(name):
+    path = next(path for path in FUNCTIONS if path.parent.name == name)
+    return build_function(path.read_bytes(), str(path), interfaces())[0]
+
+
+def examples():
+    return [example(path.parent.name) for path in FUNCTIONS]
+
+
+def settings(**ros2):
+    return Deployment.model_validate({"ros2": ros2})
+
+
+def document(functions, deployment=None):
+    derived = derive(functions, deployment) if deployment else derive(functions)
+    return json.loads(to_json(derived.model))
+
+
+def topics(functions, deployment=None):
+    """Ends of topics by role and name of the topic."""
+    made = document(functions, deployment)
+    ends = [topic for call in made["CommunicationList"] for topic in call["ROSTopicList"]]
+    return {(topic["Role"], topic["TopicName"]): topic for topic in ends}
+
+
+def rules(functions, deployment=None):
+    derived = derive(functions, deployment) if deployment else derive(functions)
+    return {(finding.rule, finding.path) for finding in derived.findings}
+
+
+def signal(name="Speed", path="Vehicle.Speed", role="Consumer", **more):
+    one = {"Name": name, "Description": f"What {name} says.", "Role": role, "Datatype": "DT_Float32", "AsilLevel": "QM"}
+    return one | ({"VssPath": path, "VssDatatype": "float", "Variable": f"bus.{name}"} if path else {}) | more
+
+
+def function(*signals, name="Acc", datatypes=(), call=None, contract=None, modes=None, **more):
+    """A function of one cyclic call of 50 ms with these signals."""
+    lists = dict.fromkeys(("DataQList", "MethodList", "ParameterList", "ErrorList", "SafetyReactionList"))
+    step = {
+        "Name": f"{name}_Step", "Description": "Steps.", "Runtype": "Cyclic", "Cycletime": 50, "AsilLevel": "QM",
+        "Watchdog": None, "Scheduling": "Preemptive", "Priority": "10",
+        "funcContractList": [{"SignalList": list(signals), **lists, **(contract or {})}],
+    }  # fmt: skip
+    base = {"typeRef": "DT_Float32", "category": "primitive", "cDef": "float"}
+    return FunctionJson.model_validate(
+        {
+            "MetaInfo": {},
+            "FunctionInfo": {"FunctionName": name, "FunctionResponsible": "Team", "Description": f"Function {name}."},
+            "ComponentList": [{"Name": name, "functionList": [step | (call or {})]}],
+            "ModesList": modes,
+            "Datatypes": [base, *datatypes],
+            **more,
+        }
+    )

@@ -1,0 +1,106 @@
+"""Documents from anywhere: large, wrong, hostile. Each is clear, quick, and stays inside its format."""
+
+import json
+import time
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.errors import InputRefused
+from app.function.model import to_json as function_to_json
+from app.integration.names import FIELD, MESSAGE
+from app.integration.reading import read_function
+from app.integration.report import to_markdown
+from app.integration.ros2.derive import derive
+from app.integration.ros2.model import to_json
+from tests.integration.ros2.functions import document, function, signal
+
+HOSTILE = [
+    "*/ #include <x>",
+    '"><script>alert(1)</script>',
+    "a\nb: c",
+    "\u202eevil",
+    "x" * 5000,
+    "",
+    "é",
+    "a.b..c",
+    "../../x",
+]
+
+
+def no_catalogue():
+    raise AssertionError("Function JSON needs no catalogue")
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_hostile_texts_become_names_that_are_none(text):
+    made = document([function(signal(text, f"Vehicle.{text}", Description=text, Variable=text), name=text or "X")])
+    for package in (*made["InterfacePackageList"], *made["NodePackageList"]):
+        assert FIELD.fullmatch(package["Name"])
+    for message in made["InterfacePackageList"][0]["Messages"]:
+        assert MESSAGE.fullmatch(message["Name"])
+        assert all(FIELD.fullmatch(field["Name"]) for field in message["Fields"])
+    for call in made["CommunicationList"]:
+        for topic in call["ROSTopicList"]:
+            assert all(FIELD.fullmatch(part) for part in topic["TopicName"][1:].split("/"))
+
+
+def test_nothing_of_a_document_reaches_the_report_unescaped():
+    hostile = function(signal('"><script>', "Vehicle.<b>|x|"), name="<img src=x>")
+    table = to_markdown(derive([hostile]).report)
+    assert "<" not in table
+    assert all(line.replace("\\|", "").count("|") == 7 for line in table.splitlines())
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.text(max_size=40), st.text(max_size=40), st.text(max_size=20), st.text(max_size=20))
+def test_any_text_anywhere_is_derived_or_refused(name, path, factor, unit):
+    made = function(signal(name, path, Factor=factor, VssUnit=unit, Timeout=factor, AsilLevel=unit), name=name)
+    json.loads(to_json(derive([made]).model))
+
+
+def test_ten_thousand_signals_are_quick():
+    many = function(*(signal(f"S{i}", f"Vehicle.Branch{i % 50}.S{i}") for i in range(10_000)))
+    start = time.process_time()
+    made = derive([many])
+    assert time.process_time() - start < 8
+    assert len(made.model.communications[0].topics) == 10_000
+
+
+@pytest.mark.parametrize(
+    ("data", "rule"),
+    [
+        (b"", None),
+        (b"{", "F001"),
+        (b'{"FunctionInfo": {"FunctionName": NaN}}', "F001"),
+        ('{"FunctionInfo": "\u00e9"}'.encode("utf-16"), None),
+        (b'{"FunctionInfo": ' + b"[" * 60_000, None),
+        (b'{"FunctionInfo": {}}', "F002"),
+    ],
+)
+def test_what_is_no_function_json_is_refused(data, rule):
+    with pytest.raises(InputRefused) as refused:
+        read_function(data, "function.json", no_catalogue)
+    assert refused.value.findings
+    assert rule is None or rule in {finding.rule for finding in refused.value.findings}
+
+
+def test_ten_megabytes_are_refused_or_read_within_seconds():
+    start = time.perf_counter()
+    with pytest.raises(InputRefused):
+        read_function(b'{"FunctionInfo": "' + b"x" * 10_000_000 + b'"}', "function.json", no_catalogue)
+    assert time.perf_counter() - start < 3
+
+
+def test_another_schema_version_is_refused():
+    data = json.loads(function_to_json(function(signal())))
+    data["MetaInfo"] = {"SchemaVersion": "2.0.0"}
+    with pytest.raises(InputRefused, match=r"schema version 2\.0\.0"):
+        read_function(json.dumps(data).encode(), "function.json", no_catalogue)
+
+
+def test_integration_json_is_no_function():
+    data = to_json(derive([function(signal())]).model)
+    with pytest.raises(InputRefused, match="Integration JSON already"):
+        read_function(data, "ros2.json", no_catalogue)

@@ -1,0 +1,374 @@
+"""From functions to packages, messages, topics and nodes of ROS 2."""
+
+import json
+
+import jsonschema
+import pytest
+from pydantic import BaseModel
+
+from app.errors import UsageError
+from app.function import model as function_model
+from app.integration.deployment import Deployment
+from app.integration.names import CONSTANT, FIELD, MESSAGE
+from app.integration.report import NOT_CARRIED
+from app.integration.ros2.derive import derive
+from app.integration.ros2.fates import TABLES
+from app.integration.ros2.model import ros2_schema, to_json
+from tests.integration.ros2.functions import document, example, examples, function, rules, settings, signal, topics
+
+
+def node(functions, index=0):
+    return document(functions)["NodePackageList"][index]["Nodes"][0]
+
+
+def messages(functions, deployment=None):
+    packages = document(functions, deployment)["InterfacePackageList"]
+    return {message["Name"]: message for package in packages for message in package["Messages"]}
+
+
+def conversion(end):
+    (made,) = end["DataMappingList"][0]["ConversionAPI"] or [None]
+    return made
+
+
+# -- the document -------------------------------------------------------------------------------------------------
+
+
+def test_the_examples_are_derived_valid_under_our_schema():
+    jsonschema.Draft202012Validator(ros2_schema()).validate(document(examples()))
+
+
+def test_the_order_of_the_functions_does_not_matter():
+    assert to_json(derive(examples()).model) == to_json(derive(examples()[::-1]).model)
+
+
+def test_a_document_is_read_back_to_the_same_bytes():
+    model = derive(examples()).model
+    assert to_json(type(model).model_validate(json.loads(to_json(model)))) == to_json(model)
+
+
+def test_every_name_is_one_of_rosidl():
+    made = document(examples())
+    for package in made["InterfacePackageList"]:
+        assert FIELD.fullmatch(package["Name"])
+        for message in package["Messages"]:
+            assert MESSAGE.fullmatch(message["Name"])
+            assert all(FIELD.fullmatch(field["Name"]) for field in message["Fields"])
+            assert all(CONSTANT.fullmatch(constant["Name"]) for constant in message["Constants"])
+    for package in made["NodePackageList"]:
+        assert FIELD.fullmatch(package["Name"])
+
+
+def test_a_set_has_each_function_once_and_one_at_least():
+    with pytest.raises(UsageError, match="given twice: CoreAcc"):
+        derive([example("core_acc"), example("core_acc")])
+    with pytest.raises(UsageError, match="no function"):
+        derive([])
+
+
+# -- topics and messages ------------------------------------------------------------------------------------------
+
+
+def test_a_signal_is_a_topic_named_after_its_path():
+    end = topics([example("core_acc")])["Subscription", "/vehicle/chassis/brake/cyl_p"]
+    assert end["MessageType"] == "vehicle_msgs/msg/ChassisBrakeCylP"
+    assert end["DataMappingList"][0]["GlobalVariableName"] == ["core_inputs.bus_ACCIn.Bus_Veh.BrkCylP"]
+
+
+def test_topics_and_messages_of_a_signal_are_the_same_alone_and_in_a_set():
+    alone, together = messages([example("core_acc")]), messages(examples())
+    assert all(together[name] == message for name, message in alone.items())
+    names = {key: end["MessageType"] for key, end in topics(examples()).items()}
+    assert all(names[key] == end["MessageType"] for key, end in topics([example("core_acc")]).items())
+
+
+def test_provider_and_consumer_of_a_set_meet():
+    ends = topics(examples())
+    name = "/vehicle/adas/eco_control/acceleration_proposal"
+    assert ends["Publisher", name]["NodeName"] == "eco_control_mpc"
+    assert ends["Subscription", name]["NodeName"] == "core_acc"
+    assert ends["Subscription", name]["Providers"] == ["EcoControlMpc"]
+
+
+def test_signals_of_a_branch_can_travel_together():
+    ends = topics(examples(), settings(topics="branch"))
+    end = ends["Publisher", "/core_acc/vehicle/adas/eco_control"]
+    assert end["MessageType"] == "vehicle_msgs/msg/ADASEcoControlCoreAcc"
+    assert end["DataMappingList"][0]["ROSTopicFieldName"] == ["status", "acceleration_request"]
+
+
+def test_outputs_of_a_function_can_travel_together():
+    ends = topics(examples(), settings(topics="function", namespace="/ego"))
+    assert ends["Publisher", "/ego/core_acc/out"]["DataMappingList"][0]["ROSTopicFieldName"][0] == "status"
+    assert ("Subscription", "/ego/eco_control_mpc/out") in ends
+
+
+def test_a_keyword_is_avoided_and_the_change_is_told():
+    switch = function(signal("Sw", "Vehicle.Body.Switch"))
+    end = topics([switch])["Subscription", "/vehicle/body/switch"]
+    assert end["DataMappingList"][0]["ROSTopicFieldName"] == ["switch_value"]
+    assert ("N210", "Vehicle.Body.Switch") in rules([switch])
+
+
+def test_texts_stay_texts_and_the_numbers_of_the_code_stand_in_the_conversion():
+    end = topics([example("core_acc")])["Subscription", "/vehicle/adas/map/dfs/map_data_spd_unit_typ"]
+    symbols = [(each["Text"], each["Value"]) for each in conversion(end)["Symbols"]]
+    assert symbols == [("KM_PER_HOUR", 0), ("MI_PER_HOUR", 1), ("NOT_IN_MAP", 3)]
+    constants = messages([example("core_acc")])["ADASMapDFSMapDataSpdUnitTyp"]["Constants"]
+    assert constants[2] == {"Name": "NOT_IN_MAP", "DataType": "string", "Value": "NOT_IN_MAP"}
+
+
+def test_a_unit_is_converted_in_the_direction_of_the_call():
+    consumed = topics([example("core_acc")])["Subscription", "/vehicle/adas/cruise_control/speed_set"]
+    assert (conversion(consumed)["Factor"], conversion(consumed)["Offset"]) == ("0.2777777777777778", "0")
+    provided = topics([example("wheel_speed_calculation")])["Publisher", "/vehicle/chassis/axle/row1/wheel/left/speed"]
+    assert (conversion(provided)["Factor"], conversion(provided)["Offset"]) == ("0.01", "-100")
+
+
+def test_the_same_datatype_and_unit_need_no_conversion():
+    end = topics([example("core_acc")])["Subscription", "/vehicle/chassis/brake/cyl_p"]
+    assert end["DataMappingList"][0]["ConversionAPI"] is None
+
+
+def test_a_larger_datatype_is_rounded_and_bounded():
+    byte = {"typeRef": "DT_UInt8", "category": "primitive", "cDef": "uint8_t"}
+    end = topics([function(signal(Datatype="DT_UInt8"), datatypes=[byte])])["Subscription", "/vehicle/speed"]
+    assert conversion(end)["Kind"] == "Cast"
+    assert (conversion(end)["Rounding"], conversion(end)["Saturates"]) == ("Nearest", True)
+
+
+def test_arrays_keep_their_length():
+    end = topics([example("eco_control_mpc")])["Subscription", "/vehicle/adas/map/horizon/altitude"]
+    assert end["DataMappingList"][0]["ROSTopicFieldDataType"] == ["float32[50]"]
+
+
+def test_structs_become_messages_and_one_that_contains_itself_is_refused():
+    point = {
+        "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
+        "Fields": [{"Name": "X", "Datatype": "DT_Float32"}],
+    }  # fmt: skip
+    place = signal("Place", "Vehicle.Place", Datatype="DT_Point", VssDatatype="Types.Point")
+    made = messages([function(place, datatypes=[point])])
+    assert made["Point"]["Fields"][0]["DataType"] == "float32"
+    assert made["Place"]["Fields"][1]["DataType"] == "Point"
+    endless = point | {"Fields": [{"Name": "Next", "Datatype": "DT_Point"}]}
+    assert ("N200", "Vehicle.Place") in rules([function(place, datatypes=[endless])])
+
+
+def test_methods_become_services_that_provider_and_user_share():
+    argument = {"Name": "Speed", "Datatype": "DT_Float32", "Units": "m/s"}
+    method = {"Name": "SetLimit", "Description": "Sets it.", "InDataTypeList": [argument], "OutDataTypeList": []}
+    both = [
+        function(name=name, contract={"MethodList": [method | {"Role": role}]})
+        for name, role in (("Acc", "Provider"), ("Hmi", "Consumer"))
+    ]
+    calls = document(both)["CommunicationList"]
+    services = [(s["ServiceName"], s["Role"], s["ServiceType"]) for call in calls for s in call["ROSServiceList"]]
+    assert services == [
+        ("/set_limit", "Server", "vehicle_msgs/srv/SetLimit"),
+        ("/set_limit", "Client", "vehicle_msgs/srv/SetLimit"),
+    ]
+
+
+def test_a_path_can_be_told_by_the_deployment():
+    bare = function(signal("Speed", ""))
+    assert ("N211", "Acc.Speed") in rules([bare])
+    told = Deployment.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
+    assert ("Subscription", "/vehicle/speed") in topics([bare], told)
+
+
+# -- quality of service -------------------------------------------------------------------------------------------
+
+
+def quality(*functions, role="Subscription", deployment=None):
+    return topics(functions, deployment)[role, "/vehicle/speed"]["QualityOfService"]
+
+
+def test_qm_values_that_come_again_are_best_effort():
+    made = quality(function(signal()))
+    assert (made["Reliability"], made["Durability"], made["Depth"]) == ("best_effort", "volatile", 1)
+
+
+@pytest.mark.parametrize("asil", ["A", "B", "C", "D"])
+def test_values_with_an_asil_are_reliable(asil):
+    made = quality(function(signal(AsilLevel=asil)))
+    assert made["Reliability"] == "reliable"
+    assert made["Liveliness"] == ("manual_by_topic" if asil in "CD" else "automatic")
+
+
+def test_the_strictest_of_a_set_counts_on_both_ends():
+    both = (function(signal(role="Provider")), function(signal(AsilLevel="D", Timeout="300"), name="Hmi"))
+    assert quality(*both, role="Publisher")["Reliability"] == "reliable"
+    assert quality(*both, role="Publisher")["Liveliness"] == "manual_by_topic"
+
+
+def test_a_queue_is_reliable_and_as_deep_as_it_is_long_on_both_ends():
+    queue = signal() | {"AsilInfo": "QM", "QueueLength": 8, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}
+    consumer = function(name="Hmi", contract={"DataQList": [queue]})
+    both = (function(signal(role="Provider")), consumer)
+    assert [quality(*both, role=role)["Depth"] for role in ("Publisher", "Subscription")] == [8, 8]
+    assert quality(consumer)["Reliability"] == "reliable"
+
+
+def test_a_time_out_is_the_deadline_and_a_publisher_offers_twice_its_cycle_or_less():
+    provider, consumer = function(signal(role="Provider")), function(signal(Timeout="200"), name="Hmi")
+    assert quality(provider, consumer)["Deadline"] == 200
+    assert quality(provider, consumer, role="Publisher")["Deadline"] == 100
+    hasty = function(signal(Timeout="60"), name="Hmi")
+    assert quality(provider, hasty, role="Publisher")["Deadline"] == 60
+    assert ("N213", "Vehicle.Speed") in rules([provider, hasty])
+
+
+def test_attributes_are_kept_for_who_starts_late():
+    assert quality(function(signal(Type="attribute")))["Durability"] == "transient_local"
+
+
+def test_the_deployment_has_the_last_word():
+    deployment = settings(quality={"Vehicle.Speed": {"depth": 5, "reliability": "reliable"}})
+    made = quality(function(signal()), deployment=deployment)
+    assert (made["Depth"], made["Reliability"]) == (5, "reliable")
+
+
+@pytest.mark.parametrize("topics_by", ["signal", "branch", "function"])
+def test_every_publisher_of_the_examples_offers_what_its_subscribers_ask_for(topics_by):
+    ends = topics(examples(), settings(topics=topics_by))
+    for (role, name), asked in ends.items():
+        offered = ends.get(("Publisher", name))
+        if role == "Publisher" or offered is None:
+            continue
+        mine, other = asked["QualityOfService"], offered["QualityOfService"]
+        assert mine["Reliability"] == "best_effort" or other["Reliability"] == "reliable"
+        assert mine["Durability"] == "volatile" or other["Durability"] == "transient_local"
+        assert mine.get("Deadline") is None or other.get("Deadline", 1e9) <= mine["Deadline"]
+
+
+# -- nodes --------------------------------------------------------------------------------------------------------
+
+
+def test_transitions_make_the_calls_of_the_life_cycle():
+    made = {each["Transition"]: each for each in node([example("core_acc")])["Lifecycle"]}
+    assert made["configure"]["Runnables"] == ["CoreAcc_Init"]
+    assert made["activate"]["Starts"] == made["deactivate"]["Stops"] == ["CoreAcc_Step"]
+    for name in ("cleanup", "shutdown", "error"):
+        assert made[name]["Runnables"] == ["CoreAcc_Terminate"]
+
+
+def test_a_cyclic_call_has_a_timer_and_runs_in_its_modes():
+    (step,) = node([example("core_acc")])["Schedules"]
+    assert (step["Trigger"], step["Period"], step["ThreadPriority"]) == ("Timer", 50, 10)
+    assert step["ActiveModes"] == ["STANDBY", "ACTIVE"]
+
+
+def test_an_event_triggered_call_runs_on_what_it_consumes():
+    call = {"Runtype": "EventTriggered", "Cycletime": None, "DebounceDelay": "5"}
+    (step,) = node([function(signal(), call=call)])["Schedules"]
+    assert (step["Trigger"], step["Topics"], step["Debounce"]) == ("Topics", ["/vehicle/speed"], 5)
+    assert ("N215", "Acc_Step") in rules([function(call=call)])
+
+
+def test_modes_have_topics_with_a_constant_for_each_mode():
+    topic = node([example("core_acc")])["ModeTopics"][0]
+    assert (topic["TopicName"], topic["Role"]) == ("/core_acc/mode_in", "Subscription")
+    constants = messages([example("core_acc")])["CoreAccModeIn"]["Constants"]
+    assert [(each["Name"], each["Value"]) for each in constants] == [("OFF", "0"), ("STANDBY", "1"), ("ACTIVE", "2")]
+
+
+def test_every_node_of_a_function_is_told_its_mode_and_the_first_one_tells_it():
+    core = example("core_acc")
+    second = core.components[0].model_copy(update={"name": "Arbiter", "runnables": ()})
+    both = core.model_copy(update={"components": (*core.components, second)})
+    nodes = [package["Nodes"][0] for package in document([both])["NodePackageList"]]
+    assert [[topic["TopicName"] for topic in each["ModeTopics"]] for each in nodes] == [
+        ["/core_acc/mode_in", "/core_acc/mode_out"],
+        ["/core_acc/mode_in"],
+    ]
+    assert len([name for name in messages([both]) if "Mode" in name]) == 2
+
+
+def test_parameters_have_the_catalogues_unit_and_range():
+    made = {each["Name"]: each for each in node([example("wheel_speed_calculation")])["Parameters"]}
+    tire = made["tire_dia_frnt"]
+    assert (tire["Units"], tire["VariableUnits"]) == ("inch", "mm")
+    assert tire["Default"] == pytest.approx(650 / 25.4)
+    assert tire["Conversion"]["Factor"] == "25.4"
+
+
+def test_errors_are_diagnostics_and_depend_on_those_of_other_nodes():
+    statuses = {each["Error"]: each for each in node(examples())["Diagnostics"]}
+    assert statuses["CoreAcc_ProposalTimeout_ErrorSts"]["Dependencies"] == [
+        "eco_control_mpc: EcoControlMpc_NoSolutionError_ErrorSts",
+        "eco_control_mpc: EcoControlMpc_DeadlineError_ErrorSts",
+    ]
+    assert ("N216", "CoreAcc_ProposalTimeout_ErrorSts") in rules([example("core_acc")])
+
+
+def test_a_safety_condition_watches_its_errors():
+    (condition,) = node([example("core_acc")])["SafetyReactions"]
+    assert condition["Statuses"][0] == "core_acc: CoreAcc_BrakePressureTimeout_ErrorSts"
+
+
+# -- what ROS 2 cannot express, and where everything went ---------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("rule", "path", "made"),
+    [
+        ("N201", "Vehicle.Speed", function(signal(AsilLevel="B"))),
+        ("N202", "Acc_Step", function(call={"StackSize": "2048"})),
+        ("N203", "Acc_Step", function(call={"Priority": "higher than others"})),
+        ("N204", "Acc_Step", function(call={"PrevRunnable": "Hmi_Step"})),
+        ("N212", "Vehicle.Speed", function(signal(Variable=None))),
+        ("N217", "Vehicle.Speed", function(signal(Factor="1e999999999"))),
+        ("N217", "Vehicle.Speed", function(signal(Factor="0"))),
+        ("N217", "Vehicle.Speed", function(signal(Offset="ten"))),
+    ],
+)
+def test_what_cannot_be_expressed_is_a_finding_that_names_the_interface(rule, path, made):
+    assert (rule, path) in rules([made])
+
+
+def test_functions_that_disagree_about_a_signal_are_told():
+    other = function(signal(VssDatatype="double"), name="Hmi")
+    assert ("N214", "Vehicle.Speed") in rules([function(signal(role="Provider")), other])
+    assert ("N218", "Vehicle.Speed") in rules(
+        [function(signal(role="Provider")), function(signal(role="Provider"), name="Hmi")]
+    )
+
+
+def test_datatypes_of_one_name_and_two_meanings_stay_apart():
+    wide = {"typeRef": "DT_Number", "category": "primitive", "cDef": "double"}
+    one = function(signal(Datatype="DT_Number"), datatypes=[wide])
+    two = function(signal(Datatype="DT_Number"), name="Hmi", datatypes=[wide | {"cDef": "float"}])
+    made = document([one, two])
+    assert {"DT_Number", "DT_NumberV2"} <= {each["typeRef"] for each in made["Datatypes"]}
+    kinds = [
+        t["DataMappingList"][0]["GlobalVariableDataType"] for c in made["CommunicationList"] for t in c["ROSTopicList"]
+    ]
+    assert kinds == [["double"], ["float"]]
+
+
+MODELS: dict[str, type[BaseModel]] = {
+    "signal": function_model.Signal, "queue": function_model.DataQueue, "parameter": function_model.Parameter,
+    "method": function_model.Method, "error": function_model.Error, "safety reaction": function_model.SafetyReaction,
+    "call": function_model.Runnable, "transition": function_model.Runnable, "mode": function_model.Mode,
+    "mode interface": function_model.ModeInterface, "datatype": function_model.Datatype,
+    "function": function_model.FunctionInfo,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", MODELS)
+def test_the_report_knows_every_field_of_every_interface(kind):
+    fields = {field.alias for field in MODELS[kind].model_fields.values()}
+    assert fields <= set(TABLES[kind])
+
+
+def test_the_report_tells_where_each_field_went():
+    told = {(entry.interface, entry.field): entry for entry in derive(examples()).report}
+    brake = told["Vehicle.Chassis.Brake.CylP", "Variable"]
+    assert brake.target == "topic /vehicle/chassis/brake/cyl_p, field cyl_p: Variable"
+    assert told["CoreAcc_Step", "StackSize"].target == NOT_CARRIED
+    assert not any("{" in entry.target for entry in told.values())
+
+
+def test_what_is_not_carried_has_a_reason():
+    assert all(entry.note for entry in derive(examples()).report if entry.target == NOT_CARRIED)
