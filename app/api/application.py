@@ -4,7 +4,20 @@ from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
 from app import __version__
-from app.api import catalogues, functions, health, lint, rules
+from app.api import (
+    catalogues,
+    changes,
+    exports,
+    functions,
+    health,
+    integration,
+    lint,
+    reloading,
+    rules,
+    viss,
+)
+from app.api.document import openapi_document
+from app.api.heavy import HeavyWork
 from app.api.problems import install_problems
 from app.api.rulebook import rule_book
 from app.api.settings import DEFAULT_SETTINGS, Settings
@@ -17,6 +30,12 @@ overlays, rules for names and fields, and functions built from them.
 
 Every error is `application/problem+json` (RFC 9457) and says what is wrong, where, and what to do.
 """
+
+
+_ROUTERS = (
+    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, viss.router, rules.router,
+    lint.router, functions.router, integration.router, health.router,
+)  # fmt: skip
 
 
 def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
@@ -32,9 +51,11 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     app.state.library = library
     app.state.settings = settings
     app.state.rules = rule_book(INTERFACE_RULES)
-    for router in (catalogues.listing, catalogues.router, rules.router, lint.router, functions.router, health.router):
+    app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
+    for router in _ROUTERS:
         app.include_router(router)
     install_problems(app)
+    app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     return app
 
 

@@ -1,16 +1,22 @@
 """Routes that read catalogues: trees, nodes, search, units."""
 
-from typing import Annotated
+from collections.abc import Iterable
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Path, Query
+from fastapi import APIRouter, Path, Query, Request
+from fastapi.responses import Response
 from pydantic import BaseModel, ConfigDict, Field
 
 from app.api import presenting, schemas
+from app.api.answers import answer, csv_stream, is_table, offered, rows
 from app.api.cursors import cursor_of, offset_of
 from app.api.problems import problem_documentation
 from app.api.requests import TheCatalogue, TheLibrary, TheSettings
+from app.api.settings import Settings
+from app.catalogue.hosting import Hosted
+from app.catalogue.interfaces import category_of
 from app.catalogue.model import Catalogue, Node
-from app.catalogue.search import FACETS
+from app.catalogue.search import FACETS, SearchResult
 from app.errors import NotFound, UsageError
 from app.names import nearest
 
@@ -18,6 +24,7 @@ listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
 _LONGEST_NAME = 500
 _DEEPEST = 64
+_PAGE = 50
 
 NodePath = Annotated[str, Path(description="Path of a node.", examples=["Vehicle.Speed"])]
 
@@ -35,7 +42,7 @@ class SearchQuery(BaseModel):
     asil: str | None = Field(None, description="QM, A, B, C or D.")
     overlay: str | None = Field(None, description="Name of the overlay that added or last changed the node.")
     deprecated: str | None = Field(None, description="`yes` or `no`.", pattern="^(yes|no)$")
-    limit: int = Field(50, ge=1, description="Results in one page.")
+    limit: int = Field(_PAGE, ge=1, description="Results in one page.")
     cursor: str | None = Field(None, max_length=200, description="`next_cursor` of the page before.")
 
     @property
@@ -45,71 +52,138 @@ class SearchQuery(BaseModel):
         return {facet: value for facet, value in given.items() if value is not None}
 
 
-@listing.get("")
-def list_catalogues(library: TheLibrary) -> schemas.Catalogues:
+class RowQuery(SearchQuery):
+    """What is searched for, and which fields are wanted of it."""
+
+    limit: int | None = Field(None, ge=1, description="Nodes in one page; without it 50, or, as CSV, all.")  # type: ignore[assignment]
+    fields: str = Field(
+        "path,type,datatype,unit",
+        description="Fields, separated by commas: `path`, `name`, `category`, or any attribute.",
+        max_length=1000,
+        examples=["path,unit,min,max,ASILlevel"],
+    )
+
+    @property
+    def chosen_fields(self) -> tuple[str, ...]:
+        """Names of fields, each once."""
+        return tuple(dict.fromkeys(name for part in self.fields.split(",") if (name := part.strip())))
+
+
+@listing.get("", response_model=schemas.Catalogues, responses=offered("table") | problem_documentation(406))
+async def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
-    return schemas.Catalogues(catalogues=[presenting.catalogue_summary(hosted) for hosted in library])
+    listed = [presenting.catalogue_summary(hosted) for hosted in library]
+    return answer(request, schemas.Catalogues(catalogues=listed), rows(listed))
 
 
-@router.get("", responses=problem_documentation(404, 422))
-def get_catalogue(hosted: TheCatalogue) -> schemas.Catalogue:
+@router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
+def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
     """A catalogue with its layers and its findings."""
-    return presenting.catalogue_detail(hosted)
+    return answer(request, presenting.catalogue_detail(hosted))
 
 
-@router.get("/nodes/{path}", responses=problem_documentation(404, 422))
-def get_node(hosted: TheCatalogue, path: NodePath) -> schemas.Node:
+@router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
+async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
-    return presenting.node_detail(hosted.catalogue, find_node(hosted.catalogue, path))
+    return answer(request, presenting.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
 
 
-@router.get("/tree", responses=problem_documentation(400, 404, 422))
+@router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
 def get_tree(
+    request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
     path: Annotated[str | None, Query(description="Where the tree begins; without it, at the root.")] = None,
     depth: Annotated[int, Query(ge=0, le=_DEEPEST, description="Levels below the first node.")] = 1,
-) -> schemas.TreeNode:
+) -> Response:
     """A node and what stands below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
     if _is_larger(node, depth, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
         raise UsageError(message)
-    return presenting.tree_node(node, depth)
+    return answer(request, presenting.tree_node(node, depth))
 
 
-@router.get("/search", responses=problem_documentation(400, 404, 422))
-def search_nodes(
-    hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
-) -> schemas.SearchPage:
+@router.get(
+    "/search",
+    response_model=schemas.SearchPage,
+    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+)
+async def search_nodes(
+    request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
+) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
-    if len(query.q) > settings.query_characters:
-        raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
-    digest = hosted.catalogue.digest
-    offset = offset_of(query.cursor, digest) if query.cursor else 0
-    limit = min(query.limit, settings.results)
-    result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
-    following = offset + len(result.nodes)
-    return schemas.SearchPage(
+    result, cursor = found(hosted, settings, query)
+    nodes = [presenting.node_summary(node) for node in result.nodes]
+    page = schemas.SearchPage(
         total=result.total,
-        nodes=[presenting.node_summary(node) for node in result.nodes],
+        nodes=nodes,
         facets={facet: dict(counts) for facet, counts in result.facets.items()},
         did_you_mean=list(result.did_you_mean),
-        next_cursor=cursor_of(following, digest) if result.nodes and following < result.total else None,
+        next_cursor=cursor,
     )
+    return answer(request, page, rows(nodes))
 
 
-@router.get("/units", responses=problem_documentation(404, 422))
-def list_units(hosted: TheCatalogue) -> schemas.Units:
+@router.get(
+    "/nodes",
+    response_model=schemas.NodeRows,
+    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+)
+async def list_nodes(
+    request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[RowQuery, Query()]
+) -> Response:
+    """Nodes with the fields that are asked for, and nothing else. CSV without a limit has all of them, as a stream."""
+    fields = query.chosen_fields
+    if query.limit is None and query.cursor is None and is_table(request):
+        return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
+    result, cursor = found(hosted, settings, query)
+    listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
+    return answer(request, schemas.NodeRows(total=result.total, nodes=listed, next_cursor=cursor), listed)
+
+
+@router.get("/units", response_model=schemas.Units, responses=offered("table") | problem_documentation(404, 406, 422))
+async def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
-    return schemas.Units(units=[presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units])
+    units = [presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
+    return answer(request, schemas.Units(units=units), rows(units))
 
 
-@router.get("/quantities", responses=problem_documentation(404, 422))
-def list_quantities(hosted: TheCatalogue) -> schemas.Quantities:
+@router.get(
+    "/quantities", response_model=schemas.Quantities, responses=offered("table") | problem_documentation(404, 406, 422)
+)
+async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
-    quantities = hosted.catalogue.vocabulary.quantities.values()
-    return schemas.Quantities(quantities=[presenting.quantity_schema(quantity) for quantity in quantities])
+    known = hosted.catalogue.vocabulary.quantities.values()
+    quantities = [presenting.quantity_schema(quantity) for quantity in known]
+    return answer(request, schemas.Quantities(quantities=quantities), rows(quantities))
+
+
+def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
+    """One page of what a query finds, and the cursor of the next one."""
+    _check_text(query, settings)
+    digest = hosted.catalogue.digest
+    offset = offset_of(query.cursor, digest) if query.cursor else 0
+    limit = min(query.limit or _PAGE, settings.results)
+    result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
+    following = offset + len(result.nodes)
+    return result, cursor_of(following, digest) if result.nodes and following < result.total else None
+
+
+def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
+    """Values of a node by field: `path`, `name`, `category`, or any attribute."""
+    own = {"path": node.path, "name": node.name, "category": category_of(node.path)}
+    return [presenting.plain(own[field] if field in own else node.values.get(field)) for field in fields]
+
+
+def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:
+    _check_text(query, settings)
+    return hosted.search_index.search(query.q, query.filters, limit=len(hosted.catalogue.nodes)).nodes
+
+
+def _check_text(query: SearchQuery, settings: Settings) -> None:
+    if len(query.q) > settings.query_characters:
+        raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

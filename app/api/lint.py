@@ -1,5 +1,6 @@
 """The route that lints a posted text."""
 
+from functools import partial
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
@@ -7,7 +8,7 @@ from fastapi import APIRouter, Query
 from app.api import schemas
 from app.api.presenting import lint_report
 from app.api.problems import problem_documentation
-from app.api.requests import NamedCatalogue, PostedText, TheRules, text_body
+from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheRules, text_body
 from app.function.build import check_function
 from app.rules.lint import lint_text
 
@@ -24,20 +25,23 @@ Vehicle.Speed:
 
 @router.post(
     "/lint",
-    responses=problem_documentation(404, 413, 415, 422),
+    responses=problem_documentation(404, 408, 413, 415, 422, 503),
     openapi_extra=text_body("An overlay, a tree or a declaration of a function, as it stands in its file.", _EXAMPLE),
 )
-def lint(
+async def lint(
     text: PostedText,
     hosted: NamedCatalogue,
     rules: TheRules,
+    heavy: TheHeavyWork,
     kind: Annotated[
         Literal["overlay", "tree", "function"],
         Query(description="An overlay over the catalogue, a tree by itself, or the declaration of a function."),
     ] = "overlay",
-    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "posted.vspec",
+    name: FileName = "posted.vspec",
 ) -> schemas.LintReport:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
     if kind == "function":
-        return lint_report(check_function(text, name, hosted.catalogue))
-    return lint_report(lint_text(text, name, hosted.catalogue, rules.active, is_tree=kind == "tree"))
+        work = partial(check_function, text, name, hosted.catalogue)
+    else:
+        work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=kind == "tree")
+    return lint_report(await heavy.run(work))

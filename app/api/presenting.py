@@ -3,17 +3,21 @@
 import datetime as dt
 import os
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
 from app.api import schemas
+from app.api.versions import version_of
+from app.catalogue.changes import Change
 from app.catalogue.definition import CORE_ATTRIBUTES
+from app.catalogue.diff_report import diff_data
 from app.catalogue.hosting import Hosted
 from app.catalogue.interfaces import category_of, interface_name
 from app.catalogue.layers import Layer
 from app.catalogue.model import Catalogue, Node
 from app.catalogue.search import overlay_name
+from app.catalogue.trial import Trial
 from app.catalogue.vocabulary import Quantity, Unit
 from app.catalogue.vspec_file import Origin
 from app.data import VSPEC
@@ -153,6 +157,7 @@ def _summary_fields(hosted: Hosted) -> dict[str, Any]:
         "id": hosted.source.id,
         "title": hosted.source.title,
         "digest": catalogue.digest,
+        "version": version_of(hosted),
         "nodes": len(catalogue.nodes),
         "types": dict(Counter(plain_text(node.type) for node in catalogue.nodes.values())),
         "roots": [plain_text(root.path) for root in catalogue.roots],
@@ -213,3 +218,30 @@ def lint_report(findings: Iterable[Finding]) -> schemas.LintReport:
 
 def _rule_fields(rule: Rule) -> dict[str, Any]:
     return {name: getattr(rule, name) for name in schemas.RuleSummary.model_fields}
+
+
+def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
+    """What an overlay would do; of many nodes, the first."""
+    data = diff_data(trial.changes)
+    return schemas.Trial(
+        ok=not has_errors(trial.findings),
+        findings=[finding_schema(each) for each in trial.findings],
+        node_count=len(trial.nodes),
+        nodes=[
+            schemas.TriedNode(path=plain_text(node.path), attributes=plain(node.values))
+            for node in trial.nodes[:most_nodes]
+        ],
+        summary=schemas.ChangeCounts.model_validate(data["summary"]),
+        changes=changes_schema(trial.changes),
+    )
+
+
+def diff_schema(changes: Sequence[Change], old: str, new: str) -> schemas.Diff:
+    """A comparison as `sigcat diff` tells it."""
+    counts = schemas.ChangeCounts.model_validate(diff_data(changes)["summary"])
+    return schemas.Diff(old=old, new=new, summary=counts, changes=changes_schema(changes))
+
+
+def changes_schema(changes: Sequence[Change]) -> list[schemas.Change]:
+    """Changes as the API has them."""
+    return [schemas.Change.model_validate(plain(each)) for each in diff_data(changes)["changes"]]

@@ -20,8 +20,12 @@ _LOG = logging.getLogger("sigcat")
 
 KINDS: dict[int, tuple[str, str]] = {
     400: ("bad-request", "The request cannot be understood"),
+    401: ("unauthorized", "A token is needed"),
+    403: ("forbidden", "The token does not allow this"),
     404: ("not-found", "What was named does not exist"),
     405: ("method-not-allowed", "The address does not take this method"),
+    406: ("not-acceptable", "The answer cannot take the form that was asked for"),
+    408: ("too-slow", "The request took too long to arrive"),
     413: ("too-large", "The posted text is too large"),
     415: ("unsupported-media-type", "The posted text is of a kind that is not read"),
     422: ("input-refused", "The input cannot be used"),
@@ -90,10 +94,15 @@ async def answer_problem(request: Request, error: Exception) -> Response:
     headers = getattr(error, "headers", None)
     if isinstance(error, HTTPException) and error.status_code == HTTPStatus.NOT_MODIFIED:
         return Response(status_code=error.status_code, headers=headers)
-    problem = problem_from(error)
+    problem = problem_from(error).model_copy(update={"request_id": getattr(request.state, "request_id", "")})
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
-        _LOG.error("%s %s failed", request.method, request.url.path, exc_info=error)
+        _log_failure(request, problem, error)
     return Response(problem.model_dump_json(), problem.status, media_type=MEDIA_TYPE, headers=headers)
+
+
+def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
+    if problem.status == HTTPStatus.INTERNAL_SERVER_ERROR:
+        _LOG.error("%s %s failed [%s]", request.method, request.url.path, problem.request_id, exc_info=error)
 
 
 def _invalid(error: dict[str, Any]) -> Finding:

@@ -1,18 +1,27 @@
 """What the routes take from a request: the hosted catalogue, the posted text."""
 
-import hashlib
+import asyncio
 from http import HTTPStatus
 from typing import Annotated, Any
 
-from fastapi import Depends, Path, Query, Request, Response
+from fastapi import Depends, Path, Query, Request
 from starlette.exceptions import HTTPException
 
-from app import __version__
+from app.api.heavy import HeavyWork
 from app.api.problems import BodyRefused
 from app.api.rulebook import RuleBook
 from app.api.settings import Settings
+from app.api.versions import version_of
 from app.catalogue.hosting import Hosted, Library
+from app.errors import NotFound
 
+__all__ = [
+    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedText", "TheCatalogue", "TheHeavyWork",
+    "TheLibrary", "TheRules", "TheSettings", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
+    "settings_of", "text_body", "version_of",
+]  # fmt: skip
+
+_NEVER_CHANGES = "public, max-age=31536000, immutable"
 TEXT_TYPES = ("text/yaml", "application/yaml", "application/json")
 
 
@@ -34,47 +43,96 @@ def rules_of(request: Request) -> RuleBook:
     return rules
 
 
-TheLibrary = Annotated[Library, Depends(library_of)]
-TheSettings = Annotated[Settings, Depends(settings_of)]
-TheRules = Annotated[RuleBook, Depends(rules_of)]
-CatalogueId = Annotated[str, Path(description="Id of a hosted catalogue.", examples=["interfaces"])]
+async def _library(request: Request) -> Library:
+    return library_of(request)
 
 
-def version_of(hosted: Hosted) -> str:
-    """A digest of all that is shown of a catalogue: content, files with their positions, findings."""
-    parts = [__version__, hosted.source.title, hosted.catalogue.digest]
-    parts += [layer.digest for layer in hosted.catalogue.layers]
-    parts += [file.digest for file in hosted.catalogue.vocabulary.files]
-    parts += [repr(hosted.rejected)] if hosted.rejected else []
-    return hashlib.sha256("\n".join(parts).encode("utf-8", "replace")).hexdigest()[:24]
+async def _settings(request: Request) -> Settings:
+    return settings_of(request)
 
 
-def hosted_catalogue(catalogue: CatalogueId, library: TheLibrary, request: Request, response: Response) -> Hosted:
+async def _rules(request: Request) -> RuleBook:
+    return rules_of(request)
+
+
+async def _heavy(request: Request) -> HeavyWork:
+    heavy: HeavyWork = request.app.state.heavy
+    return heavy
+
+
+# Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
+TheLibrary = Annotated[Library, Depends(_library)]
+TheSettings = Annotated[Settings, Depends(_settings)]
+TheRules = Annotated[RuleBook, Depends(_rules)]
+TheHeavyWork = Annotated[HeavyWork, Depends(_heavy)]
+CatalogueId = Annotated[
+    str,
+    Path(
+        description="Id of a hosted catalogue; with `@VERSION` behind it, of that state of it and no other.",
+        examples=["interfaces"],
+        max_length=200,
+    ),
+]
+
+
+def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
+    """The catalogue that `ID` or `ID@VERSION` names, and whether a version was named. Raises NotFound."""
+    catalogue_id, at, version = name.rpartition("@")
+    if not at:
+        return library.get(name), False
+    hosted = library.get(catalogue_id)
+    current = version_of(hosted)
+    if version != current:
+        message = f"Catalogue {catalogue_id!r} is not hosted in the version {version[:80]!r}; now it is {current!r}."
+        raise NotFound(message, (f"{catalogue_id}@{current}",))
+    return hosted, True
+
+
+async def any_catalogue(catalogue: CatalogueId, library: TheLibrary) -> Hosted:
+    """The hosted catalogue named in the address."""
+    return hosted_at(catalogue, library)[0]
+
+
+async def hosted_catalogue(catalogue: CatalogueId, library: TheLibrary, request: Request) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
-    hosted = library.get(catalogue)
-    tag = f'"{version_of(hosted)}"'
-    headers = {"ETag": tag, "Cache-Control": "no-cache"}
-    known = [each.strip().removeprefix("W/") for each in request.headers.get("if-none-match", "").split(",")]
-    if tag in known:
-        raise HTTPException(HTTPStatus.NOT_MODIFIED, headers=headers)
-    response.headers.update(headers)
+    hosted, is_fixed = hosted_at(catalogue, library)
+    mark_state(request, version_of(hosted), is_fixed=is_fixed)
+    request.state.hosted = hosted
     return hosted
 
 
+def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
+    """Keep the headers for the answer. Raises a 304 if the client holds this state."""
+    headers = {"ETag": f'W/"{version}"', "Cache-Control": _NEVER_CHANGES if is_fixed else "no-cache"}
+    if is_known(request.headers.get("if-none-match", ""), version):
+        raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": "Accept"})
+    request.state.caching = headers
+
+
+def is_known(if_none_match: str, version: str) -> bool:
+    """Whether a client holds this state. The tag is weak: one state has several forms and encodings."""
+    known = [each.strip().removeprefix("W/") for each in if_none_match.split(",")]
+    return f'"{version}"' in known or "*" in known
+
+
 TheCatalogue = Annotated[Hosted, Depends(hosted_catalogue)]
+AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
 
 
-def named_catalogue(
+async def named_catalogue(
     library: TheLibrary,
     catalogue: Annotated[
-        str | None, Query(description="Id of a hosted catalogue; without it, the default one.")
+        str | None, Query(max_length=200, description="Id of a hosted catalogue; without it, the default one.")
     ] = None,
 ) -> Hosted:
     """The hosted catalogue that a posted text is judged against."""
-    return library.default if catalogue is None else library.get(catalogue)
+    return library.default if catalogue is None else hosted_at(catalogue, library)[0]
 
 
 NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
+
+
+FileName = Annotated[str, Query(max_length=300, description="What findings call the text.")]
 
 
 async def posted_text(request: Request, settings: TheSettings) -> bytes:
@@ -89,6 +147,14 @@ async def posted_text(request: Request, settings: TheSettings) -> bytes:
         _check_length(int(declared), settings)
     elif declared:
         _check_length(settings.body_bytes + 1, settings)
+    try:
+        return await asyncio.wait_for(_read(request, settings), settings.body_seconds)
+    except TimeoutError:
+        detail = f"The text did not arrive within {settings.body_seconds:g} seconds."
+        raise BodyRefused(HTTPStatus.REQUEST_TIMEOUT, detail, headers={"Connection": "close"}) from None
+
+
+async def _read(request: Request, settings: Settings) -> bytes:
     body = bytearray()
     async for chunk in request.stream():
         body += chunk

@@ -2,9 +2,11 @@
 
 from typing import Annotated
 
-from fastapi import APIRouter, Path
+from fastapi import APIRouter, Path, Request
+from fastapi.responses import Response
 
 from app.api import schemas
+from app.api.answers import answer, offered, rows
 from app.api.presenting import rule_detail, rule_summary
 from app.api.problems import problem_documentation
 from app.api.requests import TheRules
@@ -14,13 +16,14 @@ router = APIRouter(prefix="/api/v1/rules", tags=["rules"])
 RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"])]
 
 
-@router.get("")
-def list_rules(rules: TheRules) -> schemas.Rules:
+@router.get("", response_model=schemas.Rules, responses=offered("table") | problem_documentation(406))
+async def list_rules(request: Request, rules: TheRules) -> Response:
     """Every rule, in the order of the codes."""
-    return schemas.Rules(rules=[rule_summary(rule) for rule in rules.rules])
+    listed = [rule_summary(rule) for rule in rules.rules]
+    return answer(request, schemas.Rules(rules=listed), rows(listed))
 
 
-@router.get("/{rule_id}", responses=problem_documentation(404, 422))
-def get_rule(rule_id: RuleId, rules: TheRules) -> schemas.Rule:
+@router.get("/{rule_id}", response_model=schemas.Rule, responses=offered() | problem_documentation(404, 406, 422))
+async def get_rule(request: Request, rule_id: RuleId, rules: TheRules) -> Response:
     """A rule: why it is there, what it checks, good and bad examples."""
-    return rule_detail(rules.get(rule_id))
+    return answer(request, rule_detail(rules.get(rule_id)))

@@ -4,11 +4,13 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+Compatibility = Literal["breaking", "risky", "compatible", "text"]
+
 
 class Schema(BaseModel):
     """Base of all: frozen, and closed to fields that it does not name."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True)
 
 
 class Place(Schema):
@@ -43,6 +45,9 @@ class Problem(Schema):
     detail: str
     findings: list[Finding] = Field(default_factory=list)
     nearest: list[str] = Field(default_factory=list, description="Names that exist and are near the one asked for.")
+    request_id: str = Field(
+        default="", description="What the log calls the request; also in the header `X-Request-Id`."
+    )
 
 
 class FindingCounts(Schema):
@@ -68,6 +73,7 @@ class CatalogueSummary(Schema):
     id: str
     title: str
     digest: str = Field(description="SHA-256 of the content: equal for equal trees.")
+    version: str = Field(description="Hash of all that is shown. Below `ID@VERSION` no address ever changes.")
     nodes: int
     types: dict[str, int] = Field(description="Nodes by type.")
     roots: list[str]
@@ -186,6 +192,82 @@ class SearchPage(Schema):
     next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
+class NodeRows(Schema):
+    """One page of nodes with the fields that were asked for."""
+
+    total: int
+    nodes: list[dict[str, Any]] = Field(description="Value by field; a field that a node lacks is null.")
+    next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+
+
+class AttributeChange(Schema):
+    """One attribute of a changed node; null stands for an attribute that is not there."""
+
+    name: str
+    old: Any
+    new: Any
+    compatibility: Compatibility = Field(alias="class")
+    rule: str = Field(description="Row of the class table that decided.")
+
+
+class Change(Schema):
+    """One change; equal changes of the instances of a branch are one."""
+
+    kind: Literal["removed", "moved", "changed", "added"]
+    compatibility: Compatibility = Field(alias="class")
+    rule: str = Field(description="Row of the class table that decided.")
+    path: str = Field(description="Where the node is now, or was, if it is gone; of instances, without their names.")
+    former: str | None = Field(description="Where the node was before, if it moved.")
+    type: str
+    paths: list[str] = Field(description="Every path that the change concerns; of a subtree, its topmost path.")
+    former_paths: list[str] = Field(alias="formerPaths")
+    leaves: int = Field(description="Signals in the subtrees that came, went or moved with them.")
+    evidence: Literal["fka", "deprecation", "same definition"] | None
+    is_guess: bool = Field(alias="isGuess")
+    attributes: list[AttributeChange]
+    instances_came: list[str] = Field(alias="instancesCame")
+    instances_went: list[str] = Field(alias="instancesWent")
+    note: str | None = Field(description="What the deprecation of a node that is gone said.")
+
+
+class ChangeCounts(Schema):
+    """How many changes there are of each class."""
+
+    compatibility: Compatibility | None = Field(alias="class", description="The worst class; null without changes.")
+    changes: int
+    breaking: int
+    risky: int
+    compatible: int
+    text: int
+
+
+class Diff(Schema):
+    """What changed between two trees, as `sigcat diff --format json` writes it."""
+
+    old: str
+    new: str
+    summary: ChangeCounts
+    changes: list[Change]
+
+
+class TriedNode(Schema):
+    """A node as it would be."""
+
+    path: str
+    attributes: dict[str, Any]
+
+
+class Trial(Schema):
+    """What an overlay would make of a catalogue. Nothing of it is stored."""
+
+    ok: bool = Field(description="Whether the overlay brings no error.")
+    findings: list[Finding] = Field(description="What the overlay would add to the findings of the catalogue.")
+    node_count: int = Field(description="Nodes that would be new or have other attributes.")
+    nodes: list[TriedNode] = Field(description="The first of them.")
+    summary: ChangeCounts
+    changes: list[Change]
+
+
 class RuleSummary(Schema):
     """A rule in a list."""
 
@@ -221,3 +303,25 @@ class LintReport(Schema):
     ok: bool = Field(description="Whether there is no error among the findings.")
     counts: FindingCounts
     findings: list[Finding]
+
+
+class VissMetadata(Schema):
+    """Metadata of a node and of all below it, as VISS has it."""
+
+    metadata: dict[str, Any] = Field(description="The attributes of the node by its name, with `children`.")
+    ts: str = Field(description="When it was answered.")
+
+
+class VissError(Schema):
+    """What VISS says of an error."""
+
+    number: str
+    reason: str
+    message: str
+
+
+class VissRefusal(Schema):
+    """An error in the form of VISS."""
+
+    error: VissError
+    ts: str

@@ -1,11 +1,13 @@
 """From a declaration and a catalogue to Function JSON."""
 
+from collections.abc import Collection
 from pathlib import PurePath
 from typing import NamedTuple
 
 from app import __version__
 from app.catalogue.interfaces import category_of, interface_name
 from app.catalogue.model import Catalogue
+from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
 from app.findings import Finding, has_errors, in_order
 from app.function.checks import check
@@ -22,6 +24,7 @@ from app.function.model import (
     Provenance,
     Runnable,
 )
+from app.function.overlay import defined
 from app.function.problem import Problem
 from app.function.references import interface_node
 from app.function.scheduling import runnable
@@ -44,13 +47,42 @@ def build(declared: Declared, catalogue: Catalogue) -> Built:
     """Resolve a declaration against a catalogue and check the result. Everything wrong is among the findings."""
     if declared.declaration is None:
         return Built(None, in_order(declared.findings))
-    work = Work(catalogue, declared.document, declared.declaration.function)
-    function = _function(declared.declaration, declared.document, catalogue, work)
-    known = {name for name, path in work.interfaces.items() if category_of(path) == "error"}
-    for problem in check(function, known):
-        _report(problem, work)
+    work, function = resolved(declared, declared.declaration, catalogue)
     findings = in_order([*declared.findings, *work.findings])
     return Built(None if has_errors(findings) else function, findings)
+
+
+def resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue) -> tuple[Work, FunctionJson]:
+    """The function as far as it can be made, and all that was found in it and in what it defines."""
+    with collector_paused():
+        return _resolved(declared, declaration, catalogue)
+
+
+def _resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue) -> tuple[Work, FunctionJson]:
+    over, findings = defined(declared, catalogue)
+    work = Work(over, declared.document, declaration.function)
+    work.findings.extend(findings)
+    function = _function(declaration, declared.document, over, work)
+    known = {name for name, path in work.interfaces.items() if category_of(path) == "error"}
+    told = {(finding.rule, finding.path) for finding in findings}
+    for problem in check(function, known):
+        if not is_told(problem, told, work):
+            _report(problem, work)
+    return work, function
+
+
+_SAME = {
+    "F032": ("I203", "I303", "I502"), "F050": ("I501",), "F051": ("I507",), "F052": ("I509",), "F053": ("I510",),
+    "F054": ("I518",), "F055": ("I517", "I518"), "F056": ("I519", "I520", "I521"), "F057": ("I522",),
+    "F058": ("I511", "I512", "I513"), "F060": ("I304",), "F061": ("I204",), "F062": ("I205",),
+}  # fmt: skip
+"""Rules of the catalogue that say of a defined interface what these rules say of a function."""
+
+
+def is_told(problem: Problem, told: Collection[tuple[str, str]], work: Work) -> bool:
+    """Whether a rule of the catalogue has said the same of an interface that the file defines."""
+    path = work.interfaces.get(problem.path, problem.path)
+    return any((rule, path) in told for rule in _SAME.get(problem.rule, ()))
 
 
 def build_function(data: bytes, name: str, catalogue: Catalogue) -> tuple[FunctionJson, tuple[Finding, ...]]:
@@ -178,12 +210,15 @@ _KEYS = {"InitValue": "init", "Units": "unit", "Asillevel": "asil", "AsilLevel":
 
 def _report(problem: Problem, work: Work) -> None:
     """Note a problem of the result where it was declared, unless resolving has said the same of that place."""
-    at = _declared_at(problem.pointer, work)
+    at = place_in(problem.pointer, work)
     if not work.has_told(problem.rule, at):
         work.report(problem.rule, at, problem.message, problem.fix, problem.path)
 
 
-def _declared_at(pointer: Pointer, work: Work) -> Pointer:
+def place_in(pointer: Pointer, work: Work) -> Pointer:
+    """The part of the declaration that a part of the Function JSON was made from."""
+    if pointer == ("FunctionInfo", "FunctionName"):
+        return ("function",)
     for length in range(len(pointer), 0, -1):
         origin = work.trace.get(pointer[:length])
         if origin is not None:

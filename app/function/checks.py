@@ -1,15 +1,19 @@
 """Checks of a Function JSON in itself: what holds of every function, wherever its document comes from."""
 
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from app.function.asil import level_of, rank
 from app.function.document import Pointer
 from app.function.model import PROVIDER, FunctionJson, Runnable, WatchdogLimits, milliseconds
+from app.function.order import contradiction, previous_calls
 from app.function.problem import Problem
-from app.function.walk import Placed, contracts, data, errors, parameters, references, runnables
-from app.names import did_you_mean
+from app.function.walk import Placed, contracts, data, errors, methods, parameters, references, runnables
+from app.names import camel_case, did_you_mean
 
 Problems = Iterator[Problem]
+
+_CAMEL = re.compile(r"[A-Z][A-Za-z0-9]*")
 
 
 def check(function: FunctionJson, known_errors: Collection[str] = ()) -> Problems:
@@ -32,14 +36,17 @@ def _names_twice(function: FunctionJson) -> Problems:
 
 
 def _variables_twice(function: FunctionJson) -> Problems:
-    named: dict[Pointer, list[tuple[Pointer, str]]] = {}
+    """In one call a variable holds one interface; in another call of the component it holds the same one."""
+    holders: dict[tuple[str, str], tuple[Pointer, str]] = {}
     for pointer, placed, item in (*data(function), *parameters(function)):
-        if item.variable:
-            named.setdefault(placed.pointer, []).append(((*pointer, "Variable"), item.variable))
-    for items in named.values():
-        for place, variable in _repeated(items):
-            message = f"The variable {variable!r} holds two interfaces of one call."
-            yield Problem("F031", place, message, "Give each a variable of its own.")
+        if not item.variable:
+            continue
+        held = (placed.pointer, item.vss_path or item.name)
+        known = holders.setdefault((placed.component.name, item.variable), held)
+        if known is not held and (known[0] == held[0] or known[1] != held[1]):
+            where = "one call" if known[0] == held[0] else f"component {placed.component.name!r}"
+            message = f"The variable {item.variable!r} holds two interfaces of {where}."
+            yield Problem("F031", (*pointer, "Variable"), message, "Give each a variable of its own.")
 
 
 def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str]]:
@@ -68,8 +75,23 @@ def _conventional_names(function: FunctionJson) -> Problems:
                 yield Problem("F032", (*pointer, "SafetyReactionList", i, "Name"), message, path=reaction.name)
 
 
+def _mode_names(function: FunctionJson) -> Problems:
+    own = function.info.function_name
+    for i, interface in enumerate(function.mode_interfaces or ()):
+        if interface.name not in (f"{own}_Mode_In", f"{own}_Mode_Out"):
+            message = f"{interface.name!r} does not follow {own}_Mode_In and {own}_Mode_Out."
+            yield Problem("F032", ("ModeInterfaceList", i, "Name"), message, path=interface.name)
+
+
+def _function_name(function: FunctionJson) -> Problems:
+    name = function.info.function_name
+    if not _CAMEL.fullmatch(name):
+        fix = f"Name it {camel_case(name)!r}." if _CAMEL.fullmatch(camel_case(name)) else "Use letters and digits."
+        yield Problem("F035", ("FunctionInfo", "FunctionName"), f"{name!r} is not CamelCase.", fix, name)
+
+
 def _identifiers(function: FunctionJson) -> Problems:
-    for pointer, _, item in (*data(function), *parameters(function)):
+    for pointer, _, item in (*data(function), *parameters(function), *methods(function)):
         if not (item.name.isascii() and item.name.isidentifier()):
             message = f"{item.name!r} is no identifier of C."
             fix = "Use letters, digits and underscores, and a letter first."
@@ -149,27 +171,19 @@ def _cycles(function: FunctionJson) -> Problems:
 
 def _order(function: FunctionJson) -> Problems:
     placed = {runnable.name: (pointer, runnable) for pointer, _, runnable in runnables(function)}
-    before = {name: r.previous_runnable for name, (_, r) in placed.items() if r.previous_runnable}
+    before = {name: previous_calls(runnable) for name, (_, runnable) in placed.items()}
     own = function.info.function_name
-    for name, previous in before.items():
-        pointer = (*placed[name][0], "PrevRunnable")
-        if previous not in placed and previous.startswith(f"{own}_"):
-            yield Problem(
-                "F052", pointer, f"{name} runs after {previous!r}, which does not exist.",
-                did_you_mean(previous, placed), name,
-            )  # fmt: skip
-        elif name in _followed(name, before):
-            yield Problem("F053", pointer, f"{name} runs after itself, by way of {previous}.", path=name)
-
-
-def _followed(name: str, before: Mapping[str, str]) -> set[str]:
-    """Everything that runs before `name`."""
-    seen: set[str] = set()
-    current = before.get(name)
-    while current is not None and current not in seen:
-        seen.add(current)
-        current = before.get(current)
-    return seen
+    for name, (pointer, runnable) in placed.items():
+        at = (*pointer, "PrevRunnable")
+        for previous in before[name]:
+            if previous not in placed:
+                if previous.startswith(f"{own}_"):
+                    message = f"{name} runs after {previous!r}, which does not exist."
+                    yield Problem("F052", at, message, did_you_mean(previous, placed), name)
+            elif _reaches(name, before):
+                yield Problem("F053", at, f"{name} runs after itself, by way of {previous}.", path=name)
+            elif reason := contradiction(runnable, placed[previous][1]):
+                yield Problem("F059", at, f"{name} runs after {previous}, {reason}.", path=name)
 
 
 def _supervision(function: FunctionJson) -> Problems:
@@ -318,6 +332,6 @@ def _undefined_types(function: FunctionJson) -> Problems:
 
 
 _CHECKS: tuple[Callable[[FunctionJson], Problems], ...] = (
-    _names_twice, _variables_twice, _conventional_names, _identifiers, _ranges, _time_outs, _durations,
+    _names_twice, _variables_twice, _function_name, _conventional_names, _mode_names, _identifiers, _ranges, _time_outs, _durations,
     _complete_calls, _cycles, _order, _supervision, _asil, _dependency_cycles, _modes, _undefined_types,
 )  # fmt: skip

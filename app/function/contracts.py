@@ -7,7 +7,7 @@ from app.catalogue.datatypes import element_of
 from app.catalogue.interfaces import function_of, interface_name
 from app.catalogue.model import Node
 from app.function.conversion import Linear, as_text
-from app.function.datatypes import BY_REFERENCE, BY_VSS, value_range
+from app.function.datatypes import BY_REFERENCE, value_range
 from app.function.declaration import (
     ArgumentItem,
     DataItem,
@@ -145,6 +145,7 @@ def _signal(item: DataItem, value: Value, at: Pointer, work: Work) -> Signal:
         init_value=value.init,
         units=value.unit,
         type=value.node.type,
+        external_provider=item.provider,
         resolution=resolution if isinstance(resolution, int | float) else None,
         **_common(item, value),
         **_time_out(item, at, work),
@@ -162,6 +163,7 @@ def _queue(item: DataItem, value: Value, at: Pointer, work: Work) -> DataQueue:
         init_value=value.init or 0,
         units=value.unit or "",
         type=value.node.type,
+        external_provider=item.provider,
         **_common(item, value),
         **_time_out(item, at, work),
     )
@@ -268,12 +270,9 @@ def _arguments(items: list[ArgumentItem], at: Pointer, work: Work) -> tuple[Argu
     made = []
     for index, item in enumerate(items):
         place = (*at, index)
-        structs = [node.path for node in work.catalogue.nodes.values() if node.type == "struct"]
-        if element_of(item.datatype) not in (*BY_VSS, *structs):
-            work.report(
-                "F029", (*place, "datatype"), f"{item.datatype!r} is no datatype.",
-                work.hint(item.datatype, (*BY_VSS, *structs)),
-            )  # fmt: skip
+        if element_of(item.datatype) not in work.datatypes:
+            fix = work.hint(item.datatype, work.datatypes)
+            work.report("F029", (*place, "datatype"), f"{item.datatype!r} is no datatype.", fix)
             continue
         if item.unit is not None and work.catalogue.vocabulary.unit(item.unit) is None:
             keys = [unit.key for unit in work.catalogue.vocabulary.distinct_units]

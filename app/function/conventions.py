@@ -5,14 +5,15 @@ Documents come from anywhere. What sigcat writes follows every convention.
 
 import re
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 
 from app.catalogue.model import Catalogue, Node
+from app.function.against import check_against
 from app.function.asil import LEVELS, level_of
 from app.function.datatypes import BY_REFERENCE, agree, c_type, proposed_reference, reference_type
 from app.function.document import Pointer
-from app.function.model import CONSUMER, PROVIDER, DataQueue, FunctionJson, Signal
+from app.function.model import CONSUMER, PROVIDER, Datatype, FunctionJson, Parameter
 from app.function.problem import Problem
-from app.function.types import symbols_of
 from app.function.walk import contracts, data, errors, parameters, references, runnables
 from app.names import did_you_mean
 
@@ -37,7 +38,7 @@ def check_conventions(function: FunctionJson, catalogue: Catalogue | None = None
         yield from one(function)
     yield from _units(function, catalogue)
     if catalogue is not None:
-        yield from _against_catalogue(function, catalogue)
+        yield from check_against(function, catalogue)
 
 
 # -- datatypes ----------------------------------------------------------------------------------------------------
@@ -204,31 +205,51 @@ def _alike(name: str, by_ending: dict[str, Node]) -> Node | None:
     return next((by_ending[ending] for ending in endings if ending in by_ending), None)
 
 
-def _against_catalogue(function: FunctionJson, catalogue: Catalogue) -> Problems:
-    for pointer, _, item in data(function):
-        if not item.vss_path:
+# -- ranges -------------------------------------------------------------------------------------------------------
+
+
+def _lost_ranges(function: FunctionJson) -> Problems:
+    """Ranges that the datatype and the scale of an item cannot hold."""
+    held = {t.reference: _integers(t) for t in function.datatypes if t.kind is None}
+    for pointer, _, item in (*data(function), *parameters(function)):
+        limits = held.get(item.datatype)
+        scale = None if isinstance(item, Parameter) else _scale(item.factor, item.offset)
+        if (
+            limits is None
+            or item.min is None
+            or item.max is None
+            or (scale is None and not isinstance(item, Parameter))
+        ):
             continue
-        node = catalogue.get(item.vss_path)
-        if node is None:
-            message = f"The catalogue has no signal {item.vss_path!r}."
-            near = did_you_mean(item.vss_path, catalogue.nodes)
-            yield Problem("F010", (*pointer, "VssPath"), message, near, item.name)
-        else:
-            yield from _outside(pointer, item, node)
+        factor, offset = scale or (Fraction(1), Fraction(0))
+        low, high = sorted(Fraction(end) * factor + offset for end in limits)
+        if item.min < low or item.max > high:
+            message = (
+                f"Values of {item.name!r} from {item.min:g} to {item.max:g} do not fit {item.datatype}, "
+                f"which holds {float(low):g} to {float(high):g}."
+            )
+            fix = "Choose a larger datatype or another scale, or narrow the range."
+            yield Problem("F020", (*pointer, "Datatype"), message, fix, item.name)
 
 
-def _outside(pointer: Pointer, item: Signal | DataQueue, node: Node) -> Problems:
-    """A range wider than the catalogue's, where both are in the same unit."""
-    if item.units != node.values.get("unit") or symbols_of(node) is not None:
-        return
-    for key, own, sign in (("min", item.min, 1), ("max", item.max, -1)):
-        bound = node.values.get(key)
-        if own is not None and isinstance(bound, int | float) and own * sign < bound * sign:
-            message = f"`{key.capitalize()}` {own} lies outside the range of {node.path!r}, which ends at {bound}."
-            yield Problem("F022", (*pointer, key.capitalize()), message, path=node.path)
+def _integers(datatype: Datatype) -> tuple[int, int] | None:
+    """Smallest and largest number of an integer of C; None for everything else."""
+    meant = c_type(datatype.c_definition)
+    if meant is None or not meant.bits or meant.kind not in ("signed", "unsigned"):
+        return None
+    half = 1 << (meant.bits - 1)
+    return (-half, half - 1) if meant.kind == "signed" else (0, 2 * half - 1)
+
+
+def _scale(factor: str | float | None, offset: str | float | None) -> tuple[Fraction, Fraction] | None:
+    """Factor and offset; None if they are no numbers."""
+    try:
+        return Fraction(str(factor if factor is not None else 1)), Fraction(str(offset if offset is not None else 0))
+    except (ValueError, ZeroDivisionError):
+        return None
 
 
 _CHECKS: tuple[Callable[[FunctionJson], Problems], ...] = (
-    _c_definitions, _unused_types, _asil_levels, _priorities, _spellings, _responsible, _descriptions, _mentions,
+    _c_definitions, _unused_types, _asil_levels, _priorities, _spellings, _responsible, _descriptions, _mentions, _lost_ranges,
     _paths,
 )  # fmt: skip

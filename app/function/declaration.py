@@ -3,32 +3,22 @@
 import datetime as dt
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import BeforeValidator, Field, ValidationError
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.findings import Finding
+from app.function.definitions import DefineItem
 from app.function.document import Document, read_yaml
+from app.function.form import Asil, DeclarationModel, Duration, Natural, Text
 from app.function.structure import structural_findings
 from app.function.wire import Integer, Number
-from app.names import camel_case
 
-Asil = Literal["QM", "A", "B", "C", "D"]
+__all__ = [  # what other files that people write are made from, too
+    "Asil", "Declaration", "DeclarationModel", "Declared", "Duration", "Natural", "Text", "declaration_schema",
+    "read_declaration",
+]  # fmt: skip
+
 RangeErrorAction = Literal["Default", "Init"]
-Text = Annotated[str, Field(min_length=1)]
-Natural = Annotated[Integer, Field(ge=0)]
-Duration = Annotated[Number, Field(ge=0)]
-
-
-def _key(name: str) -> str:
-    """Spelling in the file: `range_error_action` → `rangeErrorAction`, as in the attributes of overlays."""
-    capitalized = camel_case(name)
-    return capitalized[:1].lower() + capitalized[1:]
-
-
-class DeclarationModel(BaseModel):
-    """A part of the file. Keys that it does not know are refused, so that a typing error cannot pass unseen."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, alias_generator=_key, validate_by_name=False)
 
 
 class DataItem(DeclarationModel):
@@ -43,6 +33,7 @@ class DataItem(DeclarationModel):
     timeout: Duration | None = Field(None, description="Longest time between two values, in ms.")
     timeout_error: Text | None = Field(None, description="Error that the time-out sets: interface name or path.")
     range_error_action: RangeErrorAction | None = Field(None, description="What replaces a value out of range.")
+    provider: Text | None = Field(None, description="Who provides a consumed signal, where no other function does.")
     queue_length: Annotated[Integer, Field(ge=1)] | None = Field(
         None, description="Number of values to queue; absent if only the latest counts."
     )
@@ -169,6 +160,7 @@ class Declaration(DeclarationModel):
     date: dt.date | None = Field(None, description="Date of the document, as 2025-09-12.")
     components: list[ComponentItem] = Field(min_length=1, description="Components of the function.")
     modes: ModesItem | None = Field(None, description="Modes of the function.")
+    define: DefineItem | None = Field(None, description="Interfaces that the catalogue does not have yet.")
 
 
 class Declared(NamedTuple):

@@ -220,7 +220,7 @@ def _json_values(text: str) -> Iterator[tuple[Pointer, int, bool]]:
         elif word == ":":
             key_next = False
         elif key_next:
-            path[-1] = json.loads(word)
+            path[-1] = word[1:-1] if "\\" not in word else json.loads(word)
             yield tuple(path), token.start(), True
         else:
             yield tuple(path), token.start(), False

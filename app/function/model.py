@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from app.function.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described
+from app.function.wire import OWN, PHYSICAL, TABLE, Integer, Number, TypeReference, WireModel, described
 
 CONSUMER = "Consumer"
 PROVIDER = "Provider"
@@ -62,11 +62,17 @@ class Signal(WireModel):
     access: str | None = described("Access", "Immediate, or buffered for the length of a call.", default=None)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     factor: str | None = described("Factor", "Scaling: physical value = stored value × factor + offset.", default=None)
-    offset: str | None = described("Offset", "Offset of the scaling, in the unit of the signal.", default=None)
-    min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None)
-    max: Number | None = described("Max", "Largest valid value, after scaling.", default=None)
-    default: Number | None = described("Default", "Value that stands in for a missing one.", default=None)
-    init_value: Number | None = described("InitValue", "Value before the first one arrives.", default=None)
+    offset: str | None = described(
+        "Offset", "Offset of the scaling, in the unit of the signal.", default=None, unit=PHYSICAL
+    )
+    min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None, unit=PHYSICAL)
+    max: Number | None = described("Max", "Largest valid value, after scaling.", default=None, unit=PHYSICAL)
+    default: Number | None = described(
+        "Default", "Value that stands in for a missing one.", default=None, unit=PHYSICAL
+    )
+    init_value: Number | None = described(
+        "InitValue", "Value before the first one arrives.", default=None, unit=PHYSICAL
+    )
     units: str | None = described("Units", "Unit of the physical value, by its key in the catalogue.", default=None)
     range_error_action: str | None = described(
         "RangeErrorAction", "What replaces a value out of range: Default or Init.", default=None
@@ -77,7 +83,9 @@ class Signal(WireModel):
     type: str | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
     )
-    resolution: Number | None = described("Resolution", "Smallest step between two values.", default=None, source=OWN)
+    resolution: Number | None = described(
+        "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
+    )
     vss_path: str | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
@@ -88,7 +96,14 @@ class Signal(WireModel):
         source=OWN,
     )
     conversion_offset: str | None = described(
-        "ConversionOffset", "Offset of the conversion, in the catalogue's unit.", default=None, source=OWN
+        "ConversionOffset",
+        "Offset of the conversion, in the catalogue's unit.",
+        default=None,
+        source=OWN,
+        unit="that of `VssUnit`",
+    )
+    external_provider: str | None = described(
+        "ExternalProvider", "Who provides a consumed signal, where no other function does.", default=None, source=OWN
     )
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
@@ -102,14 +117,18 @@ class DataQueue(WireModel):
     description: str = described("Description", "What the values mean.")
     role: str = described("Role", "Consumer or Provider.")
     asil_level: str = described("AsilInfo", "ASIL: QM, A, B, C or D.")
-    queue_length: Integer = described("QueueLength", "Number of values that the queue holds.")
+    queue_length: Integer = described("QueueLength", "Number of values that the queue holds.", unit="values")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     factor: Number = described("Factor", "Scaling: physical value = stored value × factor + offset.")
-    offset: Number = described("Offset", "Offset of the scaling, in the unit of the signal.")
-    init_value: Number = described("InitValue", "Value before the first one arrives.")
+    offset: Number = described("Offset", "Offset of the scaling, in the unit of the signal.", unit=PHYSICAL)
+    init_value: Number = described("InitValue", "Value before the first one arrives.", unit=PHYSICAL)
     units: str = described("Units", "Unit of the physical value; empty if it has none.")
-    min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None, source=TABLE)
-    max: Number | None = described("Max", "Largest valid value, after scaling.", default=None, source=TABLE)
+    min: Number | None = described(
+        "Min", "Smallest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
+    )
+    max: Number | None = described(
+        "Max", "Largest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
+    )
     timeout: str | None = described(
         "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms", source=OWN
     )
@@ -126,7 +145,10 @@ class DataQueue(WireModel):
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: str | None = described("ConversionOffset", "As in a signal.", default=None, source=OWN)
+    conversion_offset: str | None = described(
+        "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
+    external_provider: str | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
@@ -157,10 +179,10 @@ class Parameter(WireModel):
     description: str = described("Description", "What the value means.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     asil_level: str = described("Asillevel", "ASIL: QM, A, B, C or D.")
-    min: Number = described("Min", "Smallest valid value; 0 for a text.")
-    max: Number = described("Max", "Largest valid value; 0 for a text.")
-    default: Number = described("Default", "Value of a new vehicle; 0 for a text.")
-    init_value: Number = described("InitValue", "Value at start-up; 0 for a text.")
+    min: Number = described("Min", "Smallest valid value; 0 for a text.", unit=PHYSICAL)
+    max: Number = described("Max", "Largest valid value; 0 for a text.", unit=PHYSICAL)
+    default: Number = described("Default", "Value of a new vehicle; 0 for a text.", unit=PHYSICAL)
+    init_value: Number = described("InitValue", "Value at start-up; 0 for a text.", unit=PHYSICAL)
     range_error_action: str = described("RangeErrorAction", "What replaces a value out of range: Default or Init.")
     interface_type: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
     attribute: str = described("Attribute", "Normal, LearningParameter or NA.")
@@ -170,7 +192,9 @@ class Parameter(WireModel):
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: str | None = described("ConversionOffset", "As in a signal.", default=None, source=OWN)
+    conversion_offset: str | None = described(
+        "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
@@ -186,10 +210,14 @@ class Error(WireModel):
         "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
     )
     occurrence_count_limit: Integer = described(
-        "OccurenceCountLimit", "How often the error has to occur to be confirmed; 0 if that does not count."
+        "OccurenceCountLimit",
+        "How often the error has to occur to be confirmed; 0 if that does not count.",
+        unit="occurrences",
     )
     ignition_count_limit: Integer = described(
-        "IgnitionCountLimit", "Ignition cycles after which the error is confirmed; 0 if they do not count."
+        "IgnitionCountLimit",
+        "Ignition cycles after which the error is confirmed; 0 if they do not count.",
+        unit="ignition cycles",
     )
     maturation_time: Integer = described(
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
@@ -343,7 +371,7 @@ class Datatype(WireModel):
         "ElementType", "Datatype of the elements of an array.", default=None, source=OWN
     )
     length: Integer | None = described(
-        "Length", "Elements of an array; absent if that is open.", default=None, source=OWN
+        "Length", "Elements of an array; absent if that is open.", default=None, source=OWN, unit="elements"
     )
     fields: tuple[TypeField, ...] | None = described(
         "Fields", "Members of a struct, in order.", default=None, source=OWN, strict=False

@@ -17,7 +17,7 @@ def interface_node(reference: str, category: Category, at: Pointer, work: Work, 
     words = category.replace("_", " ")
     if node is None or category_of(node.path) is None:
         candidates = [name for name, path in work.interfaces.items() if category_of(path) == category]
-        fix = work.hint(reference, candidates) or f"Declare it in an overlay of {words} interfaces."
+        fix = work.hint(reference, candidates) or f"Define it under `define`, or in an overlay of {words} interfaces."
         work.report("F013", at, f"The catalogue has no {words} interface {reference!r}.", fix, reference)
         return None
     actual = category_of(node.path)

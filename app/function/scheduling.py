@@ -30,9 +30,9 @@ def runnable(item: RunnableItem, at: Pointer, target: Pointer, work: Work) -> Ru
         name=interface_name(node.path),
         description=str(node.values.get("description") or ""),
         run_type=text_of(node, "runType") or "",
-        cycle_time=_whole(number_of(node, "cycleTime", at, work)),
+        cycle_time=_whole(node, "cycleTime", at, work),
         stack_size=_text(number_of(node, "stackSize", at, work)),
-        previous_runnable=text_of(node, "previousRunnable"),
+        previous_runnable=", ".join(texts_of(node, "previousRunnable", at, work)) or None,
         execution_offset=_text(number_of(node, "executionOffset", at, work)),
         parallel_processing=item.parallel,
         asil_level=text_of(node, "ASILlevel"),
@@ -81,8 +81,14 @@ def _optional_text(value: Any) -> str | None:
     return value if isinstance(value, str) else None
 
 
-def _whole(value: float | None) -> int | None:
-    return None if value is None else int(value)
+def _whole(node: Node, name: str, at: Pointer, work: Work) -> int | None:
+    """A number that the wire format has as a whole one only."""
+    value = number_of(node, name, at, work)
+    if value is None or value == int(value):
+        return None if value is None else int(value)
+    message = f"`{name}` of {node.path!r} is {value}: Function JSON has whole numbers only."
+    work.report("F004", at, message, path=node.path)
+    return None
 
 
 def _text(value: float | None) -> str | None:

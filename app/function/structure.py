@@ -1,7 +1,9 @@
 """Structural defects of a document, as the models report them, turned into findings with a place."""
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from functools import cache
+from types import UnionType
+from typing import Any, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
@@ -45,6 +47,10 @@ def _finding(
         fix = did_you_mean(key, _keys_beside(location, model))
         message = f"{key!r} is not a key that belongs here."
         return Finding("F003", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+    if key == "[key]":
+        message = f"{_shown(defect['input'])} is no name that belongs here."
+        fix = "Names are letters and digits, a letter first; a path has points between them."
+        return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
     value = defect["input"]
     expected = _EXPECTED.get(kind) or _worded(defect)
     fix = _YAML_WORDS if isinstance(value, bool) and kind == "string_type" else ""
@@ -80,20 +86,42 @@ def _is_index(part: str | int, value: Any) -> bool:
 def _keys_beside(location: Pointer, model: type[BaseModel]) -> list[str]:
     """Keys that the mapping at a location may have."""
     fields = model_at(model, location[:-1])
-    return [str(field.alias or name) for name, field in fields.model_fields.items()] if fields else []
+    return list(fields_of(fields)) if fields else []
 
 
 def model_at(model: type[BaseModel], location: Pointer) -> type[BaseModel] | None:
     """The model of the mapping that a location leads to."""
-    current: type[BaseModel] | None = model
+    current: Any = model
     for part in location:
         if isinstance(part, int):
             continue
-        if current is None:
-            return None
-        named = {field.alias or name: field for name, field in current.model_fields.items()}
-        current = _model_in(named[part].annotation) if part in named else None
-    return current
+        values = _values_of_mapping(current)
+        if values is None:
+            one = _model_in(current)
+            current = fields_of(one).get(part) if one is not None else None
+        else:
+            current = values
+    return _model_in(current) if _values_of_mapping(current) is None else None
+
+
+@cache
+def fields_of(model: type[BaseModel]) -> Mapping[str, Any]:
+    """Annotations of the fields by their names in documents."""
+    return {field.alias or name: field.annotation for name, field in model.model_fields.items()}
+
+
+@cache
+def models_of(model: type[BaseModel]) -> Mapping[str, type[BaseModel] | None]:
+    """What models the values of the fields have, in lists or by themselves."""
+    return {name: _model_in(annotation) for name, annotation in fields_of(model).items()}
+
+
+def _values_of_mapping(annotation: Any) -> Any:
+    """What stands under the keys of a mapping whose keys the author chooses; None for everything else."""
+    if get_origin(annotation) is dict:
+        return get_args(annotation)[1]
+    parts = get_args(annotation) if get_origin(annotation) in (Union, UnionType) else ()
+    return next((get_args(part)[1] for part in parts if get_origin(part) is dict), None)
 
 
 def _model_in(annotation: Any) -> type[BaseModel] | None:

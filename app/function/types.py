@@ -53,6 +53,9 @@ class TypeList:
             return self._enumeration(datatype, template, symbols)
         if datatype in BY_VSS:
             row = BY_VSS[datatype]
+            known = self._types.get(row.reference)
+            if known is not None and known.vss_datatype == row.vss and known.kind is None:
+                return row.reference
             return self._add(
                 Datatype(reference=row.reference, category="primitive", c_definition=row.c, vss_datatype=row.vss)
             )
@@ -117,10 +120,14 @@ class TypeList:
     def _add(self, datatype: Datatype) -> str:
         """Add a datatype, unless it is there; another one of the same name makes a number part of the name."""
         name, number = datatype.reference, 1
-        while name in self._types and self._types[name] != datatype.model_copy(update={"reference": name}):
+        known = self._types.get(name)
+        while known is not None and known != datatype:
             number += 1
             name = f"{datatype.reference}V{number}"
-        self._types.setdefault(name, datatype.model_copy(update={"reference": name}))
+            known = self._types.get(name)
+            known = known and known.model_copy(update={"reference": datatype.reference})
+        if known is None:
+            self._types[name] = datatype if number == 1 else datatype.model_copy(update={"reference": name})
         return name
 
 

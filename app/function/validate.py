@@ -7,6 +7,7 @@ from pydantic import BaseModel, ValidationError
 from app.catalogue.interfaces import category_of, interface_name
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
+from app.catalogue.yaml_document import collector_paused
 from app.findings import Finding, in_order
 from app.function.checks import check
 from app.function.conventions import check_conventions
@@ -14,7 +15,7 @@ from app.function.document import Document, Pointer, pointer_text, read_json
 from app.function.model import FunctionJson
 from app.function.problem import Problem
 from app.function.severities import SEVERITIES
-from app.function.structure import model_at, structural_findings
+from app.function.structure import fields_of, models_of, structural_findings
 from app.names import nearest
 
 
@@ -39,7 +40,11 @@ def read_function_json(
     data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
 ) -> Validated:
     """The function of a document, and everything that is wrong with it."""
-    document = read_json(data, name, limits)
+    return validated(read_json(data, name, limits), catalogue)
+
+
+def validated(document: Document, catalogue: Catalogue | None) -> Validated:
+    """The function of a document that was read, and everything that is wrong with it."""
     if document.value is None and document.findings:
         return Validated(None, document.findings)
     try:
@@ -47,9 +52,15 @@ def read_function_json(
     except ValidationError as error:
         findings = (*document.findings, *structural_findings(error, document, FunctionJson))
         return Validated(None, in_order(findings))
+    with collector_paused():
+        findings = _judged(function, document, catalogue)
+    return Validated(function, findings)
+
+
+def _judged(function: FunctionJson, document: Document, catalogue: Catalogue | None) -> tuple[Finding, ...]:
     problems = [*check(function, _known_errors(catalogue)), *check_conventions(function, catalogue)]
     findings = (*document.findings, *(_finding(problem, document) for problem in problems), *_unknown_keys(document))
-    return Validated(function, in_order(findings))
+    return in_order(findings)
 
 
 def _known_errors(catalogue: Catalogue | None) -> frozenset[str]:
@@ -67,24 +78,25 @@ def _finding(problem: Problem, document: Document) -> Finding:
 def _unknown_keys(document: Document) -> list[Finding]:
     """Keys that no model knows but that are near one it does: probably misspelled."""
     found: list[Finding] = []
-    waiting: list[tuple[Pointer, object]] = [((), document.value)]
+    waiting: list[tuple[Pointer, object, type[BaseModel]]] = [((), document.value, FunctionJson)]
     while waiting:
-        pointer, value = waiting.pop()
+        pointer, value, model = waiting.pop()
         if isinstance(value, list):
-            waiting.extend(((*pointer, i), item) for i, item in enumerate(value))
+            waiting.extend(((*pointer, i), item, model) for i, item in enumerate(value))
         elif isinstance(value, dict):
-            model = model_at(FunctionJson, pointer)
-            if model is None:
-                continue
-            found.extend(_misspelled(pointer, value, model, document))
-            waiting.extend(((*pointer, key), item) for key, item in value.items() if isinstance(item, dict | list))
+            models = models_of(model)
+            if not models.keys() >= value.keys():
+                found.extend(_misspelled(pointer, value, model, document))
+            for key, inner in models.items():
+                if inner is not None and isinstance(value.get(key), dict | list):
+                    waiting.append(((*pointer, key), value[key], inner))
     return found
 
 
 def _misspelled(
     pointer: Pointer, value: dict[str, object], model: type[BaseModel], document: Document
 ) -> list[Finding]:
-    known = [str(field.alias or name) for name, field in model.model_fields.items()]
+    known = fields_of(model)
     found = []
     for key in value:
         meant = nearest(key, [k for k in known if k not in value], limit=1) if key not in known else ()

@@ -84,13 +84,14 @@ def _data_node(path: str, at: Pointer, work: Work) -> Node | None:
 
 
 def _report_unknown(path: str, at: Pointer, work: Work) -> None:
-    definition = work.catalogue.definitions.get(path)
-    instance = next((n.path for n in work.catalogue.nodes.values() if n.definition is definition), None)
-    if definition is not None and instance:
+    instance = work.instances.get(path)
+    if instance:
         work.report("F010", at, f"{path!r} names no instance.", f"Name one, such as {instance!r}.", path)
         return
     fix = work.hint(path, work.catalogue.nodes)
-    work.report("F010", at, f"The catalogue has no signal {path!r}.", fix or "Add it to an overlay.", path)
+    work.report(
+        "F010", at, f"The catalogue has no signal {path!r}.", fix or "Define it under `define`, or in an overlay.", path
+    )
 
 
 def _below(node: Node) -> str:
@@ -248,8 +249,10 @@ def _check_loss(code: _Code, low: Fraction | None, high: Fraction | None, work: 
     """Refuse a datatype or a scale that cannot hold what the catalogue promises, or promises less than it gives."""
     own = element_of(str(code.node.values["datatype"]))
     stored = element_of(code.datatype)
+    if _is_wide(stored, own):
+        return
     held, catalogue = _held(stored, code.scale), _converted(_full(own), code.to_code)
-    if _is_wide(stored, own) or held is None or catalogue is None:
+    if held is None or catalogue is None:
         return
     is_provided = isinstance(code.item, DataItem) and code.item.role == "provided"
     given = held if is_provided else catalogue

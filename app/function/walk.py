@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from app.function.document import Pointer
-from app.function.model import Component, Contract, DataQueue, Error, FunctionJson, Parameter, Runnable, Signal
+from app.function.model import Component, Contract, DataQueue, Error, FunctionJson, Method, Parameter, Runnable, Signal
 
 
 class Placed(NamedTuple):
@@ -43,6 +43,13 @@ def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Parame
     for pointer, placed, contract in contracts(function):
         for index, item in enumerate(contract.parameters or ()):
             yield (*pointer, "ParameterList", index), placed, item
+
+
+def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Method]]:
+    """Every method."""
+    for pointer, placed, contract in contracts(function):
+        for index, item in enumerate(contract.methods or ()):
+            yield (*pointer, "MethodList", index), placed, item
 
 
 def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Error]]:

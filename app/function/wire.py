@@ -20,9 +20,13 @@ OWN = "sigcat"
 """Sources of fields: the authors' schema, what the paper's table has beyond it, and what later stages need."""
 
 
-def described(alias: str, description: str, *, default: Any = ..., unit: str = "", source: str = PUBLISHED, **more: Any) -> Any:  # fmt: skip
+PHYSICAL = "that of `Units`"
+"""Unit of a field that holds a value of the signal itself."""
+
+
+def described(alias: str, description: str, *, default: Any = ..., unit: str = "none", source: str = PUBLISHED, **more: Any) -> Any:  # fmt: skip
     """A field with its name on the wire, its description, its unit and the source that it comes from."""
-    extra: dict[str, Any] = {"x-source": source, **({"x-unit": unit} if unit else {})}
+    extra: dict[str, Any] = {"x-source": source, "x-unit": unit}
     return Field(default, alias=alias, description=description, json_schema_extra=extra, **more)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from app.function.asil import level_of, rank
-from app.function.model import PROVIDER, DataQueue, FunctionJson, Runnable, Signal, milliseconds
+from app.function.model import PROVIDER, Contract, DataQueue, FunctionJson, Runnable, Signal, milliseconds
 
 
 class End(NamedTuple):
@@ -81,12 +81,18 @@ def calls_of(function: FunctionJson) -> Iterator[Runnable]:
         yield from component.runnables
 
 
+def data_of(contract: Contract) -> Iterator[Signal | DataQueue]:
+    """Signals and queues of a contract."""
+    yield from contract.signals or ()
+    yield from contract.queues or ()
+
+
 def ends_of(function: FunctionJson) -> Iterator[End]:
     """Every signal and queue of a function, each once for each call that uses it."""
     for call in calls_of(function):
         cycle = float(call.cycle_time) if call.cycle_time is not None else None
         for contract in call.contracts or ():
-            for signal in (*(contract.signals or ()), *(contract.queues or ())):
+            for signal in data_of(contract):
                 yield End(function.info.function_name, call.name, cycle, signal)
 
 

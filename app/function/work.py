@@ -1,10 +1,12 @@
 """What the building of one function gathers: findings, datatypes, and where each part of the result comes from."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cached_property
 
 from app.catalogue.interfaces import by_interface_name
 from app.catalogue.model import Catalogue, Node
 from app.findings import Finding
+from app.function.datatypes import BY_VSS
 from app.function.document import Document, Pointer, pointer_text
 from app.function.severities import SEVERITIES
 from app.function.types import TypeList
@@ -24,10 +26,20 @@ class Work:
         self.types = TypeList(catalogue)
         self.interfaces = by_interface_name(catalogue.nodes)
         """Paths of the catalogue's interfaces by interface name."""
+        self.datatypes = (*BY_VSS, *(node.path for node in catalogue.nodes.values() if node.type == "struct"))
+        """Names of datatypes: those of VSS, and paths of structs."""
         self._hints = 0
         self._told: set[tuple[str, Pointer]] = set()
         self.trace: dict[Pointer, Pointer] = {}
         """From parts of the Function JSON to the parts of the declaration that they were made from."""
+
+    @cached_property
+    def instances(self) -> Mapping[str, str]:
+        """The first instance of each definition, by the definition's path."""
+        first: dict[str, str] = {}
+        for node in self.catalogue.nodes.values():
+            first.setdefault(node.template, node.path)
+        return first
 
     def report(self, rule: str, at: Pointer, message: str, fix: str = "", path: str = "") -> None:
         """Note a finding at a place of the declaration."""

@@ -40,10 +40,10 @@ def _stamp(files: Iterable[Path]) -> _Stamp:
 
 def _kept(file: Path, stamp: _Stamp) -> tuple[Rule, ...] | None:
     try:
-        written, records = marshal.loads(file.read_bytes())
+        written, records = marshal.loads(file.read_bytes())  # noqa: S302 — trusted as compiled Python is, see above
         if not stamp or written != stamp:
             return None
-        return tuple(Rule(*record[:8], Nodes(*record[8]), *record[9:]) for record in records)
+        return tuple(Rule._make((*record[:8], Nodes._make(record[8]), *record[9:])) for record in records)
     except (OSError, ValueError, TypeError, EOFError):
         return None
 

@@ -1,4 +1,4 @@
-"""What the named files are: trees, overlays, parts of a tree, function files, rule files.
+"""What the named files are: trees, overlays, struct types, parts of a tree, function files, rule files.
 
 Only names and a first look at the bytes decide; nothing is parsed twice. A file that another file of the same tree
 includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 
 from app.errors import NotFound
 
-Kind = Literal["tree", "overlay", "part", "function", "rules", "vocabulary", "other"]
+Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
 
 ROOT_NAME = "VehicleSignalSpecification.vspec"
 UNIT_FILES = ("units.yaml", "units.yml")
@@ -28,10 +28,14 @@ _INCLUDE = re.compile(rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?", re.MULTILI
 _RULE_FILE = re.compile(rb"^[A-Z]+[0-9]{3}:[ \t]*\r?\n", re.MULTILINE)
 _RULE_FIELD = re.compile(rb"^[ \t]+check:[ \t]*\S", re.MULTILINE)
 _FUNCTION_JSON = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
+_INTEGRATION_JSON = b'"CommunicationList"'
+"""What the Integration JSON of ROS 2 has beside everything of Function JSON."""
 _FUNCTION_YAML = re.compile(rb"^(function|Function):", re.MULTILINE)
 _NODE = re.compile(
     rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(branch|sensor|actuator|attribute|struct|property)\b""", re.MULTILINE
 )
+_STRUCT = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?struct\b""", re.MULTILINE)
+_SIGNAL = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(sensor|actuator|attribute)\b""", re.MULTILINE)
 _OWN_ROOT = re.compile(rb"""^["']?[A-Za-z]\w*["']?:[ \t]*(\n|\r|\{|#)""", re.MULTILINE)
 
 _Includes = Mapping[Path, tuple[tuple[str, str], ...]]
@@ -48,8 +52,8 @@ class Source(NamedTuple):
     prefix: str = ""
 
 
-def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), trees: Iterable[Path] = ()) -> tuple[Source, ...]:
-    """The files to lint in `paths`, each once. `overlays` and `trees` are known to be such. Raises NotFound."""
+def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = ()) -> tuple[Source, ...]:
+    """The files to lint in `paths`, each once. `overlays` and `types` are known to be such. Raises NotFound."""
     found: dict[Path, bool] = {}
     for path in paths:
         if path.is_dir():
@@ -61,12 +65,12 @@ def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), trees: Iterab
             raise NotFound(f"{str(path)!r} does not exist.")
     includes = {path: includes_of(path) for path in found if path.suffix == ".vspec"}
     parts = _parts(includes)
-    known_overlays = {path.resolve() for path in overlays}
-    known_trees = {path.resolve() for path in trees}
+    known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
+    known.update({path.resolve(): "types" for path in types})
     sources = []
     for path, named in found.items():
-        known = _known(path, known_overlays, known_trees) if known_overlays or known_trees else ""
-        sources.append(_source(path, named, known, _above(path, parts), includes))
+        kind = known.get(path.resolve()) if known else None
+        sources.append(_source(path, named, kind, _above(path, parts), includes))
     return tuple(sources)
 
 
@@ -149,10 +153,10 @@ def default_tree(near: Path) -> Path | None:
     return None
 
 
-def _source(path: Path, named: bool, known: str, above: Path | None, includes: _Includes) -> Source:
+def _source(path: Path, named: bool, known: Kind | None, above: Path | None, includes: _Includes) -> Source:
     """`above` is the file of the list that includes this one, directly or through others, and is included by none."""
     if known:
-        return Source(path, "tree" if known == "tree" else "overlay", named)
+        return Source(path, known, named)
     if path.suffix != ".vspec":
         return Source(path, _kind_of_data(path, named=named), named)
     if above is None:
@@ -171,9 +175,18 @@ def _top(path: Path, named: bool, includes: _Includes) -> Source:
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
+    if _has_structs_only(path):
+        return Source(path, "types", named)
     has_vocabulary = any((path.parent / name).is_file() for name in UNIT_FILES)
+    if has_vocabulary and (path.parent / ROOT_NAME).is_file():
+        return Source(path, "overlay", named)
     is_tree = has_vocabulary or (bool(includes.get(path)) and bool(_OWN_ROOT.search(first_bytes(path))))
     return Source(path, "tree" if is_tree else "overlay", named)
+
+
+def _has_structs_only(path: Path) -> bool:
+    data = first_bytes(path)
+    return b"struct" in data and bool(_STRUCT.search(data)) and not _SIGNAL.search(data)
 
 
 def _above(path: Path, parts: Mapping[Path, Path]) -> Path | None:
@@ -182,11 +195,6 @@ def _above(path: Path, parts: Mapping[Path, Path]) -> Path | None:
     while seen[-1] in parts and parts[seen[-1]] not in seen:
         seen.append(parts[seen[-1]])
     return seen[-1] if len(seen) > 1 else None
-
-
-def _known(path: Path, overlays: set[Path], trees: set[Path]) -> str:
-    real = path.resolve()
-    return "overlay" if real in overlays else "tree" if real in trees else ""
 
 
 def _parts(includes: _Includes) -> dict[Path, Path]:
@@ -237,7 +245,8 @@ def _kind_of_data(path: Path, *, named: bool) -> Kind:
     """What a YAML or JSON file is. A file that the user named is taken for something, so that it is not passed over."""
     data = first_bytes(path)
     if path.suffix == ".json":
-        return "function" if named or any(key in data for key in _FUNCTION_JSON) else "other"
+        is_function = any(key in data for key in _FUNCTION_JSON) and _INTEGRATION_JSON not in data
+        return "function" if named or is_function else "other"
     if _RULE_FILE.search(data) and _RULE_FIELD.search(data):
         return "rules"
     if path.name in UNIT_FILES or path.name in QUANTITY_FILES:

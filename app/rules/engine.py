@@ -70,6 +70,21 @@ class NodeRule(NamedTuple):
     test: NodeTest
     needs: str
     path: Callable[[str], object] | None
+    of_overlays: bool
+
+    def concerns(self, definition: Definition) -> bool:
+        """Whether the datatype and the path of a node are those that the rule is about."""
+        datatypes = self.rule.nodes.datatypes
+        return (not datatypes or str(definition.values.get("datatype")) in datatypes) and (
+            self.path is None or bool(self.path(definition.path))
+        )
+
+
+class _Choice(NamedTuple):
+    """The rules for nodes of one type and category: those for all of them, and those for nodes with an attribute."""
+
+    always: Sequence[NodeRule]
+    by_need: Mapping[str, Sequence[NodeRule]]
 
 
 class Bound(NamedTuple):
@@ -118,31 +133,41 @@ def _check_of(rule: Rule) -> Check:
 def _node_rule(rule: Rule, check: NodeCheck, tree: Tree) -> NodeRule:
     needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
     glob = re.compile(translate(rule.nodes.path)).match if rule.nodes.path else None
-    return NodeRule(rule, check.prepare(rule, tree), needs.partition(".")[0], glob)
+    return NodeRule(rule, check.prepare(rule, tree), needs.partition(".")[0], glob, check.of_overlays)
 
 
 def _node_findings(rules: Sequence[NodeRule], tree: Tree, wanted: Wanted) -> Iterator[Found]:
-    chosen: dict[tuple[str, str], list[NodeRule]] = {}
+    usable = rules if tree.overlays else [rule for rule in rules if not rule.of_overlays]
+    choices: dict[tuple[str, str], _Choice] = {}
     for path, definition in tree.definitions.items():
         if not wanted(definition):
             continue
         key = (definition.type, category_of(path) or "")
-        if key not in chosen:
-            chosen[key] = [rule for rule in rules if _concerns(rule.rule, *key)]
-        values = definition.values
-        for node_rule in chosen[key]:
-            if node_rule.needs and values.get(node_rule.needs) is None:
+        if key not in choices:
+            choices[key] = _choice([rule for rule in usable if _concerns(rule.rule, *key)])
+        for node_rule in _for_values(choices[key], definition.values):
+            if not node_rule.concerns(definition):
                 continue
-            rule = node_rule.rule
-            if rule.nodes.datatypes and str(values.get("datatype")) not in rule.nodes.datatypes:
+            flaws = node_rule.test(definition)
+            if not node_rule.rule.trusted:
+                yield from _guarded(node_rule.rule, flaws)
                 continue
-            if node_rule.path is not None and not node_rule.path(path):
-                continue
-            if rule.trusted:
-                for flaw in node_rule.test(definition):
-                    yield _finding(rule, flaw), flaw.repair
-            else:
-                yield from _guarded(rule, node_rule.test(definition))
+            for flaw in flaws:
+                yield _finding(node_rule.rule, flaw), flaw.repair
+
+
+def _choice(rules: Sequence[NodeRule]) -> _Choice:
+    by_need: dict[str, list[NodeRule]] = {}
+    for rule in rules:
+        by_need.setdefault(rule.needs, []).append(rule)
+    return _Choice(by_need.pop("", []), by_need)
+
+
+def _for_values(choice: _Choice, values: Mapping[str, Any]) -> Iterator[NodeRule]:
+    yield from choice.always
+    for name, value in values.items():
+        if name in choice.by_need and value is not None:
+            yield from choice.by_need[name]
 
 
 def _concerns(rule: Rule, node_type: str, category: str) -> bool:

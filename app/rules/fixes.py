@@ -15,8 +15,10 @@ from app.catalogue.yaml_document import Builder, Unbuildable, read_document
 from app.findings import Finding
 from app.rules.flaw import Repair
 from app.rules.options import Place, place_of
+from app.rules.suppression import without_codes
 
 _PLAIN_ENDINGS = ("'", '"')
+_BOM = "\ufeff"
 
 
 class Edit(NamedTuple):
@@ -25,6 +27,10 @@ class Edit(NamedTuple):
     start: int
     end: int
     text: str
+
+
+_Settling = tuple[Edit, tuple[Finding, ...]]
+"""An edit, and the findings that it settles."""
 
 
 class Fixed(NamedTuple):
@@ -57,19 +63,55 @@ def fixed_files(
     return tuple(result for result in fixed if result is not None and result.settled)
 
 
-def _fixed(name: str, text: str, pairs: Iterable[tuple[Finding, Repair]]) -> Fixed | None:
+def _fixed(name: str, content: str, pairs: Sequence[tuple[Finding, Repair]]) -> Fixed | None:
+    """Values and comments are repaired; if a comment turns out to be part of a text, values alone."""
+    text = content.removeprefix(_BOM)
     document = read_document(text.encode("utf-8", "surrogatepass"), name)
     if document.root is None:
         return None
-    scalars = {(node.start_mark.line, node.start_mark.column): (node, above) for node, above in _scalars(document.root)}
-    edits: list[tuple[Edit, Finding]] = []
+    values = list(_value_edits(text, document.root, pairs))
+    comments = list(_comment_edits(text, pairs))
+    for edits in (values + comments, values) if comments else (values,):
+        after, settled = _applied(text, edits)
+        if after != text and _reads_alike(text, after, len(values)):
+            return Fixed(name, content, content[: len(content) - len(text)] + after, settled)
+    return None
+
+
+def _value_edits(text: str, root: Node, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[_Settling]:
+    scalars = {(node.start_mark.line, node.start_mark.column): (node, above) for node, above in _scalars(root)}
     for finding, repair in pairs:
         found = scalars.get((finding.line - 1, finding.column - 1))
-        edit = _edit(text, repair, *found) if found is not None else None
+        edit = _edit(text, repair, *found) if found is not None and repair.kind != "remove suppression" else None
         if edit is not None:
-            edits.append((edit, finding))
-    after, settled = _applied(text, edits)
-    return Fixed(name, text, after, settled) if after != text and _reads_alike(text, after, len(settled)) else None
+            yield edit, (finding,)
+
+
+def _comment_edits(text: str, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[_Settling]:
+    """Codes that suppress nothing go, all those of one comment at once; a line that said nothing else goes with it."""
+    comments: dict[tuple[int, int], list[tuple[Finding, Repair]]] = {}
+    for finding, repair in pairs:
+        if repair.kind == "remove suppression":
+            comments.setdefault((finding.line, finding.column), []).append((finding, repair))
+    lines = text.splitlines(keepends=True)
+    for (number, column), unused in comments.items():
+        line = lines[number - 1]
+        start = sum(map(len, lines[: number - 1]))
+        after = without_codes(line, column, [repair.text for _, repair in unused])
+        edit = _narrowed(Edit(start, start + len(line), after if after.strip() else ""), line)
+        yield edit, tuple(finding for finding, _ in unused)
+
+
+def _narrowed(edit: Edit, before: str) -> Edit:
+    """The edit without what stays at its start and its end."""
+    start = _alike(before, edit.text)
+    end = _alike(before[:start:-1], edit.text[:start:-1])
+    return Edit(edit.start + start, edit.end - end, edit.text[start : len(edit.text) - end])
+
+
+def _alike(one: str, other: str) -> int:
+    """How many characters both start with."""
+    return next((i for i, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
 
 
 def _edit(text: str, repair: Repair, node: ScalarNode, above: MappingNode | None) -> Edit | None:
@@ -117,16 +159,16 @@ def _is_plain(text: str) -> bool:
     return text.replace("_", "").replace("/", "").isalnum() and not text[0].isdigit()
 
 
-def _applied(text: str, edits: Sequence[tuple[Edit, Finding]]) -> tuple[str, tuple[Finding, ...]]:
+def _applied(text: str, edits: Iterable[_Settling]) -> tuple[str, tuple[Finding, ...]]:
     """Edits from the last to the first; one that overlaps another waits for the next run."""
     settled: list[Finding] = []
     limit = len(text) + 1
-    for edit, finding in sorted(edits, key=lambda pair: (pair[0].start, pair[0].end), reverse=True):
+    for edit, findings in sorted(edits, key=lambda pair: (pair[0].start, pair[0].end), reverse=True):
         if edit.end > limit or (edit.end == limit and edit.start == edit.end):
             continue
         text = text[: edit.start] + edit.text + text[edit.end :]
         limit = edit.start
-        settled.append(finding)
+        settled.extend(findings)
     return text, tuple(reversed(settled))
 
 

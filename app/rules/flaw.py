@@ -18,12 +18,12 @@ class Subject(Protocol):
 
 
 class Repair(NamedTuple):
-    """A change of the bytes of one scalar or one attribute that repairs a flaw.
+    """A change of the bytes of one scalar, one attribute or one comment that repairs a flaw.
 
     `safe` means that no reader of the tree sees another meaning: texts for people, spellings.
     """
 
-    kind: Literal["replace", "capitalize", "append", "remove attribute", "rename attribute"]
+    kind: Literal["replace", "capitalize", "append", "remove attribute", "rename attribute", "remove suppression"]
     text: str = ""
     safe: bool = True
 

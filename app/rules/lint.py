@@ -59,20 +59,23 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 
 def _linted(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
+    sources = [s for s in discover(paths, options.overlays, options.types) if not _excluded(s.path, options)]
+    options = options._replace(types=_types(sources, options))
     lint = _Lint(options, chosen(every_rule, options), {}, {})
-    sources = [s for s in discover(paths, options.overlays) if not _excluded(s.path, options)]
     bases = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], bases, lint)
     for source in sources:
         if source.kind == "part" and source.tree is not None:
             _lint_part(source, lint)
-        elif source.kind == "function":
-            _lint_function(source.path, lint)
+        elif source.kind == "types":
+            _lint_types(source.path, bases, lint)
         elif source.kind == "rules":
             _lint_rules(source.path, lint)
         elif source.kind == "vocabulary" and str(source.path) not in lint.files:
             _lint_vocabulary(source.path, lint)
-    return _finished(lint, every_rule, complete=any(path.is_dir() for path in paths))
+    complete = any(path.is_dir() for path in paths)
+    _lint_functions([s.path for s in sources if s.kind == "function"], lint, complete=complete)
+    return _finished(lint, every_rule, complete=complete)
 
 
 def lint_text(
@@ -152,14 +155,21 @@ def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
     vocabulary = _vocabulary(base, order, options)
     overlays = [read_layer(path, options.include_dirs, is_overlay=True) for path in order]
     types = [read_layer(path, options.include_dirs) for path in options.types]
-    layers = [read_layer(base, options.include_dirs), *overlays]
-    catalogue = compose(layers, vocabulary, types, expanded=False, name=base.stem)
+    tree = read_layer(base, options.include_dirs)
+    earlier = _unchecked(tree, vocabulary)
+    catalogue = compose([tree, *overlays], vocabulary, types, expanded=False, name=base.stem, earlier=earlier)
     named = {str(path) for path in group}
     files = {file.name for layer in overlays if layer.name in named for file in layer.files} | named
     beside = {file.name for file in vocabulary.files if Path(file.name).parent in {path.parent for path in group}}
     found = found_in(catalogue, lint.rules, _written_in(files), options.attributes)
     _add(found, files | (beside - set(lint.files)), lint)
     _look_at([*files, *beside], lint)
+
+
+def _unchecked(tree: Layer, vocabulary: Vocabulary) -> Catalogue:
+    """The tree as it is written, unchecked: nodes that no overlay speaks of are looked up, and never judged."""
+    definitions = {s.path: Definition(s.path, (s,), s.values) for s in tree.statements}
+    return Catalogue(tree.name, (), vocabulary, (), (), definitions, is_expanded=False)
 
 
 def _in_order_of_application(group: Sequence[Path], options: LintOptions) -> list[Path]:
@@ -178,7 +188,7 @@ def _beside(group: Sequence[Path]) -> list[Path]:
     folders = dict.fromkeys(path.parent for path in group)
     near = [path for folder in folders for path in sorted(folder.glob("*.vspec"))]
     named = {path.resolve(): path for path in group}
-    found = discover(near, near) if near else ()
+    found = discover(near, group) if near else ()
     return [named.get(s.path.resolve(), s.path) for s in found if s.kind == "overlay"]
 
 
@@ -187,6 +197,25 @@ def _written_in(files: set[str]) -> Callable[[Definition], bool]:
         return any(statement.file.name in files for statement in definition.statements)
 
     return wanted
+
+
+def _types(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
+    """The files of struct types: those of the options, and those that were found."""
+    known = {path.resolve(): path for path in options.types}
+    found = {source.path.resolve(): source.path for source in sources if source.kind == "types"}
+    return tuple({**known, **found}.values())
+
+
+def _lint_types(path: Path, bases: dict[Path, Catalogue], lint: _Lint) -> None:
+    """A tree of struct types by itself, with the units of the tree that uses them."""
+    options = lint.options
+    layer = read_layer(path, options.include_dirs)
+    vocabulary = _vocabulary(_base_for(path, list(bases), options), [path], options)
+    types = [layer if other == path else read_layer(other, options.include_dirs) for other in options.types]
+    catalogue = compose([layer], vocabulary, types, expanded=False, name=path.stem)
+    files = {file.name for file in layer.files} | {str(path)}
+    _add(found_in(catalogue, lint.rules, attributes=options.attributes), files, lint)
+    _look_at(files, lint)
 
 
 def _lint_part(source: Source, lint: _Lint) -> None:
@@ -217,11 +246,13 @@ def _bytes_of(path: Path, lint: _Lint) -> bytes:
     return b""
 
 
-def _lint_function(path: Path, lint: _Lint) -> None:
-    _look_at([str(path)], lint, "comments")
-    data = _bytes_of(path, lint)
-    if lint.options.check_function is not None and data:
-        _add(((f, None) for f in lint.options.check_function(data, str(path))), None, lint)
+def _lint_functions(paths: Sequence[Path], lint: _Lint, *, complete: bool) -> None:
+    """Function files, alone and together. Files that were named one by one may be a part of a set."""
+    _look_at(map(str, paths), lint, "comments")
+    read = [(_bytes_of(path, lint), str(path)) for path in paths]
+    files = [(data, name) for data, name in read if data]
+    if lint.options.check_functions is not None and files:
+        _add(((f, None) for f in lint.options.check_functions(files, complete)), None, lint)
 
 
 def _lint_rules(path: Path, lint: _Lint) -> None:
@@ -277,7 +308,8 @@ def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> Lin
     if options.baseline is not None:
         compared = compare(told, read_baseline(options.baseline), options.root, complete=complete)
         told, known = [*compared.findings, *grade.all(compared.stale)], compared.known
-    repairs = {place_of(f): r for f, r in lint.found.items() if r is not None}
+    unused = ((f, r) for finding, r in kept.unused for f in grade.all([finding]))
+    repairs = {place_of(f): r for f, r in (*lint.found.items(), *unused) if r is not None}
     return LintResult(in_order(told), tuple(lint.files), repairs, kept.suppressed + known)
 
 

@@ -11,8 +11,11 @@ from app.rules.flaw import Repair
 
 _NONE: Mapping[str, Any] = MappingProxyType({})
 
-FunctionCheck = Callable[[bytes, str], Sequence[Finding]]
-"""Checks the bytes of a function file; the second argument is its name. Given by who may import the function room."""
+FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], Sequence[Finding]]
+"""Checks function files, bytes with names, alone and as one set; the flag says whether there are no further ones.
+
+Given by who may import the function room.
+"""
 
 
 class PerFile(NamedTuple):
@@ -52,7 +55,7 @@ class LintOptions(NamedTuple):
     rule_options: Mapping[str, Mapping[str, Any]] = _NONE
     """Options of checks by the code of the rule, over those of the rule's record."""
     baseline: Path | None = None
-    check_function: FunctionCheck | None = None
+    check_functions: FunctionCheck | None = None
 
 
 Place = tuple[str, str, int, int, str]

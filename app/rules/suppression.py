@@ -10,10 +10,11 @@ from typing import NamedTuple
 
 from app.findings import Finding
 from app.names import did_you_mean
+from app.rules.flaw import Repair
 
 MARK = b"sigcat:"
 
-_COMMENT = re.compile(r"#\s*sigcat:\s*(?P<what>[\w-]*)\s*(?:\[(?P<codes>[^\]\n]*)\])?(?P<rest>[^\n]*)")
+_COMMENT = re.compile(r"#\s*sigcat:\s*(?P<what>[\w-]*)\s*(?:\[(?P<codes>[^\]\n]*)\])?(?P<rest>[^\r\n]*)")
 _CODE = re.compile(r"[A-Z]+[0-9]*")
 
 
@@ -41,6 +42,8 @@ class Kept(NamedTuple):
     findings: tuple[Finding, ...]
     suppressed: int
     about_comments: tuple[Finding, ...]
+    unused: tuple[tuple[Finding, Repair], ...]
+    """Those of `about_comments` that a repair settles."""
 
 
 def read_suppressions(text: str, file: str, codes: Sequence[str]) -> Suppressions:
@@ -78,8 +81,24 @@ def apply_suppressions(
         if not hits:
             kept.append(finding)
     about = [finding for entry in by_file.values() for finding in entry.findings]
-    about.extend(_unused(by_file.values(), used, frozenset(active)))
-    return Kept(tuple(kept), suppressed, tuple(about))
+    unused = tuple(_unused(by_file.values(), used, frozenset(active)))
+    return Kept(tuple(kept), suppressed, (*about, *(finding for finding, _ in unused)), unused)
+
+
+def without_codes(line: str, column: int, codes: Iterable[str]) -> str:
+    """The line without these codes in the comment at `column` (from 1); without the comment where it has no others.
+
+    A line that says nothing else is left empty.
+    """
+    match = _COMMENT.match(line, column - 1)
+    if match is None:
+        return line
+    unwanted = set(codes)
+    left = [code.strip() for code in match["codes"].split(",") if code.strip() and code.strip() not in unwanted]
+    if left:
+        start, end = match.span("codes")
+        return f"{line[:start]}{', '.join(left)}{line[end:]}"
+    return line[: match.start()].rstrip() + line[match.end() :]
 
 
 def _hits(finding: Finding, entry: Suppressions) -> Iterator[tuple[int, int, str]]:
@@ -92,7 +111,7 @@ def _hits(finding: Finding, entry: Suppressions) -> Iterator[tuple[int, int, str
 
 def _unused(
     entries: Iterable[Suppressions], used: set[tuple[str, int, int, str]], active: frozenset[str]
-) -> Iterator[Finding]:
+) -> Iterator[tuple[Finding, Repair]]:
     for entry in entries:
         for suppression in entry.entries:
             for code in suppression.codes:
@@ -100,7 +119,8 @@ def _unused(
                 if ran and (entry.file, suppression.line, suppression.column, code) not in used:
                     message = f"Nothing is suppressed by `ignore[{code}]`."
                     place = (entry.file, suppression.line, suppression.column)
-                    yield Finding("L001", "warning", message, *place, fix="Remove it.")
+                    finding = Finding("L001", "warning", message, *place, fix="Remove it.")
+                    yield finding, Repair("remove suppression", code)
 
 
 def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...], str]:

@@ -1,5 +1,6 @@
 """Addresses of pages."""
 
+from collections.abc import Mapping
 from urllib.parse import quote, urlencode
 
 
@@ -16,6 +17,11 @@ class Addresses:
     def page(self, *parts: str) -> str:
         """A page by the parts of its address."""
         return "/".join((self.base, *(quote(part, safe="") for part in parts)))
+
+    def query(self, given: Mapping[str, str]) -> str:
+        """A query of what is not empty, with its question mark; empty if nothing is left."""
+        kept = {name: value for name, value in given.items() if value}
+        return f"?{urlencode(kept)}" if kept else ""
 
     def tree(self, catalogue: str, path: str = "", opened: str = "", start: int = 0) -> str:
         """The tree with a node selected and branches open."""

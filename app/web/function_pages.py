@@ -12,7 +12,7 @@ from app.errors import NotFound, UsageError
 from app.function.model import FunctionJson, to_json
 from app.function.wiring import connect
 from app.names import nearest
-from app.web.documents import MadeDocument, documents_of
+from app.web.documents import MadeDocument, documents_of, integrations_of
 from app.web.interface_diagram import interface_diagram
 from app.web.rendering import page
 from app.web.shelf import FILE, from_shelf, shelf
@@ -47,7 +47,7 @@ def show_function(
         return Response(to_json(shelved.function), media_type="application/json")
     function = shelved.function
     documents = documents_of(function) if function else ()
-    views = ("interfaces", "source", *(document.id for document in documents))
+    views = ("interfaces", "source", *dict.fromkeys(document.view for document in documents))
     if view not in views:
         raise NotFound(f"There is no view {view!r} of {shelved.name}.", nearest(view[:100], views))
     return page(
@@ -69,7 +69,9 @@ def download_document(library: TheLibrary, function_id: str, document_id: str, c
     """A document of a function, or its declaration, as a file."""
     shelved = from_shelf(named(library, catalogue).catalogue, function_id)
     if document_id == "source":
-        return _download(MadeDocument("source", "Declaration", f"{function_id}.yaml", "application/yaml", shelved.text))
+        return _download(
+            MadeDocument("source", "source", "Declaration", f"{function_id}.yaml", "application/yaml", shelved.text)
+        )
     known = {document.id: document for document in documents_of(shelved.function)} if shelved.function else {}
     if document_id not in known:
         raise NotFound(f"There is no document {document_id!r} of {shelved.name}.", nearest(document_id[:100], known))
@@ -101,9 +103,27 @@ def show_wiring(
         wiring=wiring,
         diagram=wiring_diagram(wiring),
         timeline=time_line(built),
+        documents=[document for document in integrations_of(built, "FunctionSet") if document.text] if built else (),
         ids={each.name: each.id for each in shelved},
         is_eco_control=set(chosen) == set(ECO_CONTROL),
     )
+
+
+@router.get("/wiring/files/{document_id}")
+def download_of_set(
+    library: TheLibrary,
+    document_id: str,
+    functions: Annotated[list[str] | None, Query(alias="f")] = None,
+    catalogue: Named = None,
+) -> Response:
+    """A document that is made from a set of functions, as a file."""
+    tree = named(library, catalogue).catalogue
+    shelved = [from_shelf(tree, each) for each in dict.fromkeys((functions or ECO_CONTROL)[:_MOST_FUNCTIONS])]
+    built = [each.function for each in shelved if each.function is not None]
+    known = {document.id: document for document in integrations_of(built, "FunctionSet") if document.text}
+    if document_id not in known:
+        raise NotFound(f"There is no document {document_id!r} of these functions.", nearest(document_id[:100], known))
+    return _download(known[document_id])
 
 
 @router.get("/wiring.json")

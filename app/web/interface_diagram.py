@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
 from app.function.model import PROVIDER, FunctionJson, Runnable
-from app.function.wiring import calls_of
+from app.function.wiring import calls_of, data_of
 
 WIDTH = 1120
 BOX_LEFT, BOX_RIGHT = 380, 740
@@ -12,6 +12,7 @@ _ROW = 24
 _HEADING = 34
 _LONGEST = 48
 """Characters of a label outside of the box."""
+_LONGEST_INSIDE = 24
 
 Side = Literal["left", "right"]
 
@@ -144,7 +145,7 @@ def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
         _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description)
         for call in calls_of(function)
         for contract in call.contracts or ()
-        for s in (*(contract.signals or ()), *(contract.queues or ()))
+        for s in data_of(contract)
         if (s.role == PROVIDER) is provided
     ]
 
@@ -161,7 +162,7 @@ def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
 
 def _modes(function: FunctionJson, direction: str) -> list[_Item]:
     return [
-        _Item("mode", m.name, " · ".join(m.modes), m.vss_path or "", m.description)
+        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description} {', '.join(m.modes)}")
         for m in function.mode_interfaces or ()
         if m.direction == direction
     ]
@@ -175,9 +176,7 @@ def _with(name: str, unit: str | None) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _placed(
-    side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int
-) -> tuple[list[Port], list[Heading], int]:
+def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> tuple[list[Port], list[Heading], int]:
     """Ports and headings one below the other, and where they end."""
     ports: list[Port] = []
     headings: list[Heading] = []
@@ -188,6 +187,7 @@ def _placed(
         headings.append(Heading(y + _HEADING - 10, side, text))
         y += _HEADING
         for item in items:
-            ports.append(Port(y + _ROW // 2, side, *item))
+            inner = item.inner if len(item.inner) <= _LONGEST_INSIDE else f"{item.inner[: _LONGEST_INSIDE - 1]}…"
+            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title))
             y += _ROW
     return ports, headings, y

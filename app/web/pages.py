@@ -5,26 +5,31 @@ from collections.abc import Mapping
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
-from fastapi.responses import JSONResponse, Response
+from fastapi.responses import JSONResponse, RedirectResponse, Response
 
 from app.api.catalogues import SearchQuery, find_node
 from app.api.cursors import cursor_of, offset_of
 from app.api.presenting import catalogue_detail, node_detail, rule_detail
 from app.api.problems import KINDS
-from app.api.requests import TheLibrary, TheRules, TheSettings, version_of
+from app.api.requests import TheLibrary, TheRules, TheSettings, library_of
+from app.api.versions import version_of
 from app.catalogue.hosting import Hosted
 from app.catalogue.search import FACETS
 from app.errors import NotFound
 from app.rules.record import Rule
-from app.web.node_view import node_view
+from app.web.addresses import Addresses
+from app.web.node_view import field_units_of, node_view
 from app.web.rendering import page
+from app.web.sunburst import Sunburst, sunburst
 from app.web.tree_rows import OpenBranches, rows_below, visible_rows
+from app.web.variants import find_hosted, folding, instance_counts, overlay_switches, stand_in
 
 router = APIRouter()
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000
 _MOST_FINDINGS = 200
+_MOST_PICTURED = 50_000
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
     "overlay": "Overlay", "deprecated": "Deprecated",
@@ -50,7 +55,7 @@ def show_home(request: Request, library: TheLibrary, opened: Opened = "", start:
 @router.get("/tree/{catalogue}")
 def show_tree(request: Request, library: TheLibrary, catalogue: str, opened: Opened = "", start: From = 0) -> Response:
     """The tree with nothing selected."""
-    return _tree(request, library.get(catalogue), "", opened, start)
+    return _tree(request, find_hosted(library, catalogue), "", opened, start)
 
 
 @router.get("/tree/{catalogue}/{path}")
@@ -58,10 +63,12 @@ def show_node(
     request: Request, library: TheLibrary, catalogue: str, path: str, opened: Opened = "", start: From = 0
 ) -> Response:
     """The tree with a node selected; with `.json` after the path, the node as the API has it."""
-    hosted = library.get(catalogue)
+    hosted = find_hosted(library, catalogue)
     if path not in hosted.catalogue.nodes and path.endswith(".json"):
         node = find_node(hosted.catalogue, path.removesuffix(".json"))
         return JSONResponse(node_detail(hosted.catalogue, node).model_dump())
+    if path not in hosted.catalogue.nodes and (other := stand_in(library, hosted, path)):
+        return RedirectResponse(Addresses(request.scope.get("root_path", "")).tree(hosted.source.id, other))
     return _tree(request, hosted, path, opened, start)
 
 
@@ -70,11 +77,12 @@ def list_rows(
     library: TheLibrary, catalogue: str, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
 ) -> Response:
     """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
-    hosted = library.get(catalogue)
+    hosted = find_hosted(library, catalogue)
     nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
     is_current = version == version_of(hosted)
     caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
-    return JSONResponse(rows_below(nodes, min(depth, _DEEPEST) - 1), headers={"Cache-Control": caching})
+    counts = {} if hosted.catalogue.is_expanded else instance_counts(hosted.catalogue)
+    return JSONResponse(rows_below(nodes, min(depth, _DEEPEST) - 1, counts), headers={"Cache-Control": caching})
 
 
 @router.get("/search/{catalogue}")
@@ -82,7 +90,7 @@ def show_search(
     request: Request, library: TheLibrary, settings: TheSettings, catalogue: str, query: Annotated[PageQuery, Query()]
 ) -> Response:
     """Search results with the counts of every filter."""
-    hosted = library.get(catalogue)
+    hosted = find_hosted(library, catalogue)
     text = query.q[: settings.query_characters]
     digest = hosted.catalogue.digest
     offset = offset_of(query.cursor, digest) if query.cursor else 0
@@ -105,7 +113,7 @@ def show_search(
 @router.get("/units/{catalogue}")
 def show_units(request: Request, library: TheLibrary, catalogue: str) -> Response:
     """Units by quantity."""
-    hosted = library.get(catalogue)
+    hosted = find_hosted(library, catalogue)
     by_quantity: dict[str, list[object]] = {}
     for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
         by_quantity.setdefault(unit.quantity, []).append(unit)
@@ -115,14 +123,14 @@ def show_units(request: Request, library: TheLibrary, catalogue: str) -> Respons
 @router.get("/catalogues/{catalogue}")
 def show_catalogue(request: Request, library: TheLibrary, catalogue: str) -> Response:
     """A catalogue's layers and findings."""
-    hosted = library.get(catalogue)
-    return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted))
+    hosted = find_hosted(library, catalogue)
+    return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted), sunburst=_picture(hosted))
 
 
 @router.get("/rules")
 def show_rules(request: Request, library: TheLibrary, rules: TheRules, catalogue: str | None = None) -> Response:
     """Every rule, with the number of its findings in a catalogue."""
-    hosted = library.default if catalogue is None else library.get(catalogue)
+    hosted = library.default if catalogue is None else find_hosted(library, catalogue)
     by_category: dict[str, list[Rule]] = {}
     for rule in rules.rules:
         by_category.setdefault(rule.category, []).append(rule)
@@ -137,7 +145,7 @@ def show_rule(
     """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
     if rule_id.endswith(".json"):
         return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
-    hosted = library.default if catalogue is None else library.get(catalogue)
+    hosted = library.default if catalogue is None else find_hosted(library, catalogue)
     rule = rule_detail(rules.get(rule_id))
     findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
     return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
@@ -171,7 +179,10 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
         "tree.html",
         hosted=hosted,
         selected=path,
-        view=node_view(catalogue, first) if first else None,
+        view=node_view(catalogue, first, field_units_of(request.app.state.rules.rules)) if first else None,
+        switches=overlay_switches(library_of(request), hosted),
+        folding=folding(hosted),
+        instances={} if catalogue.is_expanded else instance_counts(catalogue),
         rows=rows,
         total=total,
         start=start,
@@ -181,6 +192,11 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
         state=version_of(hosted),
         detail=catalogue_detail(hosted) if first is None else None,
     )
+
+
+def _picture(hosted: Hosted) -> Sunburst | None:
+    """The sunburst; beyond what a page can hold there is none."""
+    return sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= _MOST_PICTURED else None
 
 
 def _facets(

@@ -8,7 +8,7 @@ from fastapi.responses import HTMLResponse
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from app import __version__
-from app.api.presenting import plain_text, shown_file
+from app.api.presenting import finding_schema, plain_text, shown_file
 from app.api.requests import library_of
 from app.api.schemas import Problem
 from app.web.addresses import Addresses
@@ -31,6 +31,7 @@ _ENVIRONMENT = Environment(
     lstrip_blocks=True,
 )
 _ENVIRONMENT.filters.update(number=number, marked=marked, with_code=with_code, shown_file=shown_file)
+_ENVIRONMENT.filters["shown_finding"] = finding_schema
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
@@ -43,6 +44,7 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
         to=Addresses(request.scope.get("root_path", "")),
         library=library_of(request),
         address=request.url.path,
+        request_method=request.method,
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})

@@ -11,7 +11,7 @@ from app.findings import Finding
 from app.function.build import build
 from app.function.declaration import read_declaration
 from app.function.model import PROVIDER, FunctionJson
-from app.function.wiring import calls_of
+from app.function.wiring import calls_of, data_of
 from app.names import nearest
 
 FILE = "function.yaml"
@@ -86,7 +86,7 @@ def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None,
     for call in calls_of(function):
         add(call.vss_path, "runs")
         for contract in call.contracts or ():
-            for signal in (*(contract.signals or ()), *(contract.queues or ())):
+            for signal in data_of(contract):
                 add(signal.vss_path, "provides" if signal.role == PROVIDER else "consumes", call.name, signal.name)
             for parameter in contract.parameters or ():
                 add(parameter.vss_path, "is set by", call.name, parameter.name)

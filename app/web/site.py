@@ -13,7 +13,7 @@ from app.api.problems import answer_problem, problem_from
 from app.api.settings import DEFAULT_SETTINGS, Settings
 from app.catalogue.hosting import Library
 from app.errors import SigcatError
-from app.web import pages, reference
+from app.web import change_pages, function_pages, pages, reference, try_pages
 from app.web.headers import SecurityHeaders
 from app.web.rendering import problem_page
 
@@ -23,8 +23,8 @@ _STATIC = Path(__file__).parent / "static"
 def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
     """The API with the browser pages."""
     app = create_app(library, settings)
-    for router in (pages.router, reference.router):
-        app.include_router(router, include_in_schema=False)
+    for module in (function_pages, try_pages, change_pages, pages, reference):
+        app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
     for kind in (SigcatError, RequestValidationError, HTTPException, Exception):

@@ -84,7 +84,7 @@ def _common_period(periods: list[float]) -> float:
 def _lane(index: int, each: _Cyclic, horizon: float) -> Lane:
     call = each.call
     longest = call.watchdog.deadline.max if call.watchdog and call.watchdog.deadline else 0
-    marks = []
+    marks: list[Mark] = []
     start = each.offset
     while start < horizon and len(marks) < 1000:
         width = min(longest, horizon - start) / horizon * WIDTH

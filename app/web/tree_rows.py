@@ -1,6 +1,6 @@
 """Rows of the tree: those that are visible with certain branches open, and those below a branch for the browser."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from app.catalogue.interfaces import category_of
@@ -8,6 +8,7 @@ from app.catalogue.model import Catalogue, Node
 from app.names import parent_path
 
 EVERYTHING = "*"
+_NO_COUNTS: Mapping[str, int] = {}
 
 
 class Row(NamedTuple):
@@ -62,7 +63,7 @@ def visible_rows(catalogue: Catalogue, opened: OpenBranches, start: int, limit: 
     return rows, total
 
 
-def rows_below(nodes: Iterable[Node], depth: int) -> dict[str, Any]:
+def rows_below(nodes: Iterable[Node], depth: int, instances: Mapping[str, int] = _NO_COUNTS) -> dict[str, Any]:
     """Compact rows for the browser, parents first: `[level, name, kind, children]`, with the distinct kinds apart.
 
     100,000 nodes have a few hundred kinds, so a row is a few dozen bytes.
@@ -76,19 +77,19 @@ def rows_below(nodes: Iterable[Node], depth: int) -> dict[str, Any]:
         key = id(node.definition)
         kind = by_definition.get(key)
         if kind is None:
-            kind = by_definition[key] = kinds.setdefault(_kind(node), len(kinds))
+            kind = by_definition[key] = kinds.setdefault(_kind(node, instances), len(kinds))
         rows.append((level, node.name, kind, len(node.children)))
         if level < depth:
             waiting.extend((child, level + 1) for child in reversed(node.children))
     return {"kinds": list(kinds), "rows": rows}
 
 
-def _kind(node: Node) -> tuple[str, ...]:
-    """Type, datatype, unit, category other than data, and whether the node is deprecated."""
+def _kind(node: Node, instances: Mapping[str, int]) -> tuple[str, ...]:
+    """Type, datatype or number of folded instances, unit, category other than data, and whether it is deprecated."""
     category = category_of(node.path) or ""
     return (
         node.type,
-        str(node.values.get("datatype") or ""),
+        f"×{instances[node.path]}" if node.path in instances else str(node.values.get("datatype") or ""),
         str(node.values.get("unit") or ""),
         "" if category == "data" else category,
         "deprecated" if node.values.get("deprecation") else "",

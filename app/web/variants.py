@@ -4,17 +4,20 @@ A variant is named by the address like any other catalogue, so that a link to it
 the layers in memory when it is first asked for.
 """
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import PurePath
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
-from app.catalogue.compose import unexpanded
+from app.catalogue.compose import compose, unexpanded
 from app.catalogue.hosting import Hosted, Library
-from app.catalogue.model import Catalogue, Node
+from app.catalogue.model import Catalogue
 from app.catalogue.search import SearchIndex
-from app.catalogue.trial import without_overlays
+from app.catalogue.trial import with_findings
 from app.errors import NotFound
+from app.names import parent_path
 
 _MARK, _FOLDED, _WITHOUT = "~", "folded", "without."
 
@@ -64,7 +67,9 @@ def find_hosted(library: Library, catalogue_id: str) -> Hosted:
     catalogue, index = _variant(base.catalogue, choice)
     notes = [f"without {name}" for name in sorted(choice.without)] + (["folded"] if choice.is_folded else [])
     title = f"{base.source.title}, {', '.join(notes)}"
-    return base._replace(source=base.source._replace(id=choice.id, title=title), catalogue=catalogue, search_index=index)
+    return base._replace(
+        source=base.source._replace(id=choice.id, title=title), catalogue=catalogue, search_index=index
+    )
 
 
 def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
@@ -72,37 +77,66 @@ def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
     return tuple(PurePath(layer.name).stem for layer in catalogue.layers if layer.is_overlay)
 
 
-def counterpart(catalogue: Catalogue, node: Node | None, target: Catalogue) -> str:
-    """Path in `target` of what a node of `catalogue` is there: itself, its definition, its first instance, or above."""
+def stand_in(library: Library, hosted: Hosted, path: str) -> str:
+    """What a variant has in place of a node that it lacks but another variant has; empty if none has it.
+
+    That is its definition, its first instance, or the branch above it.
+    """
+    choice = choice_of(hosted.source.id)
+    others = (library.get(choice.base), find_hosted(library, Choice(choice.base, is_folded=True).id))
+    node = next((node for other in others if (node := other.catalogue.get(path))), None)
     if node is None:
         return ""
-    if node.path in target.nodes:
-        return node.path
-    if node.template in target.nodes:
+    nodes = hosted.catalogue.nodes
+    if node.template in nodes:
         return node.template
-    return next((path for path, each in target.nodes.items() if each.template == node.path), "")
+    first = next((each.path for each in nodes.values() if each.template == node.template), "")
+    above = parent_path(path)
+    return first or (above if above in nodes else stand_in(library, hosted, above))
 
 
-def instance_counts(catalogue: Catalogue) -> dict[str, int]:
+def folding(hosted: Hosted) -> str:
+    """Id of the catalogue with instances folded if they stand one by one, or the other way round."""
+    choice = choice_of(hosted.source.id)
+    return choice.folded(not choice.is_folded).id
+
+
+def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool, str], ...]:
+    """The overlays that can be switched: (name, whether it is on, id of the catalogue with it switched)."""
+    choice = choice_of(hosted.source.id)
+    names = overlays_of(library.get(choice.base).catalogue)
+    return tuple((name, name not in choice.without, choice.toggled(name).id) for name in names)
+
+
+@lru_cache(maxsize=12)
+def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
     """How many places of the tree each branch with instances stands for, by the path of its definition."""
-    return _counts(catalogue)
+    expanded = _expanded.get(catalogue, catalogue)
+    instances = (node for node in expanded.nodes.values() if node.definition.is_instance)
+    return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))
+
+
+_expanded: WeakKeyDictionary[Catalogue, Catalogue] = WeakKeyDictionary()
+"""What a folded catalogue was before it was folded."""
 
 
 @lru_cache(maxsize=12)
 def _variant(base: Catalogue, choice: Choice) -> tuple[Catalogue, SearchIndex]:
-    catalogue = without_overlays(base, choice.without) if choice.without else base
-    catalogue = unexpanded(catalogue) if choice.is_folded else catalogue
+    catalogue = _without(base, choice.without) if choice.without else base
+    if choice.is_folded:
+        folded = unexpanded(catalogue)
+        _expanded[folded] = catalogue
+        catalogue = folded
     return catalogue, SearchIndex(catalogue)
 
 
-@lru_cache(maxsize=8)
-def _counts(catalogue: Catalogue) -> dict[str, int]:
-    counts: dict[str, int] = {}
-    for path in _instantiated(catalogue.nodes.values()):
-        counts[path] = counts.get(path, 0) + 1
-    return counts
-
-
-def _instantiated(nodes: Iterable[Node]) -> Iterable[str]:
-    """Paths of definitions that stand in several places, once for each place in which it holds something."""
-    return (node.template for node in nodes if node.template != node.path or node.definition.is_instance)
+def _without(base: Catalogue, names: frozenset[str]) -> Catalogue:
+    """The catalogue composed anew, less some overlays. What it tolerates of an old release, it tolerates still."""
+    first, *others = base.layers
+    overlays = [layer for layer in others if layer.is_overlay and PurePath(layer.name).stem not in names]
+    types = [layer for layer in others if not layer.is_overlay]
+    catalogue = compose(
+        [first, *overlays], base.vocabulary, types, name=base.name, expanded=base.is_expanded, earlier=base
+    )
+    milder = {finding._replace(severity="error"): finding for finding in base.findings if finding.severity != "error"}
+    return with_findings(catalogue, tuple(milder.get(finding, finding) for finding in catalogue.findings))

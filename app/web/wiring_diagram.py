@@ -54,7 +54,9 @@ class WiringDiagram(NamedTuple):
 def wiring_diagram(wiring: Wiring) -> WiringDiagram:
     """The diagram of a wiring."""
     columns = _columns(wiring)
-    linked = {(end.function, end.path, end.is_provider) for link in wiring.links for end in (link.provider, link.consumer)}
+    linked = {
+        (end.function, end.path, end.is_provider) for link in wiring.links for end in (link.provider, link.consumer)
+    }
     boxes: list[Box] = []
     for index, names in enumerate(columns):
         y = _MARGIN // 2

@@ -14,7 +14,7 @@ def problem(ask: Ask, address: str, status: int, **options: object) -> dict[str,
     assert answer.status_code == status
     assert answer.headers["content-type"] == "application/problem+json"
     body: dict[str, Any] = answer.json()
-    assert set(body) == {"type", "title", "status", "detail", "findings", "nearest"}
+    assert set(body) == {"type", "title", "status", "detail", "findings", "nearest", "request_id"}
     assert body["status"] == status
     return body
 

@@ -7,6 +7,7 @@ import pytest
 
 from app.data import INTERFACE_RULES
 from app.function.build import check_function
+from app.function.sets import check_functions
 from app.function.severities import SEVERITIES
 from app.rules.record import load_rule_files
 from tests.function.shipped import interfaces
@@ -16,15 +17,22 @@ GOOD = [pytest.param(rule, text, id=f"{rule.id}-{i}") for rule in RULES for i, t
 BAD = [pytest.param(rule, text, id=f"{rule.id}-{i}") for rule in RULES for i, text in enumerate(rule.bad, 1)]
 
 
+def findings_of(example):
+    """An example is one file, or a whole set."""
+    if isinstance(example, str):
+        return check_function(example.encode(), "function", interfaces())
+    return check_functions([(text.encode(), name) for name, text in example["files"].items()], interfaces())
+
+
 @pytest.mark.parametrize(("rule", "text"), GOOD)
 def test_a_good_example_has_no_finding_of_its_rule(rule, text):
-    findings = check_function(text.encode(), "function", interfaces())
+    findings = findings_of(text)
     assert [finding for finding in findings if finding.rule == rule.id] == []
 
 
 @pytest.mark.parametrize(("rule", "text"), BAD)
 def test_a_bad_example_has_a_finding_of_its_rule_with_a_place(rule, text):
-    findings = check_function(text.encode(), "function", interfaces())
+    findings = findings_of(text)
     own = [finding for finding in findings if finding.rule == rule.id]
     assert own, [(finding.rule, finding.message) for finding in findings]
     assert all(finding.message and finding.line and finding.column for finding in own)
@@ -38,5 +46,5 @@ def test_code_and_record_agree_on_the_severity(rule):
 def test_every_code_that_this_room_emits_has_a_record():
     emitted = set()
     for file in (Path(__file__).parents[2] / "app" / "function").glob("*.py"):
-        emitted.update(re.findall(r'"(F0[0-9]{2})"', file.read_text(encoding="utf-8")))
+        emitted.update(re.findall(r'"(F[01][0-9]{2})"', file.read_text(encoding="utf-8")))
     assert emitted == {rule.id for rule in RULES} == set(SEVERITIES)

@@ -1,6 +1,7 @@
 """What a user gets from linting files and folders: which findings, where, and what each kind of file is."""
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -146,14 +147,16 @@ def test_rule_files_and_function_files_are_known_by_their_content(tree):
 def test_function_files_go_to_the_check_that_is_given(tree):
     path = tree / "f.json"
     path.write_text('{"FunctionInfo": {}}')
-    seen: list[tuple[bytes, str]] = []
+    seen: list[tuple[Sequence[tuple[bytes, str]], bool]] = []
 
-    def check(data: bytes, name: str) -> list[Finding]:
-        seen.append((data, name))
+    def check(files: Sequence[tuple[bytes, str]], is_whole: bool) -> list[Finding]:
+        seen.append((files, is_whole))
         return []
 
-    lint_paths([path], LintOptions(check_function=check))
-    assert seen == [(b'{"FunctionInfo": {}}', str(path))]
+    lint_paths([path], LintOptions(check_functions=check))
+    lint_paths([tree], LintOptions(check_functions=check))
+    files = [(b'{"FunctionInfo": {}}', str(path))]
+    assert seen == [(files, False), (files, True)]
 
 
 @pytest.mark.parametrize(

@@ -15,12 +15,12 @@ ROOT = Path(__file__).parent.parent.parent
 _SERVE = """
 import sys
 from pathlib import Path
-from app.catalogue.hosting import Library, Source
+from app.catalogue.hosting import Library, Source, shipped_sources
 from app.web.serving import serve
 from tests.api.conftest import SOURCES
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
-serve(Library([*SOURCES, big, lost]), "127.0.0.1", 0)
+serve(Library([*SOURCES, big, lost, *shipped_sources()]), "127.0.0.1", 0)
 """
 
 

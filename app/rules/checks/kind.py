@@ -39,6 +39,8 @@ class NodeCheck(NamedTuple):
     options: Mapping[str, type | tuple[type, ...]]
     required: tuple[str, ...] = ()
     needs: str = ""
+    of_overlays: bool = False
+    """Whether it looks at what overlays do, and so at nothing in a tree without them."""
     scope: Literal["node"] = "node"
 
 

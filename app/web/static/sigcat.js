@@ -1,5 +1,6 @@
 // What every page has: search as you type, copying, menus that close. A page works without any of it.
 import { mountTree } from "./tree.js";
+import { mountTry } from "./try.js";
 
 const base = document.body.dataset.base;
 document.documentElement.classList.add("live");
@@ -8,8 +9,15 @@ export const say = (text) => { document.getElementById("said").textContent = tex
 
 // -- copy -----------------------------------------------------------------------------------------------------------
 
+/** A text that is shown: where lines are numbered or have findings beside them, only the text itself. */
+const textOf = (shown) => {
+  const lines = shown.querySelectorAll("li > code");
+  return lines.length ? [...lines].map((line) => line.textContent.trimEnd()).join("\n") + "\n" : shown.textContent;
+};
+
 const copied = async (button) => {
-  const text = button.dataset.copy;
+  const from = button.dataset.copyFrom;
+  const text = from ? textOf(document.getElementById(from)) : button.dataset.copy;
   try {
     await navigator.clipboard.writeText(text);
   } catch { // not allowed, or not a secure address: the old way
@@ -20,12 +28,12 @@ const copied = async (button) => {
     field.remove();
   }
   button.textContent = "Copied";
-  say(`Copied ${text}`);
+  say(from ? "Copied" : `Copied ${text}`);
   setTimeout(() => { button.textContent = "Copy"; }, 1500);
 };
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest("[data-copy]");
+  const button = event.target.closest("[data-copy], [data-copy-from]");
   if (button) copied(button);
   for (const menu of document.querySelectorAll("details.menu[open]")) {
     if (!menu.contains(event.target)) menu.open = false;
@@ -61,6 +69,7 @@ export const fetchPart = async (address) => {
 const field = document.querySelector("[data-search]");
 const main = document.getElementById("main");
 let leave = mountTree({ fetchPart, say });
+mountTry({ say });
 let timer = 0;
 
 const isSearch = () => location.pathname.startsWith(`${base}/search/`);

@@ -131,7 +131,7 @@ export const mountTree = ({ fetchPart, say }) => {
     const title = article.querySelector("[data-title]")?.dataset.title ?? "";
     document.title = `${title} · sigcat`;
     say(title);
-    for (const link of document.querySelectorAll(".menu li:not(.apart) a")) {
+    for (const link of document.querySelectorAll(".bar .menu li:not(.apart) a, [data-switch]")) {
       const url = new URL(link.href);
       url.pathname = [...url.pathname.split("/").slice(0, base.split("/").length + 2), path].filter((part, i) => part || !i).join("/");
       link.href = url.href;

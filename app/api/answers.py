@@ -1,0 +1,126 @@
+"""Answers in the form that a client accepts: JSON, YAML, and CSV where there are rows."""
+
+import csv
+import io
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from http import HTTPStatus
+from itertools import chain, islice
+from typing import Any
+
+import yaml
+from fastapi import Request
+from fastapi.responses import Response, StreamingResponse
+from pydantic import BaseModel
+from starlette.exceptions import HTTPException
+
+JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
+_DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+def answer(request: Request, model: BaseModel, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
+    """A model in the form that the client accepts; as CSV, its rows, if it has some."""
+    headers = caching_headers(request)
+    accepted = request.headers.get("accept", "*/*")
+    if accepted in ("*/*", JSON):
+        return Response(json_bytes(model), media_type=JSON, headers=headers)
+    media_type = chosen_type(accepted, (JSON, YAML) if rows is None else (JSON, YAML, CSV))
+    if media_type == CSV and rows is not None:
+        return Response(csv_text(list(rows)), media_type=CSV, headers=headers)
+    content = json_bytes(model) if media_type == JSON else yaml_text(model.model_dump(mode="json", by_alias=True))
+    return Response(content, media_type=media_type, headers=headers)
+
+
+def is_table(request: Request) -> bool:
+    """Whether the client likes CSV best."""
+    accepted = request.headers.get("accept", "*/*")
+    return accepted != "*/*" and chosen_type(accepted, (JSON, YAML, CSV)) == CSV
+
+
+def csv_stream(request: Request, columns: Iterable[str], lines: Iterable[Iterable[Any]]) -> Response:
+    """A table that is sent while it is made."""
+    parts = (csv_lines(block) for block in _blocks(chain([columns], lines), 500))
+    return StreamingResponse(parts, media_type=CSV, headers=caching_headers(request))
+
+
+def rows(models: Iterable[BaseModel]) -> Iterator[dict[str, Any]]:
+    """Models as rows of a table, made when they are needed."""
+    return (model.model_dump(mode="json", by_alias=True) for model in models)
+
+
+def offered(*forms: str) -> dict[int | str, dict[str, Any]]:
+    """The `responses` of an operation that answers as YAML too and, if it is a `table`, as CSV."""
+    content: dict[str, Any] = {YAML: {}}
+    if "table" in forms:
+        content[CSV] = {"schema": {"type": "string"}}
+    return {200: {"description": "Successful Response", "content": content}}
+
+
+def _blocks(lines: Iterable[Iterable[Any]], size: int) -> Iterator[list[Iterable[Any]]]:
+    waiting = iter(lines)
+    while block := list(islice(waiting, size)):
+        yield block
+
+
+def caching_headers(request: Request) -> dict[str, str]:
+    """The headers of a catalogue's state; the form of the answer depends on what is accepted."""
+    caching: dict[str, str] = getattr(request.state, "caching", {})
+    return {**caching, "Vary": "Accept"}
+
+
+def json_bytes(model: BaseModel) -> bytes:
+    """A model as JSON; it was validated when it was made."""
+    return model.__pydantic_serializer__.to_json(model, by_alias=True)
+
+
+def yaml_text(data: Any) -> str:
+    """Plain data as YAML."""
+    return str(yaml.dump(data, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=1000))
+
+
+def chosen_type(accepted: str, offered: Sequence[str]) -> str:
+    """The offered media type that an `Accept` header likes best; the first offered of equals. Raises a 406 if none."""
+    wishes = [_wish(part) for part in accepted[:1000].split(",") if part.strip()] or [("*/*", 1.0)]
+    weights = {media_type: _weight(media_type, wishes) for media_type in offered}
+    best = max(offered, key=lambda media_type: weights[media_type])
+    if weights[best] <= 0:
+        raise HTTPException(HTTPStatus.NOT_ACCEPTABLE, f"This is answered as {', '.join(offered)}.")
+    return best
+
+
+def csv_text(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Rows under the names of their columns."""
+    columns = list(dict.fromkeys(name for row in rows for name in row))
+    return csv_lines([columns, *([row.get(name) for name in columns] for row in rows)])
+
+
+def csv_lines(rows: Iterable[Iterable[Any]]) -> str:
+    """Lines of CSV. A text that a spreadsheet would take for a formula gets an apostrophe in front (OWASP)."""
+    buffer = io.StringIO()
+    csv.writer(buffer, lineterminator="\r\n").writerows([_cell(value) for value in row] for row in rows)
+    return buffer.getvalue()
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, dict | list):
+        value = yaml.dump(value, Dumper=_DUMPER, default_flow_style=True, allow_unicode=True, width=10**6).strip()
+    return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
+
+
+def _wish(part: str) -> tuple[str, float]:
+    media_type, *parameters = part.split(";")
+    quality = next((p.strip()[2:] for p in parameters if p.strip().startswith("q=")), "1")
+    try:
+        return media_type.strip().lower(), float(quality)
+    except ValueError:
+        return media_type.strip().lower(), 1.0
+
+
+def _weight(media_type: str, wishes: Iterable[tuple[str, float]]) -> float:
+    """Quality of the most specific wish that the type fits."""
+    family = f"{media_type.partition('/')[0]}/*"
+    fitting = [(wish == media_type, wish == family, quality) for wish, quality in wishes
+               if wish in (media_type, family, "*/*")]  # fmt: skip
+    return max(fitting)[2] if fitting else 0.0

@@ -1,0 +1,77 @@
+// The page to try a text: line numbers beside it with findings marked, and the findings as one types.
+
+const PAUSE = 250;
+
+export const mountTry = ({ say }) => {
+  const form = document.querySelector("[data-try]");
+  if (!form) return;
+  const text = form.querySelector("[data-lines]");
+  const gutter = form.querySelector("[data-gutter]");
+  const outcome = document.getElementById("outcome");
+  document.querySelector("[data-whole]")?.remove();
+  let timer = 0;
+  let under_way = null;
+  let marks = new Map();
+
+  const readMarks = () => {
+    const pairs = outcome.querySelector("[data-marks]").dataset.marks.split(" ").filter(Boolean);
+    marks = new Map(pairs.map((pair) => pair.split(":")));
+  };
+
+  const number = () => {
+    const count = text.value.split("\n").length;
+    const rows = [];
+    for (let line = 1; line <= count; line += 1) {
+      const row = document.createElement("span");
+      row.textContent = line;
+      if (marks.has(String(line))) row.className = marks.get(String(line));
+      rows.push(row);
+    }
+    gutter.replaceChildren(...rows);
+    gutter.scrollTop = text.scrollTop;
+  };
+
+  const check = async () => {
+    under_way?.abort();
+    under_way = new AbortController();
+    outcome.classList.add("waiting");
+    outcome.setAttribute("aria-busy", "true");
+    const url = new URL(form.action);
+    url.searchParams.set("part", "");
+    try {
+      const response = await fetch(url, { method: "POST", body: new URLSearchParams(new FormData(form)), signal: under_way.signal });
+      const page = await response.text();
+      if (response.ok) {
+        outcome.innerHTML = page;
+        readMarks();
+        number();
+        say(outcome.querySelector("[data-tally]").textContent);
+      } else {
+        const lead = new DOMParser().parseFromString(page, "text/html").querySelector(".lead");
+        outcome.querySelector("[data-tally]").textContent = lead?.textContent ?? "The text could not be checked.";
+      }
+    } catch (error) {
+      if (error.name === "AbortError") return;
+      outcome.querySelector("[data-tally]").textContent = "The service does not answer.";
+    }
+    outcome.classList.remove("waiting");
+    outcome.removeAttribute("aria-busy");
+  };
+
+  text.addEventListener("input", () => { number(); clearTimeout(timer); timer = setTimeout(check, PAUSE); });
+  text.addEventListener("scroll", () => { gutter.scrollTop = text.scrollTop; }, { passive: true });
+  form.addEventListener("submit", (event) => { event.preventDefault(); clearTimeout(timer); check(); });
+  outcome.addEventListener("click", (event) => {
+    const link = event.target.closest("[data-line]");
+    if (!link) return;
+    event.preventDefault();
+    const lines = text.value.split("\n");
+    const line = Math.min(Number(link.dataset.line), lines.length);
+    const start = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+    text.focus();
+    text.setSelectionRange(start + Math.max(Number(link.dataset.column) - 1, 0), start + lines[line - 1].length);
+    text.scrollTop = Math.max(0, (line - 5) * (text.scrollHeight / lines.length));
+  });
+  readMarks();
+  number();
+};

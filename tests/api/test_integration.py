@@ -1,0 +1,98 @@
+"""Functions in, Integration JSON out, over HTTP."""
+
+import io
+import json
+import zipfile
+
+import pytest
+
+from app.api.application import create_app
+from app.api.settings import DEFAULT_SETTINGS
+from app.catalogue.hosting import Library, shipped_sources
+from app.data import EXAMPLES
+from app.integration.schemas import SCHEMAS
+from tests.api.conftest import asker
+
+CORE_ACC = (EXAMPLES / "core_acc" / "function.yaml").read_text(encoding="utf-8")
+MPC = (EXAMPLES / "eco_control_mpc" / "function.yaml").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def shipped():
+    sources = [source for source in shipped_sources() if source.id == "interfaces"]
+    return asker(create_app(Library(sources), DEFAULT_SETTINGS))
+
+
+def posted(ask, address, body):
+    text = body if isinstance(body, str | bytes) else json.dumps(body)
+    return ask(address, "POST", content=text, headers={"content-type": "application/json"})
+
+
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+def test_a_declaration_becomes_integration_json(shipped, platform):
+    answer = posted(shipped, f"/api/v1/integrate/{platform}", CORE_ACC)
+    assert answer.status_code == 200
+    assert [component["Name"] for component in answer.json()["ComponentList"]] == ["CoreAcc"]
+
+
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+def test_a_set_is_a_list_of_functions_of_either_kind(shipped, platform):
+    built = posted(shipped, "/api/v1/functions/build", CORE_ACC).json()
+    body = {"functions": [built, MPC], "deployment": {"name": "EcoControl"}}
+    answer = posted(shipped, f"/api/v1/integrate/{platform}", body)
+    assert answer.status_code == 200, answer.text
+    assert len(answer.json()["ComponentList"]) == 2
+
+
+def test_an_archive_has_the_report_and_the_findings_too(shipped):
+    answers = [posted(shipped, "/api/v1/integrate/ros2?archive=true", CORE_ACC) for _ in range(2)]
+    assert answers[0].content == answers[1].content
+    archive = zipfile.ZipFile(io.BytesIO(answers[0].content))
+    assert archive.namelist() == ["ros2.json", "ros2.report.json", "ros2.report.md", "ros2.findings.json"]
+    assert json.loads(archive.read("ros2.findings.json"))[0]["rule"]
+
+
+def test_arxml_is_an_archive(shipped):
+    document = posted(shipped, "/api/v1/integrate/autosar-adaptive", CORE_ACC).content
+    answer = posted(shipped, "/api/v1/generate/arxml", document)
+    assert answer.status_code == 200, answer.text
+    archive = zipfile.ZipFile(io.BytesIO(answer.content))
+    assert archive.namelist()
+    assert all(name.endswith(".arxml") for name in archive.namelist())
+
+
+@pytest.mark.parametrize(
+    ("address", "body", "status"),
+    [
+        ("/api/v1/integrate/ros3", "{}", 422),
+        ("/api/v1/integrate/ros2", "", 422),
+        ("/api/v1/integrate/ros2", "function: [", 422),
+        ("/api/v1/integrate/ros2", {"functions": []}, 422),
+        ("/api/v1/integrate/ros2", {"functions": [1]}, 422),
+        ("/api/v1/integrate/ros2", {"functions": ["function: X"]}, 422),
+        ("/api/v1/integrate/ros2", {"functions": [CORE_ACC], "deploymnt": {}}, 422),
+        ("/api/v1/integrate/ros2", {"functions": [CORE_ACC], "deployment": {"nme": 1}}, 422),
+        ("/api/v1/integrate/ros2", {"functions": [CORE_ACC, CORE_ACC]}, 400),
+        ("/api/v1/integrate/ros2", b"\xff\xfe", 422),
+        ("/api/v1/generate/arxml", "{}", 422),
+        ("/api/v1/generate/arxml", '"><script>', 422),
+        ("/api/v1/schemas/nothing.json", None, 405),
+    ],
+)
+def test_bad_input_is_a_problem(shipped, address, body, status):
+    answer = posted(shipped, address, body)
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+
+
+@pytest.mark.parametrize("name", SCHEMAS)
+def test_schemas_are_served(shipped, name):
+    listed = shipped("/api/v1/schemas").json()
+    assert f"/api/v1/schemas/{name}.json" in listed
+    assert shipped(f"/api/v1/schemas/{name}.json").json()["$schema"].endswith("2020-12/schema")
+
+
+def test_a_schema_that_does_not_exist_is_a_404_with_the_nearest(shipped):
+    answer = shipped("/api/v1/schemas/functon.json")
+    assert answer.status_code == 404
+    assert "function" in answer.json()["nearest"]

