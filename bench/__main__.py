@@ -7,7 +7,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-from bench.rows import ROWS, Bench, Row
+from bench import browser, lint, rows
+from bench.rows import Bench, Row
+
+ROWS = {**rows.ROWS, **lint.ROWS, **browser.ROWS}
 
 
 def main() -> int:

@@ -1,4 +1,7 @@
-"""Picture every page into docs/pictures: starts the service on a free port and looks at it with Chromium."""
+"""Picture every page: starts the service on a free port and looks at it with Chromium.
+
+What the README shows goes to docs/pictures, the other pages to build/pictures, where people look at them.
+"""
 
 import argparse
 import re
@@ -13,7 +16,8 @@ from typing import Literal, NamedTuple
 from playwright.sync_api import Browser, Error, sync_playwright
 
 ROOT = Path(__file__).parent.parent
-PICTURES = ROOT / "docs" / "pictures"
+SHOWN = ROOT / "docs" / "pictures"
+OTHERS = ROOT / "build" / "pictures"
 _SERVE = """
 from app.catalogue.hosting import Library, shipped_sources
 from app.web.serving import serve
@@ -30,25 +34,50 @@ class Picture(NamedTuple):
     width: int = 1280
     height: int = 800
 
+    is_shown: bool = False
+    """Whether the README shows it."""
+
+    @property
+    def file(self) -> Path:
+        """Where it goes."""
+        return (SHOWN if self.is_shown else OTHERS) / f"{self.name}.png"
+
 
 _SIGNAL = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationRequest"
 _ERROR = "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError"
+_OVERLAID = "/tree/interfaces/Vehicle.Acceleration.Longitudinal"
 PAGES = (
-    Picture("tree", _SIGNAL),
+    Picture("tree", _SIGNAL, is_shown=True),
+    Picture("node", _OVERLAID, is_shown=True),
+    Picture("wiring", "/wiring", is_shown=True),
+    Picture("changes", "/changes?old=vss&new=interfaces", is_shown=True),
     Picture("tree-dark", _ERROR, "dark"),
     Picture("tree-narrow", "/tree/interfaces/Vehicle.Cabin.HVAC", width=360, height=780),
     Picture("tree-wide", "/tree/interfaces/Vehicle.Powertrain.TractionBattery", width=1920, height=1080),
+    Picture("tree-folded", "/tree/interfaces~folded/Vehicle.Chassis.Axle.Wheel"),
     Picture("error-interface", _ERROR),
     Picture("search", "/search/interfaces?q=wheel+speed"),
     Picture("search-dark", "/search/interfaces?q=battery&unit=V", "dark"),
     Picture("search-narrow", "/search/interfaces?q=wheel+speed", width=360, height=780),
     Picture("near-miss", "/search/interfaces?q=weel"),
     Picture("not-found", "/tree/interfaces/Vehicle.Chasis.Axle"),
+    Picture("functions", "/functions"),
+    Picture("function", "/functions/wheel_speed_calculation"),
+    Picture("function-dark", "/functions/core_acc", "dark"),
+    Picture("function-findings", "/functions/core_acc?catalogue=vss"),
+    Picture("function-arxml", "/functions/core_acc?view=arxml"),
+    Picture("function-narrow", "/functions/core_acc", width=360, height=780),
+    Picture("wiring-dark", "/wiring?f=core_acc&f=eco_control_mpc&f=wheel_speed_calculation", "dark"),
+    Picture("changes-narrow", "/changes?old=vss&new=interfaces", width=360, height=780),
+    Picture("try", "/try"),
+    Picture("try-function-dark", "/try?kind=function", "dark", 1920, 1080),
+    Picture("try-narrow", "/try", width=360, height=780),
     Picture("rules", "/rules"),
     Picture("rule", "/rules/I201"),
     Picture("rule-dark", "/rules/I201", "dark"),
     Picture("units", "/units/interfaces"),
     Picture("catalogue", "/catalogues/interfaces"),
+    Picture("catalogue-dark", "/catalogues/interfaces", "dark"),
     Picture("api", "/docs"),
     Picture("api-narrow", "/docs", width=360, height=780),
 )
@@ -60,11 +89,12 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("names", nargs="*", help="names of pictures; without any, all are taken")
     names = parser.parse_args(arguments).names
     wanted = [picture for picture in PAGES if not names or picture.name in names]
-    PICTURES.mkdir(parents=True, exist_ok=True)
+    for folder in (SHOWN, OTHERS):
+        folder.mkdir(parents=True, exist_ok=True)
     with service() as address, chromium() as browser:
         for picture in wanted:
             take(picture, address, browser)
-            print((PICTURES / f"{picture.name}.png").relative_to(ROOT))
+            print(picture.file.relative_to(ROOT))
     return 0
 
 
@@ -101,7 +131,7 @@ def take(picture: Picture, address: str, browser: Browser) -> None:
     if page.locator("[data-tree]").count():
         page.wait_for_selector("[data-ready]")
     page.wait_for_load_state("networkidle")
-    page.screenshot(path=PICTURES / f"{picture.name}.png")
+    page.screenshot(path=picture.file)
     page.close()
 
 

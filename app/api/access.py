@@ -13,7 +13,8 @@ from app.api.tokens import Scope, Token, token_named
 
 _BEARER = HTTPBearer(
     scheme_name="token",
-    auto_error=False, description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one."
+    auto_error=False,
+    description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one.",
 )
 
 

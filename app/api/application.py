@@ -1,6 +1,8 @@
 """The REST service: routes over a library, and nothing else."""
 
 from fastapi import FastAPI
+from fastapi.middleware.cors import CORSMiddleware
+from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.routing import APIRoute
 
 from app import __version__
@@ -12,12 +14,16 @@ from app.api import (
     health,
     integration,
     lint,
+    metrics,
     reloading,
     rules,
     viss,
 )
 from app.api.document import openapi_document
+from app.api.entrance import Entrance
 from app.api.heavy import HeavyWork
+from app.api.kept_answers import KeptAnswers
+from app.api.metrics import Metrics
 from app.api.problems import install_problems
 from app.api.rulebook import rule_book
 from app.api.settings import DEFAULT_SETTINGS, Settings
@@ -52,11 +58,28 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     app.state.settings = settings
     app.state.rules = rule_book(INTERFACE_RULES)
     app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
-    for router in _ROUTERS:
+    app.state.metrics = Metrics(library, app.state.heavy)
+    for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router)
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
+    _wrap(app, library, settings)
     return app
+
+
+def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
+    """What stands around the routes; the one that is added last is passed first."""
+    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+    app.add_middleware(KeptAnswers, library=library, most_bytes=settings.cache_bytes)
+    if settings.origins:
+        app.add_middleware(
+            CORSMiddleware,
+            allow_origins=list(settings.origins),
+            allow_methods=["GET", "POST"],
+            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
+            expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
+        )
+    app.add_middleware(Entrance, settings=settings, metrics=app.state.metrics)
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -69,11 +69,11 @@ class RowQuery(SearchQuery):
         return tuple(dict.fromkeys(name for part in self.fields.split(",") if (name := part.strip())))
 
 
-@listing.get("", response_model=schemas.Catalogues, responses=offered("table") | problem_documentation(406))
+@listing.get("", response_model=schemas.CatalogueList, responses=offered("table") | problem_documentation(406))
 async def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
     listed = [presenting.catalogue_summary(hosted) for hosted in library]
-    return answer(request, schemas.Catalogues(catalogues=listed), rows(listed))
+    return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
 
 
 @router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
@@ -142,21 +142,25 @@ async def list_nodes(
     return answer(request, schemas.NodeRows(total=result.total, nodes=listed, next_cursor=cursor), listed)
 
 
-@router.get("/units", response_model=schemas.Units, responses=offered("table") | problem_documentation(404, 406, 422))
+@router.get(
+    "/units", response_model=schemas.UnitList, responses=offered("table") | problem_documentation(404, 406, 422)
+)
 async def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
     units = [presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
-    return answer(request, schemas.Units(units=units), rows(units))
+    return answer(request, schemas.UnitList(units=units), rows(units))
 
 
 @router.get(
-    "/quantities", response_model=schemas.Quantities, responses=offered("table") | problem_documentation(404, 406, 422)
+    "/quantities",
+    response_model=schemas.QuantityList,
+    responses=offered("table") | problem_documentation(404, 406, 422),
 )
 async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
     known = hosted.catalogue.vocabulary.quantities.values()
     quantities = [presenting.quantity_schema(quantity) for quantity in known]
-    return answer(request, schemas.Quantities(quantities=quantities), rows(quantities))
+    return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
 
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:

@@ -1,13 +1,14 @@
 """The OpenAPI document: what FastAPI knows of the routes, and what it does not tell by itself."""
 
 from collections.abc import Iterator, Mapping
+from copy import deepcopy
 from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from app.api.answers import JSON, YAML
-from app.api.problems import KINDS, MEDIA_TYPE
+from app.api.problems import KINDS, PROBLEM
 from app.function.model import FunctionJson
 
 Document = dict[str, Any]
@@ -70,7 +71,7 @@ def completed(document: Document) -> Document:
         responses = operation["responses"]
         if path.startswith("/api/"):
             for status, text in _EVERYWHERE.items():
-                responses.setdefault(str(status), {"description": text, **_problem()})
+                responses.setdefault(str(status), {"description": text, **deepcopy(PROBLEM)})
         for response in responses.values():
             _complete_forms(response)
         links = {name: link for name, link in LINKS.get(operation["operationId"], {}).items() if name in ids}
@@ -100,16 +101,12 @@ def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str
                 yield path, method, operation
 
 
-def _problem() -> dict[str, Any]:
-    return {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
-
-
 def _complete_forms(response: dict[str, Any]) -> None:
     """Problems have a media type of their own; what is JSON and YAML has one schema."""
     content = response.get("content", {})
     schema = content.get(JSON, {}).get("schema", {})
     if schema.get("$ref") in _PROBLEMS:
-        response.update(_problem())
+        response.update(deepcopy(PROBLEM))
     elif YAML in content and JSON in content:
         content[YAML] = {"schema": schema}
 

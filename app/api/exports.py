@@ -59,6 +59,10 @@ def _parameter(name: str, taken: list[tuple[Format, Option]]) -> dict[str, Any]:
     return {"name": name, "in": "query", "required": False, "description": description, "schema": schema}
 
 
+def _content_schema(media_type: str) -> dict[str, str]:
+    return {"type": "object"} if media_type.endswith("json") else {"type": "string", "format": "binary"}
+
+
 _MEDIA_TYPES = tuple(dict.fromkeys(format_.media_type for format_ in FORMATS.values()))
 
 
@@ -68,7 +72,7 @@ _MEDIA_TYPES = tuple(dict.fromkeys(format_.media_type for format_ in FORMATS.val
     responses={
         200: {
             "description": "The file, byte for byte as `vspec export` writes it; of a folder or several files, a zip.",
-            "content": {media_type: {"schema": {"type": "string", "format": "binary"}} for media_type in _MEDIA_TYPES},
+            "content": {media_type: {"schema": _content_schema(media_type)} for media_type in _MEDIA_TYPES},
         },
         **problem_documentation(400, 404, 422, 503),
     },

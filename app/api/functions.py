@@ -15,11 +15,18 @@ from app.function.validate import validate_function_json
 
 router = APIRouter(prefix="/api/v1/functions", tags=["functions"])
 
-_DECLARATION = """\
+DECLARATION = """\
 function: WheelSpeedCalculation
 version: 1.0.0
+responsible: Chassis
 description: Turns the rotation of the four wheels into their speeds over ground.
+components:
+  - name: WheelSpeedCalculation
+    runnables:
+      - WheelSpeedCalculation_Init
+      - WheelSpeedCalculation_Terminate
 """
+"""A declaration that can be built against the shipped catalogue."""
 
 
 @router.post(
@@ -35,7 +42,7 @@ description: Turns the rotation of the four wheels into their speeds over ground
         },
         **problem_documentation(404, 408, 413, 415, 422, 503),
     },
-    openapi_extra=text_body("The declaration of a function, as it stands in `function.yaml`.", _DECLARATION),
+    openapi_extra=text_body("The declaration of a function, as it stands in `function.yaml`.", DECLARATION),
 )
 async def build_function_json(
     text: PostedText, hosted: NamedCatalogue, heavy: TheHeavyWork, name: FileName = "function.yaml"

@@ -11,7 +11,7 @@ from fastapi import APIRouter, Path, Query
 from fastapi.responses import Response
 
 from app.api.problems import problem_documentation
-from app.api.requests import NamedCatalogue, PostedText, text_body
+from app.api.requests import NamedCatalogue, PostedText, TheHeavyWork, text_body
 from app.catalogue.hosting import Hosted
 from app.errors import InputRefused
 from app.findings import Finding, has_errors
@@ -52,24 +52,20 @@ _MOMENT = (1980, 1, 1, 0, 0, 0)
                 "Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}
             },
         },
-        **problem_documentation(404, 413, 415, 422),
+        **problem_documentation(400, 404, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, _EXAMPLE),
 )
-def integrate_functions(
+async def integrate_functions(
     text: PostedText,
     hosted: NamedCatalogue,
+    heavy: TheHeavyWork,
     platform: Annotated[Platform, Path(description="The platform.")],
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
     archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    functions, findings, deployment = _posted(text, name, hosted)
-    made = integrate(platform, functions, deployment)
-    count = {"Sigcat-Warnings": str(len(findings) + len(made.findings))}
-    if not archive:
-        return Response(made.document, media_type="application/json", headers=count)
-    return _archive(_files(platform, made, findings), f"{platform}.zip", count)
+    return await heavy.run(partial(_integrated, text, name, hosted, platform, archive=archive))
 
 
 @router.post(
@@ -77,20 +73,17 @@ def integrate_functions(
     response_class=Response,
     responses={
         200: {"description": "The ARXML files as a zip.", "content": _ZIP},
-        **problem_documentation(413, 415, 422),
+        **problem_documentation(413, 415, 422, 503),
     },
     openapi_extra=text_body("The Integration JSON of AUTOSAR adaptive.", ""),
 )
-def generate_arxml(
+async def generate_arxml(
     text: PostedText,
+    heavy: TheHeavyWork,
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "autosar-adaptive.json",
 ) -> Response:
     """Generate the ARXML of AUTOSAR adaptive R23-11."""
-    from app.adapter.arxml.generate import generate
-    from app.integration.autosar_adaptive.document import read_integration
-
-    files = generate(read_integration(text, name))
-    return _archive({file.name: file.data for file in files}, "arxml.zip", {})
+    return await heavy.run(partial(_arxml, text, name))
 
 
 @router.get("/schemas", responses=problem_documentation(404))
@@ -103,6 +96,23 @@ def list_schemas() -> list[str]:
 def get_schema(name: Annotated[str, Path(description="Name of the format.", examples=["function"])]) -> dict[str, Any]:
     """The JSON Schema (2020-12) of a file format."""
     return schema(name)
+
+
+def _integrated(text: bytes, name: str, hosted: Hosted, platform: Platform, *, archive: bool) -> Response:
+    functions, findings, deployment = _posted(text, name, hosted)
+    made = integrate(platform, functions, deployment)
+    count = {"Sigcat-Warnings": str(len(findings) + len(made.findings))}
+    if not archive:
+        return Response(made.document, media_type="application/json", headers=count)
+    return _archive(_files(platform, made, findings), f"{platform}.zip", count)
+
+
+def _arxml(text: bytes, name: str) -> Response:
+    from app.adapter.arxml.generate import generate
+    from app.integration.autosar_adaptive.document import read_integration
+
+    files = generate(read_integration(text, name))
+    return _archive({file.name: file.data for file in files}, "arxml.zip", {})
 
 
 def _posted(text: bytes, name: str, hosted: Hosted) -> tuple[list[FunctionJson], tuple[Finding, ...], Deployment]:

@@ -24,6 +24,8 @@ from app.data import VSPEC
 from app.findings import Finding, has_errors
 from app.rules.record import Rule
 
+MOST_FINDINGS = 1000
+"""Findings in one answer; nobody reads more, and a hostile text can have as many as it has lines."""
 _SHIPPED = f"{VSPEC.parent}{os.sep}"
 
 
@@ -65,6 +67,16 @@ def finding_schema(finding: Finding) -> schemas.Finding:
     return schemas.Finding(**{**fields, "file": shown_file(finding.file)})
 
 
+def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
+    """Findings as the API has them; of very many the first, and a last one that says how many more there are."""
+    shown = [finding_schema(each) for each in findings[:MOST_FINDINGS]]
+    more = len(findings) - len(shown)
+    if more > 0:
+        text = f"{more:,} more findings are not shown. Settle these first."
+        shown.append(finding_schema(Finding("Q002", "info", text)))
+    return shown
+
+
 def finding_counts(findings: Iterable[Finding]) -> schemas.FindingCounts:
     """How many findings there are of each severity."""
     counts = Counter(finding.severity for finding in findings)
@@ -81,8 +93,8 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     return schemas.Catalogue(
         **_summary_fields(hosted),
         layers=[_layer(layer) for layer in hosted.catalogue.layers],
-        problems=[finding_schema(finding) for finding in hosted.catalogue.findings],
-        rejected=[finding_schema(finding) for finding in hosted.rejected],
+        problems=listed_findings(hosted.catalogue.findings),
+        rejected=listed_findings(hosted.rejected),
     )
 
 
@@ -212,7 +224,7 @@ def lint_report(findings: Iterable[Finding]) -> schemas.LintReport:
     """Findings as a report."""
     listed = tuple(findings)
     return schemas.LintReport(
-        ok=not has_errors(listed), counts=finding_counts(listed), findings=[finding_schema(each) for each in listed]
+        ok=not has_errors(listed), counts=finding_counts(listed), findings=listed_findings(listed)
     )
 
 
@@ -225,7 +237,7 @@ def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
     data = diff_data(trial.changes)
     return schemas.Trial(
         ok=not has_errors(trial.findings),
-        findings=[finding_schema(each) for each in trial.findings],
+        findings=listed_findings(trial.findings),
         node_count=len(trial.nodes),
         nodes=[
             schemas.TriedNode(path=plain_text(node.path), attributes=plain(node.values))

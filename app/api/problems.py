@@ -11,11 +11,13 @@ from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
 from app.api import schemas
-from app.api.presenting import finding_schema, plain_text
+from app.api.presenting import listed_findings, plain_text
 from app.errors import InputRefused, NotFound, SigcatError
 from app.findings import Finding
 
 MEDIA_TYPE = "application/problem+json"
+PROBLEM: dict[str, Any] = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
+"""What an OpenAPI response says of its content, if it is a problem."""
 _LOG = logging.getLogger("sigcat")
 
 KINDS: dict[int, tuple[str, str]] = {
@@ -57,7 +59,7 @@ def problem_of(
         title=title,
         status=status,
         detail=plain_text(detail),
-        findings=[finding_schema(finding) for finding in findings],
+        findings=listed_findings(tuple(findings)),
         nearest=[plain_text(name) for name in nearest],
     )
 
@@ -112,8 +114,8 @@ def _invalid(error: dict[str, Any]) -> Finding:
     pointer = "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in where)
     reason = error["msg"].removeprefix("Value error, ").rstrip(".")
     if error["type"] == "extra_forbidden":
-        return Finding("L002", "error", f"There is no parameter {name!r}.", pointer=pointer)
-    return Finding("L002", "error", f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer)
+        return Finding("Q001", "error", f"There is no parameter {name!r}.", pointer=pointer)
+    return Finding("Q001", "error", f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer)
 
 
 def _detail_of(error: HTTPException) -> str:

@@ -22,7 +22,7 @@ __all__ = [
 ]  # fmt: skip
 
 _NEVER_CHANGES = "public, max-age=31536000, immutable"
-TEXT_TYPES = ("text/yaml", "application/yaml", "application/json")
+TEXT_TYPES = ("application/yaml", "text/yaml")
 
 
 def library_of(request: Request) -> Library:
@@ -166,11 +166,11 @@ PostedText = Annotated[bytes, Depends(posted_text)]
 
 
 def text_body(description: str, example: str) -> dict[str, Any]:
-    """The OpenAPI description of a posted text."""
-    content = {
-        media_type: {"schema": {"type": "string"}, **({"example": example} if example and "yaml" in media_type else {})}
-        for media_type in TEXT_TYPES
-    }
+    """The OpenAPI description of a posted text. It is sent as it stands in its file, whatever it is called."""
+    schema = {"type": "string"}
+    content: dict[str, Any] = {"application/octet-stream": {"schema": {**schema, "format": "binary"}}}
+    for media_type in TEXT_TYPES:
+        content[media_type] = {"schema": schema, **({"example": example} if example else {})}
     return {"requestBody": {"required": True, "description": description, "content": content}}
 
 

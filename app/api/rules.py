@@ -16,11 +16,11 @@ router = APIRouter(prefix="/api/v1/rules", tags=["rules"])
 RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"])]
 
 
-@router.get("", response_model=schemas.Rules, responses=offered("table") | problem_documentation(406))
+@router.get("", response_model=schemas.RuleList, responses=offered("table") | problem_documentation(406))
 async def list_rules(request: Request, rules: TheRules) -> Response:
     """Every rule, in the order of the codes."""
     listed = [rule_summary(rule) for rule in rules.rules]
-    return answer(request, schemas.Rules(rules=listed), rows(listed))
+    return answer(request, schemas.RuleList(rules=listed), rows(listed))
 
 
 @router.get("/{rule_id}", response_model=schemas.Rule, responses=offered() | problem_documentation(404, 406, 422))

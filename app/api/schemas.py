@@ -88,7 +88,7 @@ class Catalogue(CatalogueSummary):
     rejected: list[Finding] = Field(description="Findings of a newer state that was therefore not taken.")
 
 
-class Catalogues(Schema):
+class CatalogueList(Schema):
     """The hosted catalogues, the default one first."""
 
     catalogues: list[CatalogueSummary]
@@ -146,13 +146,13 @@ class Quantity(Schema):
     origin: Place
 
 
-class Units(Schema):
+class UnitList(Schema):
     """Units of a catalogue."""
 
     units: list[Unit]
 
 
-class Quantities(Schema):
+class QuantityList(Schema):
     """Quantities of a catalogue."""
 
     quantities: list[Quantity]
@@ -291,7 +291,7 @@ class Rule(RuleSummary):
     source: str = Field(description="Where the rule comes from.")
 
 
-class Rules(Schema):
+class RuleList(Schema):
     """Every rule."""
 
     rules: list[RuleSummary]

@@ -15,10 +15,9 @@ from fastapi.responses import JSONResponse, Response
 from app.api import schemas
 from app.api.answers import caching_headers
 from app.api.presenting import plain, plain_text
-from app.api.problems import problem_documentation
+from app.api.problems import PROBLEM, problem_documentation
 from app.api.requests import TheCatalogue, TheSettings
 from app.catalogue.model import Node
-from app.errors import UsageError
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"])
 
@@ -31,7 +30,7 @@ _EXAMPLE = '{"type":"static-metadata","parameter":""}'
     response_model=schemas.VissMetadata,
     responses={
         400: {"model": schemas.VissRefusal, "description": "The request asks for something else than metadata"},
-        404: {"model": schemas.VissRefusal, "description": "There is no such node"},
+        404: {"model": schemas.VissRefusal, "description": "There is no such node, or no such catalogue", **PROBLEM},
         **problem_documentation(422),
     },
 )
@@ -51,7 +50,8 @@ def get_viss_metadata(
     if node is None:
         return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")
     if sum(1 for _ in node.walk()) > settings.tree_nodes:
-        raise UsageError(f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch.")
+        message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch."
+        return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", message)
     return JSONResponse({"metadata": {node.name: _metadata(node)}, "ts": _now()}, headers=caching_headers(request))
 
 

@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app.catalogue.datatypes import DATATYPES, PRIMITIVES
-from app.catalogue.layers import Layer
 from app.catalogue.digest import digest_of
+from app.catalogue.layers import Layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
 from app.catalogue.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary

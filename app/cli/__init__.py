@@ -27,6 +27,7 @@ COMMANDS = (
     "rule",
     "pull",
     "releases",
+    "config",
     "serve",
 )
 """Names of the commands; each stands in the module of its name."""
@@ -101,6 +102,7 @@ def _reason(error: OSError) -> str:
 
 
 def _output_closed() -> int:
-    """The reader of our output has gone, as `head` does: stop quietly, and keep Python from complaining at exit."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    from app.cli.output import discard_output
+
+    discard_output()
     return 0

@@ -36,7 +36,7 @@ def chosen_configuration(arguments: argparse.Namespace) -> "Configuration":
     from app.catalogue.sources import shipped_sources, source_from_option, sources_in_order
 
     file = _file(arguments.config)
-    configuration = read_configuration(file) if file is not None else Configuration()
+    configuration = read_configuration(file, ("service",)) if file is not None else Configuration()
     named = tuple(source_from_option(text) for text in arguments.catalogue)
     declared = tuple(s for s in configuration.sources if s.id not in {source.id for source in named})
     shipped = shipped_sources() if configuration.has_shipped else ()

@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.cli.output import write_text
+from app.cli.output import discard_output, write_text
 from app.cli.tree_options import add_many
 
 if TYPE_CHECKING:
@@ -100,7 +100,11 @@ def _lint(arguments: argparse.Namespace) -> int:
         if arguments.diff:
             return int(result.fails)
         result = lint_paths(paths, options)
-    _report(result, options, arguments)
+    try:
+        _report(result, options, arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:  # the verdict stands, whoever reads
+        discard_output()
     return int(result.fails)
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 from app.errors import UsageError
@@ -10,9 +11,17 @@ from app.errors import UsageError
 def write_text(text: str, output: Path | None) -> None:
     """Write `text`, as UTF-8 with `\\n` at the ends of lines, to `output` or to standard output."""
     if output is None or str(output) == "-":
-        sys.stdout.write(text)
+        encoding = sys.stdout.encoding or "utf-8"
+        with suppress(AttributeError, OSError, ValueError):  # no file, or no such thing here
+            os.set_blocking(sys.stdout.fileno(), True)  # a slow reader is waited for; some build servers ask not to
+        sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding))
     else:
-        write_bytes(text.encode("utf-8"), output)
+        write_bytes(text.encode("utf-8", "backslashreplace"), output)
+
+
+def discard_output() -> None:
+    """Let the rest of the output go nowhere: its reader has gone, as `head` does, and Python would complain at exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def write_bytes(data: bytes, output: Path | None) -> None:

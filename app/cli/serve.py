@@ -2,9 +2,14 @@
 
 import argparse
 from contextlib import nullcontext
+from typing import TYPE_CHECKING
 
-from app.cli.catalogue_options import add_catalogue_options, chosen_configuration
+from app.cli.catalogue_options import add_catalogue_options
+from app.cli.config import chosen_settings
 from app.cli.tree_options import add_tree_options, tree_files
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -12,12 +17,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "serve",
         help="serve the catalogue: browser tree and REST API",
-        description="Serve the shipped catalogues, those of a configuration, and the tree named by -s, as a browser tree and REST API.",
+        description="Serve the shipped catalogues, those of a configuration, and the tree named by -s, as a browser "
+        "tree and REST API. `sigcat config` lists what else can be set.",
     )
-    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: %(default)s)")
-    parser.add_argument(
-        "--port", type=int, default=8000, help="port to listen on; 0 picks a free one (default: %(default)s)"
-    )
+    parser.add_argument("--host", help="address to listen on (default: 127.0.0.1)")
+    parser.add_argument("--port", type=int, help="port to listen on; 0 picks a free one (default: 8000)")
     add_catalogue_options(parser)
     add_tree_options(parser)
     parser.set_defaults(run=serve)
@@ -25,10 +29,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
+    from app.api.serving import run
     from app.catalogue.hosting import Library, Source, Watch
-    from app.web.serving import serve as serve_application
+    from app.web.site import create_site
 
-    configuration = chosen_configuration(arguments)
+    configuration, settings = chosen_settings(arguments)
     sources = configuration.sources
     if arguments.vspec is not None or arguments.overlays:
         spec, units, overlays = tree_files(arguments)
@@ -39,5 +44,16 @@ def serve(arguments: argparse.Namespace) -> int:
         sources = (own, *sources)
     library = Library(sources)
     with Watch(library) if configuration.is_watching else nullcontext():
-        serve_application(library, arguments.host, arguments.port)
+        run(create_site(library, settings), settings)
     return 0
+
+
+def application() -> "FastAPI":
+    """The service as another server loads it: `uvicorn --factory app.cli.serve:application --workers 4`."""
+    from app.catalogue.hosting import Library
+    from app.web.site import create_site
+
+    parser = argparse.ArgumentParser()
+    add_catalogue_options(parser)
+    configuration, settings = chosen_settings(parser.parse_args([]))
+    return create_site(Library(configuration.sources), settings)

@@ -64,14 +64,15 @@ def _resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue
     work.findings.extend(findings)
     function = _function(declaration, declared.document, over, work)
     known = {name for name, path in work.interfaces.items() if category_of(path) == "error"}
-    told = {(finding.rule, finding.path) for finding in findings}
     for problem in check(function, known):
-        if not is_told(problem, told, work):
-            _report(problem, work)
+        _report(problem, work)
+    told = {(finding.rule, finding.path) for finding in findings}
+    work.findings[:] = [finding for finding in work.findings if not _is_told(finding, told, work)]
     return work, function
 
 
 _SAME = {
+    "F023": ("I103",),
     "F032": ("I203", "I303", "I502"), "F050": ("I501",), "F051": ("I507",), "F052": ("I509",), "F053": ("I510",),
     "F054": ("I518",), "F055": ("I517", "I518"), "F056": ("I519", "I520", "I521"), "F057": ("I522",),
     "F058": ("I511", "I512", "I513"), "F060": ("I304",), "F061": ("I204",), "F062": ("I205",),
@@ -79,10 +80,10 @@ _SAME = {
 """Rules of the catalogue that say of a defined interface what these rules say of a function."""
 
 
-def is_told(problem: Problem, told: Collection[tuple[str, str]], work: Work) -> bool:
+def _is_told(finding: Finding, told: Collection[tuple[str, str]], work: Work) -> bool:
     """Whether a rule of the catalogue has said the same of an interface that the file defines."""
-    path = work.interfaces.get(problem.path, problem.path)
-    return any((rule, path) in told for rule in _SAME.get(problem.rule, ()))
+    path = work.interfaces.get(finding.path, finding.path)
+    return any((rule, path) in told for rule in _SAME.get(finding.rule, ()))
 
 
 def build_function(data: bytes, name: str, catalogue: Catalogue) -> tuple[FunctionJson, tuple[Finding, ...]]:

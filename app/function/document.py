@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from yaml.nodes import CollectionNode, MappingNode, Node, SequenceNode
+from yaml.nodes import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.yaml_document import (
@@ -29,6 +29,8 @@ Place = tuple[int, int]
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|\\?\Z)|[\[\]{},:]|[^\s\[\]{},:"]++', re.DOTALL)
 """Tokens of JSON. An unterminated text runs to the end, so that the search stays linear on any input."""
+MOST_COLLECTIONS = 200_000
+"""Lists and mappings in one document: twenty times those of a function with 10,000 signals."""
 _NO_NUMBERS = ("NaN", "Infinity", "-Infinity")
 
 
@@ -51,6 +53,9 @@ def pointer_text(pointer: Pointer) -> str:
 
 def read_yaml(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
     """Read YAML. A key given twice is a finding, and so is a value that YAML cannot build."""
+    crowded = _crowded(data, name, limits, (b"{", b"[", b"- "))
+    if crowded is not None:
+        return Document(name, _digest(data), None, (crowded,), _YamlPlaces(None))
     document = read_document(data, name, limits)
     findings = list(document.findings)
     value = None
@@ -63,20 +68,35 @@ def read_yaml(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Docume
     if value is None and not findings:
         findings.append(Finding("F002", "error", "The file is empty.", name, 1, 1))
 
-    def place(pointer: Pointer) -> Place:
-        return _yaml_place(document.root, pointer)
-
-    return Document(name, _digest(data), value, tuple(findings), place)
+    return Document(name, _digest(data), value, tuple(findings), _YamlPlaces(document.root))
 
 
 def read_json(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
     """Read JSON as RFC 8259 has it: no NaN, no key twice, UTF-8."""
-    text, finding = _decoded(data, name, limits)
+    crowded = _crowded(data, name, limits, (b"{", b"["))
+    text, finding = ("", crowded) if crowded is not None else _decoded(data, name, limits)
     value = None
     findings = [finding] if finding else []
     if not findings:
         value, findings = _parsed(text, name)
     return Document(name, _digest(data), value, tuple(findings), _JsonPlaces(text if value is not None else ""))
+
+
+def _crowded(data: bytes, name: str, limits: Limits, openers: tuple[bytes, ...]) -> Finding | None:
+    """A finding if a document may hold more lists and mappings than any function has; larger files have limits of their own.
+
+    Each of them can be wrong in several ways, and a report of millions of lines helps nobody.
+    """
+    if len(data) > limits.file_bytes:
+        return None
+    count, values = sum(map(data.count, openers)), data.count(b",")
+    if count > MOST_COLLECTIONS:
+        message = f"The document has {count:,} lists and mappings; the limit is {MOST_COLLECTIONS:,}."
+    elif values > limits.values:
+        message = f"The document has {values:,} values; the limit is {limits.values:,}."
+    else:
+        return None
+    return Finding("R014", "error", message, name, 1, 1)
 
 
 def _digest(data: bytes) -> str:
@@ -86,27 +106,36 @@ def _digest(data: bytes) -> str:
 # -- YAML ---------------------------------------------------------------------------------------------------------
 
 
-def _yaml_place(root: Node | None, pointer: Pointer) -> Place:
-    if root is None:
-        return (0, 0)
-    found = position(root)
-    node = root
-    for part in pointer:
-        step = _yaml_step(node, part)
-        if step is None:
-            break
-        key, node = step
-        found = position(key if isinstance(node, CollectionNode) else node)
-    return found
+class _YamlPlaces:
+    """Places of values in YAML. A mapping is indexed when it is first looked into: it may have many keys."""
 
+    def __init__(self, root: Node | None) -> None:
+        self._root = root
+        self._pairs: dict[int, dict[str, tuple[Node, Node]]] = {}
 
-def _yaml_step(node: Node, part: str | int) -> tuple[Node, Node] | None:
-    """The key and the value that a part of a pointer leads to; an item of a sequence is its own key."""
-    if isinstance(node, SequenceNode) and isinstance(part, int) and part < len(node.value):
-        return node.value[part], node.value[part]
-    if isinstance(node, MappingNode):
-        return next((pair for pair in reversed(merged_pairs(node)) if pair[0].value == part), None)
-    return None
+    def __call__(self, pointer: Pointer) -> Place:
+        if self._root is None:
+            return (0, 0)
+        found = position(self._root)
+        node = self._root
+        for part in pointer:
+            step = self._step(node, part)
+            if step is None:
+                break
+            key, node = step
+            found = position(key if isinstance(node, CollectionNode) else node)
+        return found
+
+    def _step(self, node: Node, part: str | int) -> tuple[Node, Node] | None:
+        """The key and the value that a part of a pointer leads to; an item of a sequence is its own key."""
+        if isinstance(node, SequenceNode) and isinstance(part, int) and part < len(node.value):
+            return node.value[part], node.value[part]
+        if not isinstance(node, MappingNode) or not isinstance(part, str):
+            return None
+        if id(node) not in self._pairs:
+            pairs = ((key, value) for key, value in merged_pairs(node) if isinstance(key, ScalarNode))
+            self._pairs[id(node)] = {key.value: (key, value) for key, value in pairs}
+        return self._pairs[id(node)].get(part)
 
 
 def _yaml_duplicates(root: Node, name: str) -> Iterator[Finding]:

@@ -19,7 +19,8 @@ from app.rules.engine import found_in
 from app.rules.record import Rule, load_rules
 
 _WIDTH = 116
-_INCLUDE = re.compile(r"^\s*#", re.MULTILINE)
+_UNSAFE = re.compile("^\\s*#|[\x85\u2028\u2029]", re.MULTILINE)
+"""Lines that a text may not make: comments, which vspec reads as includes, and breaks that are no breaks elsewhere."""
 
 
 class Overlay(NamedTuple):
@@ -90,7 +91,7 @@ def overlay_text(nodes: Iterable[DefinedNode], title: str) -> str:
 
 def _paragraph(path: str, values: Mapping[str, Any]) -> str:
     text = _dumped({path: dict(values)}, _WIDTH)
-    return text if not _INCLUDE.search(text) else _dumped({path: dict(values)}, _ENDLESS, quoted=True)
+    return text if not _UNSAFE.search(text) else _dumped({path: dict(values)}, _ENDLESS, quoted=True)
 
 
 _ENDLESS = 1 << 30

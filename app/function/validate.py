@@ -1,5 +1,6 @@
 """Function JSON from anywhere: is it valid, is it consistent, does it follow the conventions?"""
 
+import re
 from typing import NamedTuple
 
 from pydantic import BaseModel, ValidationError
@@ -17,6 +18,8 @@ from app.function.problem import Problem
 from app.function.severities import SEVERITIES
 from app.function.structure import fields_of, models_of, structural_findings
 from app.names import nearest
+
+_VERSION = re.compile(r"\d{1,9}\.\d+\.\d+")
 
 
 class Validated(NamedTuple):
@@ -47,6 +50,9 @@ def validated(document: Document, catalogue: Catalogue | None) -> Validated:
     """The function of a document that was read, and everything that is wrong with it."""
     if document.value is None and document.findings:
         return Validated(None, document.findings)
+    other = _other_version(document)
+    if other is not None:
+        return Validated(None, (other,))
     try:
         function = FunctionJson.model_validate(document.value, by_name=False)
     except ValidationError as error:
@@ -55,6 +61,18 @@ def validated(document: Document, catalogue: Catalogue | None) -> Validated:
     with collector_paused():
         findings = _judged(function, document, catalogue)
     return Validated(function, findings)
+
+
+def _other_version(document: Document) -> Finding | None:
+    """A finding instead of many, where the document is of another major version of the format."""
+    meta = document.value.get("MetaInfo") if isinstance(document.value, dict) else None
+    version = meta.get("SchemaVersion") if isinstance(meta, dict) else None
+    if not isinstance(version, str) or not _VERSION.fullmatch(version) or version.startswith("1."):
+        return None
+    at = ("MetaInfo", "SchemaVersion")
+    message = f"The document is of version {version} of the format; this program reads version 1."
+    fix = "Use a newer sigcat, or write the document as version 1."
+    return Finding("F005", SEVERITIES["F005"], message, document.name, *document.place(at), "", pointer_text(at), fix)
 
 
 def _judged(function: FunctionJson, document: Document, catalogue: Catalogue | None) -> tuple[Finding, ...]:

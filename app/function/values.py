@@ -209,7 +209,8 @@ def _range(code: _Code, work: Work) -> tuple[Fraction | None, Fraction | None]:
     low, high = (own[i] if given is None else _fraction(given) for i, given in enumerate(declared))
     _check_declared(code, own, work)
     if low is not None and high is not None and low > high:
-        work.report("F023", code.at, f"The range from {_shown(low)} to {_shown(high)} is upside down.")
+        message = f"The range from {_shown(low)} to {_shown(high)} is upside down."
+        work.report("F023", code.at, message, path=code.item.path)
     elif code.symbols is None:
         _check_loss(code, low, high, work)
     _check_symbols(code, work)

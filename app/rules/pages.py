@@ -18,6 +18,10 @@ _CATEGORIES: Mapping[str, str] = {
     "scheduling": "Scheduling interfaces",
     "function": "Function files",
     "portable_names": "Portable names",
+    "integration": "Integration with a platform",
+    "export": "Exports",
+    "request": "Requests to the service",
+    "configuration": "Configuration of the service",
     "lint": "The linter's own comments and files",
 }
 
@@ -92,15 +96,20 @@ def _examples(label: str, examples: Sequence[Any]) -> list[str]:
     return [f"{label}:\n\n{_blocks(example)}" for example in examples]
 
 
-def _blocks(example: Any) -> str:
+def _blocks(example: Any, language: str = "yaml") -> str:
     if isinstance(example, str):
-        return f"```yaml\n{example.rstrip()}\n```"
+        return f"```{language}\n{example.rstrip()}\n```"
     parts: list[str] = []
     for name, value in example.items():
         if isinstance(value, Mapping):
-            parts.extend(f"`{file}`:\n\n{_blocks(text)}" for file, text in value.items())
+            parts.extend(f"`{file}`:\n\n{_blocks(text, _language(file))}" for file, text in value.items())
         elif isinstance(value, list):
             parts.extend(f"{name} {number}:\n\n{_blocks(text)}" for number, text in enumerate(value, 1))
         else:
             parts.append(_blocks(value) if name == "whole" else f"{name}:\n\n{_blocks(value)}")
     return "\n\n".join(parts)
+
+
+def _language(file: str) -> str:
+    ending = file.rpartition(".")[2]
+    return ending if ending in ("json", "toml") else "yaml"

@@ -12,7 +12,7 @@ from app.errors import InputRefused
 from app.findings import SEVERITIES, Finding, Severity
 from app.names import did_you_mean
 
-MAKERS = frozenset(("composition", "function", "lint"))
+MAKERS = frozenset(("composition", "configuration", "export", "function", "integration", "lint", "request"))
 """What may stand as `check` where the finding is not made by a check of this room."""
 SIGNALS = ("sensor", "actuator", "attribute")
 

@@ -33,12 +33,17 @@ def report(
 ) -> str:
     """The findings in a format, ready to be written. Raises UsageError for a format that does not exist."""
     if form == "text":
-        return text.report(findings, sources or {}, rules, colour=colour)
+        return _writable(text.report(findings, sources or {}, rules, colour=colour))
     if form not in FORMATS:
         hint = did_you_mean(form, FORMATS)
         raise UsageError(f"There is no format {form!r}; use one of {', '.join(FORMATS)}. {hint}".strip())
     made: str = import_module(f"app.rules.reports.{FORMATS[form]}").report(findings, sources or {}, rules)
-    return made
+    return _writable(made)
+
+
+def _writable(text: str) -> str:
+    """The text with halves of characters replaced: names of files may hold them, and no encoding does."""
+    return text if text.isascii() else text.encode("utf-8", "replace").decode("utf-8")
 
 
 def sources_of(findings: Sequence[Finding]) -> dict[str, str]:

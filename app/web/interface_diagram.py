@@ -92,9 +92,8 @@ def when(call: Runnable) -> str:
         words = {"Init": "at start-up", "Shutdown": "at shutdown", "EventTriggered": "on events"}
         parts.append(words.get(call.run_type, call.run_type))
     watchdog = call.watchdog
-    if watchdog:
-        watched = [n for n in ("alive", "deadline", "logical") if getattr(watchdog, n)]
-        parts += [f"watched: {', '.join(watched)}"] if watched else []
+    if watchdog and (watchdog.alive or watchdog.deadline or watchdog.logical):
+        parts.append("supervised")
     return ", ".join(parts)
 
 

@@ -15,6 +15,8 @@ from app.web.shelf import Use, uses
 from app.web.variants import instance_counts
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
+MOST_CHILDREN = 400
+"""Children that a page lists; the tree beside it has them all."""
 
 
 class Crumb(NamedTuple):
@@ -38,13 +40,14 @@ class NodeView(NamedTuple):
     """Shipped functions that use the node, or an instance of it where instances are folded."""
     instances: int
     """In how many places of the tree the node stands, where instances are folded."""
+    child_count: int
     field_units: Mapping[str, str]
     """Units of the fields that the interfaces of functions have beside those of VSS."""
 
 
 def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) -> NodeView:
     """Everything that the page of a node shows."""
-    detail = node_detail(catalogue, node)
+    detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
     values = {attribute.name: attribute.value for attribute in detail.attributes}
     return NodeView(
         detail,
@@ -55,6 +58,7 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) 
         _names(node, detail),
         _uses(catalogue, node),
         0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
+        len(node.children),
         field_units,
     )
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+from app.catalogue.interfaces import FUNCTION_BRANCH
 from app.catalogue.model import Catalogue
 from app.data import EXAMPLES
 from app.errors import NotFound
@@ -66,9 +67,13 @@ def from_shelf(catalogue: Catalogue, function_id: str) -> Shelved:
 
 @lru_cache(maxsize=8)
 def uses(catalogue: Catalogue) -> Mapping[str, Sequence[Use]]:
-    """Which shipped functions use a node, by its path."""
+    """Which shipped functions use a node, by its path.
+
+    Without a branch of functions none can be built, and working out what each name may have meant takes its time.
+    """
     found: dict[str, list[Use]] = {}
-    for each in shelf(catalogue):
+    has_functions = any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
+    for each in shelf(catalogue) if has_functions else ():
         if each.function is not None:
             for path, use in _uses_of(each.id, each.function):
                 if path:

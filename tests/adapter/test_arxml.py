@@ -309,6 +309,15 @@ def test_hostile_names_load_and_resolve(name):
     assert doubled_names(model) == []
 
 
+@pytest.mark.parametrize("number", ["", "abc", "</V>", "1e999999999", "05", "1_0", "nan", "-0.5", "1e-5", "1/3"])
+def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
+    scaled = signal("S", Factor=number, Offset=number, VssPath=None)
+    largest = 1.7976931348623157e308
+    converted = at("Vehicle.A.B", ConversionFactor=number, ConversionOffset=number) | {"Max": largest}
+    over = at("Vehicle.A.C", ConversionFactor="3.6", ConversionOffset="0") | {"Max": largest}
+    assert dangling(loaded(generate(derive([function(signals=[scaled, converted, over])]).model))) == []
+
+
 @settings(max_examples=60, deadline=None)
 @given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
 def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):

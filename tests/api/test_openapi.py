@@ -1,25 +1,175 @@
 """The OpenAPI document, from which clients are generated."""
 
+import json
+import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
 
-from tests.api.conftest import Ask
+import jsonschema
+import pytest
+
+from app.api.application import create_app
+from app.api.document import operations
+from app.api.openapi_changes import breaking_changes
+from app.catalogue.hosting import Library, shipped_sources
+from tests.api.conftest import Ask, asker
+
+ROOT = Path(__file__).parents[2]
+FILE = ROOT / "docs" / "openapi.json"
+DOCUMENT: dict[str, Any] = json.loads(FILE.read_bytes())
+API = [(path, method, each) for path, method, each in operations(DOCUMENT) if path.startswith("/api/")]
+IDS = [each["operationId"] for _, _, each in API]
 
 
-def test_operation_ids_read_as_function_names(ask: Ask) -> None:
-    paths = ask("/openapi.json").json()["paths"]
-    ids = [operation["operationId"] for methods in paths.values() for operation in methods.values()]
+@pytest.fixture(scope="module")
+def shipped() -> Ask:
+    return asker(create_app(Library(shipped_sources())))
+
+
+def test_the_document_that_is_checked_in_is_the_one_that_is_served(ask: Ask) -> None:
+    assert ask("/openapi.json").json() == DOCUMENT, "write it anew: python -m scripts.openapi"
+
+
+def test_the_document_breaks_no_client_of_the_one_committed_before() -> None:
+    base = os.environ.get("SIGCAT_OPENAPI_BASE", "HEAD")
+    shown = subprocess.run(["git", "show", f"{base}:docs/openapi.json"], cwd=ROOT, capture_output=True, check=False)
+    if shown.returncode:
+        pytest.skip("no earlier document: not a git checkout, or none was committed")
+    assert breaking_changes(json.loads(shown.stdout), DOCUMENT) == []
+
+
+def test_operation_ids_read_as_function_names() -> None:
+    ids = [operation["operationId"] for _, _, operation in operations(DOCUMENT)]
     assert {"list_catalogues", "get_node", "get_tree", "search_nodes", "list_units"} <= set(ids)
     assert len(ids) == len(set(ids))
     assert all(each.isidentifier() for each in ids)
 
 
-def test_one_schema_stands_for_each_noun(ask: Ask) -> None:
-    schemas = ask("/openapi.json").json()["components"]["schemas"]
+def test_one_schema_stands_for_each_noun() -> None:
+    schemas = DOCUMENT["components"]["schemas"]
     assert not [name for name in schemas if "__" in name or name.endswith(("-Input", "-Output"))]
+
+
+@pytest.mark.parametrize(("path", "method", "operation"), API, ids=IDS)
+def test_every_operation_says_what_its_errors_are(path: str, method: str, operation: dict[str, Any]) -> None:
+    errors = {status: each for status, each in operation["responses"].items() if status >= "4"}
+    assert {"401", "500"} <= errors.keys()
+    for response in errors.values():
+        assert response["description"]
+        assert response["content"]
+
+
+def _examples(parameter: dict[str, Any]) -> Iterator[Any]:
+    yield from parameter["schema"].get("examples", parameter.get("examples", []))
+
+
+def _body(operation: dict[str, Any]) -> bytes | None:
+    contents = operation.get("requestBody", {}).get("content", {}).values()
+    return next((content["example"].encode() for content in contents if "example" in content), None)
+
+
+@pytest.mark.parametrize(("path", "method", "operation"), API, ids=IDS)
+def test_every_example_works_and_is_answered_as_the_schema_says(
+    shipped: Ask, path: str, method: str, operation: dict[str, Any]
+) -> None:
+    if operation["operationId"] in ("reload_catalogue", "validate_function", "integrate_functions", "generate_arxml"):
+        pytest.skip("needs a token, or what another operation answers: the round trip of the clients has it")
+    query = {}
+    for parameter in operation.get("parameters", []):
+        for example in _examples(parameter):
+            if parameter["in"] == "path":
+                path = path.replace(f"{{{parameter['name']}}}", str(example))
+            else:
+                query[parameter["name"]] = example
+            break
+    if "{platform}" in path:
+        path = path.replace("{platform}", "autosar-adaptive")
+    query.pop("unit", None)
+    query.pop("datatype", None)
+    answer = shipped(path, method.upper(), params=query, content=_body(operation))
+    assert answer.status_code == 200, answer.text
+    content = operation["responses"]["200"].get("content", {})
+    schema = content.get("application/json", {}).get("schema")
+    if schema:
+        jsonschema.validate(answer.json(), {**schema, "components": DOCUMENT["components"]})
 
 
 def test_linting_does_not_load_the_service() -> None:
     code = "import sys, app.rules, app.catalogue.compose; print('fastapi' in sys.modules, 'app.api' in sys.modules)"
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert result.stdout.split() == ["False", "False"]
+
+
+# -- what breaks clients ------------------------------------------------------------------------------------------
+
+NODE = DOCUMENT["paths"]["/api/v1/catalogues/{catalogue}/nodes/{path}"]
+SEARCH = "/api/v1/catalogues/{catalogue}/search"
+
+
+def _changed(change: Any) -> list[str]:
+    new = deepcopy(DOCUMENT)
+    change(new)
+    return breaking_changes(DOCUMENT, new)
+
+
+def _schema(document: dict[str, Any], name: str) -> Any:
+    return document["components"]["schemas"][name]
+
+
+def _parameter(document: dict[str, Any], name: str) -> Any:
+    return next(each for each in document["paths"][SEARCH]["get"]["parameters"] if each["name"] == name)
+
+
+BREAKING = {
+    "an operation is gone": (lambda d: d["paths"].pop(SEARCH), "the operation is gone"),
+    "an operation has another id": (lambda d: d["paths"][SEARCH]["get"].update(operationId="find"), "'find'"),
+    "a field of an answer is gone": (lambda d: _schema(d, "Node")["properties"].pop("unit"), "unit is gone"),
+    "a field may be absent": (lambda d: _schema(d, "Node")["required"].remove("path"), "path may be absent now"),
+    "a field is of another type": (
+        lambda d: _schema(d, "SearchPage")["properties"]["total"].update(type="string"), "may be string now",
+    ),
+    "a field may be null": (
+        lambda d: _schema(d, "Node")["properties"].update(path={"anyOf": [{"type": "string"}, {"type": "null"}]}),
+        "may be null or string now",
+    ),
+    "an enumeration in an answer grows": (
+        lambda d: _schema(d, "Finding")["properties"]["severity"]["enum"].append("hint"), "may be hint now",
+    ),
+    "a parameter is gone": (lambda d: d["paths"][SEARCH]["get"]["parameters"].pop(), "is gone"),
+    "a parameter is required": (lambda d: _parameter(d, "q").update(required=True), "'q' is required now"),
+    "a parameter takes less": (lambda d: _parameter(d, "q").update(schema={"enum": ["a"]}), "no longer takes"),
+    "an answer has another media type": (
+        lambda d: d["paths"][SEARCH]["get"]["responses"]["200"]["content"].pop("text/csv"), "no longer text/csv",
+    ),
+    "a body has another media type": (
+        lambda d: d["paths"]["/api/v1/lint"]["post"]["requestBody"]["content"].pop("text/yaml"), "no longer taken",
+    ),
+}  # fmt: skip
+
+COMPATIBLE = {
+    "nothing": lambda _: None,
+    "an operation more": lambda d: d["paths"].update({"/api/v1/more": deepcopy(NODE)}),
+    "a field more": lambda d: _schema(d, "Node")["properties"].update(more={"type": "string"}),
+    "an optional parameter more": lambda d: d["paths"][SEARCH]["get"]["parameters"].append(
+        {"in": "query", "name": "more", "schema": {"type": "string"}}
+    ),
+    "other words": lambda d: d["paths"][SEARCH]["get"].update(description="Finds nodes."),
+    "another major version": lambda d: d.update(
+        paths={path.replace("/v1/", "/v2/"): item for path, item in list(d["paths"].items())[3:]}
+    ),
+}
+
+
+@pytest.mark.parametrize("case", BREAKING)
+def test_what_breaks_clients_is_found(case: str) -> None:
+    change, expected = BREAKING[case]
+    assert any(expected in found for found in _changed(change)), _changed(change)
+
+
+@pytest.mark.parametrize("case", COMPATIBLE)
+def test_what_breaks_no_client_is_left_alone(case: str) -> None:
+    assert _changed(COMPATIBLE[case]) == []

@@ -70,5 +70,5 @@ def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: py
         raise RuntimeError("secret")
 
     monkeypatch.setattr("app.api.presenting.node_detail", fail)
-    body = problem(ask, f"{SMALL}/nodes/Vehicle.Speed", 500)
+    body = problem(ask, f"{SMALL}/nodes/Vehicle.Door.Left", 500)
     assert "secret" not in str(body)

@@ -36,7 +36,19 @@ def test_the_hash_is_that_of_vss_tools(data: bytes) -> None:
 def test_ids_are_those_that_vss_tools_exports(tmp_path: Path, options: list[str]) -> None:
     for name, text in {"tree.vspec": TREE, "units.yaml": UNITS, "quantities.yaml": QUANTITIES}.items():
         (tmp_path / name).write_text(text)
-    command = ["vspec", "export", "id", "-s", "tree.vspec", "-u", "units.yaml", "-q", "quantities.yaml", "-o", "out.yaml"]
+    command = [
+        "vspec",
+        "export",
+        "id",
+        "-s",
+        "tree.vspec",
+        "-u",
+        "units.yaml",
+        "-q",
+        "quantities.yaml",
+        "-o",
+        "out.yaml",
+    ]
     vspec = Path(__file__).parent.parent.parent / ".venv" / "bin" / "vspec"
     command[0] = str(vspec) if vspec.exists() else "vspec"
     done = run([*command, *options], cwd=tmp_path, check=False, capture_output=True, text=True)

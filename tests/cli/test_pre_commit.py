@@ -116,13 +116,15 @@ def test_a_good_overlay_is_committed(repository, home):
     assert done.stdout.count("Passed") == 2
 
 
-def test_many_files_are_split_by_pre_commit_and_the_tree_is_still_linted_once(repository, home):
-    overlays = {f"overlay{number}": GOOD.replace("vehicle", f"vehicle {number}") for number in range(3)}
-    done = staged(repository, home, **overlays)
+def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, home):
+    (repository / "overlays" / "one.vspec").write_text("Vehicle.Speed:\n  unit: m/s\n")
+    committed(repository)
+    done = staged(repository, home, two="Vehicle.Speed:\n  unit: km/h\n")
     assert done.returncode == 1
-    changed, whole = done.stdout.split("sigcat lint (whole tree)")
+    _, whole = done.stdout.split("sigcat lint (whole tree)")
     assert whole.count("Found ") == 1
-    assert "O105" in whole
+    assert "overlays/two.vspec:2:9: warning O105 Overlays disagree on `unit`" in whole
+    assert "overlays/one.vspec sets 'm/s', then overlays/two.vspec sets 'km/h'" in whole
 
 
 def test_a_change_of_other_files_runs_no_hook(repository, home):

@@ -105,3 +105,61 @@ def test_texts_are_carried_as_data(text):
     declared = large(1).decode().replace("Cruise control.", json.dumps(text)).encode()
     function, _ = build_function(declared, "f.yaml", interfaces())
     assert json.loads(to_json(function))["FunctionInfo"]["Description"] == text
+
+
+# -- files that nobody would write --------------------------------------------------------------------------------
+
+SIZE = 10 * 1024 * 1024
+BOMB = b"a: &a [x,x,x,x,x,x,x,x,x]\n" + b"".join(
+    b"%c: &%c [%s]\n" % (c + 1, c + 1, b",".join([b"*%c" % c] * 9)) for c in range(97, 118)
+)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"function: " + b"A" * SIZE,
+        b"function: A\ncomponents: [" + b"{}," * (SIZE // 3) + b"]",
+        b'{"FunctionInfo": "' + b"A" * SIZE + b'"}',
+        b'{"FunctionInfo": [' + b"1," * (SIZE // 2) + b"1]}",
+        b"{" * SIZE,
+        b"- " * (SIZE // 2),
+        b"\xff" * SIZE,
+        b"a" * (40 * 1024 * 1024),
+        BOMB,
+    ],
+    ids=["text", "items", "json-text", "json-items", "braces", "dashes", "bytes", "40MB", "aliases"],
+)
+def test_ten_megabytes_of_anything_are_answered_quickly(data):
+    interfaces()
+    start = time.process_time()
+    found = check_function(data, "f.json" if data.startswith(b'{"') else "f.yaml", interfaces())
+    assert found
+    assert time.process_time() - start < 30
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-32", "latin-1", "cp037"])
+@pytest.mark.parametrize("name", ["f.yaml", "f.json"])
+def test_another_encoding_is_one_clear_finding(encoding, name):
+    text = DECLARATION.decode().replace("EcoControl", "ÖkoControl")
+    found = check_function(text.encode(encoding), name, interfaces())
+    assert [finding.rule for finding in found] == ["R002"]
+
+
+def test_a_mark_of_byte_order_is_taken():
+    assert check_function(b"\xef\xbb\xbf" + DECLARATION, "f.yaml", interfaces()) == ()
+
+
+def test_another_version_of_the_format_is_one_clear_finding():
+    document = json.loads(json.dumps(FUNCTION))
+    document["MetaInfo"]["SchemaVersion"] = "2.1.0"
+    found = validate_function_json(json.dumps(document).encode(), "f.json", interfaces())
+    assert [(finding.rule, finding.pointer) for finding in found] == [("F005", "/MetaInfo/SchemaVersion")]
+
+
+@pytest.mark.parametrize("name", ["*/ #include <x>", '"><script>alert(1)</script>', "a\nb", "../../x", "A" * 5000])
+def test_a_name_that_is_none_is_a_finding(name):
+    text = DECLARATION.decode().replace("name: BrkCylP", f"name: {json.dumps(name)}")
+    assert {finding.rule for finding in check_function(text.encode(), "f.yaml", interfaces())} <= {"F033"}
+    text = DECLARATION.decode().replace("function: CoreAcc", f"function: {json.dumps(name)}")
+    assert check_function(text.encode(), "f.yaml", interfaces())

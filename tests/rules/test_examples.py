@@ -14,8 +14,11 @@ from app.rules.record import MAKERS, load_rules
 RULES = load_rules(INTERFACE_RULES)
 UNITS = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"])
 APP = Path(__file__).parents[2] / "app"
-GOOD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in RULES if r.check != "function" for i, e in enumerate(r.good, 1)]
-BAD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in RULES if r.check != "function" for i, e in enumerate(r.bad, 1)]
+ELSEWHERE = ("configuration", "export", "function", "integration")
+"""Makers whose examples are no trees: tests/function and tests/integration run them."""
+TREES = [rule for rule in RULES if rule.check not in ELSEWHERE]
+GOOD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in TREES for i, e in enumerate(r.good, 1)]
+BAD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in TREES for i, e in enumerate(r.bad, 1)]
 
 
 @pytest.mark.parametrize(("rule", "example"), GOOD)

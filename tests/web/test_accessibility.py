@@ -1,7 +1,8 @@
 """No page has a violation that axe finds, in light and in dark, and none complains on the console."""
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
+from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
+from playwright.sync_api import Page
 
 from tests.web.conftest import Opener
 
@@ -18,7 +19,12 @@ PAGES = (
 @pytest.mark.parametrize("address", PAGES)
 def test_axe_finds_nothing(open_page: Opener, address: str) -> None:
     page = open_page(address)
-    for scheme in ("light", "dark"):
-        page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # type: ignore[arg-type]
-        violations = Axe().run(page).response["violations"]
-        assert not [f"{scheme} {v['id']}: {n['html'][:200]} {n['failureSummary']}" for v in violations for n in v["nodes"]]
+    found = _violations(page)
+    page.emulate_media(color_scheme="dark")
+    found += _violations(page, {"runOnly": ["color-contrast"], "resultTypes": ["violations"]})
+    assert not found
+
+
+def _violations(page: Page, options: dict[str, object] | None = None) -> list[str]:
+    violations = Axe().run(page, options=options or {"resultTypes": ["violations"]}).response["violations"]
+    return [f"{v['id']}: {n['html'][:200]} {n['failureSummary']}" for v in violations for n in v["nodes"]]

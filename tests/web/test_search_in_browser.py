@@ -10,7 +10,7 @@ def test_results_come_as_one_types_and_back_returns_to_the_tree(open_page: Opene
     page.keyboard.press("/")
     page.keyboard.type("spee vehi", delay=15)
     expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
-    assert page.url.endswith("/search/small?q=spee+vehi")
+    page.wait_for_url("**/search/small?q=spee+vehi")
     expect(page.locator(".hits mark").first).to_have_text("Vehi")
     page.go_back()
     expect(page.locator("h1")).to_have_text("Label")

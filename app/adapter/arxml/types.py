@@ -1,5 +1,6 @@
 """Implementation datatypes, units, compu methods and data constraints."""
 
+import re
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
@@ -10,6 +11,8 @@ from app.integration.autosar_names import distinct, short_name
 from app.integration.datatypes import BY_ADAPTIVE
 
 K = TypeVar("K")
+IDENTICAL = ("1", "0")
+"""Factor and offset of a value that is sent as it is."""
 
 
 class Presentation(NamedTuple):
@@ -65,7 +68,9 @@ def library(model: IntegrationModel, paths: Paths) -> Library:
         for argument in (*(method.inputs or ()), *(method.outputs or ())) if argument.unit
     }  # fmt: skip
     units = distinct({unit: short_name(unit) for unit in {*members, *arguments, *(s.unit for s in shown if s.unit)}})
-    methods = {_method_key(item): _method_name(item, units) for item in shown if item.unit or _is_scaled(item)}
+    methods = {
+        _method_key(item): _method_name(item, units) for item in shown if item.unit or _coefficients(item) != IDENTICAL
+    }
     limits = {
         (item.min, item.max): _limits_name(item) for item in shown if item.min is not None or item.max is not None
     }
@@ -87,24 +92,24 @@ def _unlike(names: dict[K, str], taken: Iterable[str] = ()) -> dict[K, str]:
     return {keys[text]: name for text, name in distinct({repr(key): names[key] for key in names}, taken).items()}
 
 
-def _is_scaled(shown: Presentation) -> bool:
-    return _number(shown.factor, 1.0) != 1.0 or _number(shown.offset, 0.0) != 0.0
+_COEFFICIENT = re.compile(r"[+-]?(?:[1-9][0-9]+|[0-9])(?:\.[0-9]+)?(?:[eE][+-]?[0-9]{1,3})?")
+"""A number as the metamodel writes it."""
 
 
-def _number(text: str | None, default: float) -> float:
-    try:
-        return float(text) if text else default
-    except ValueError:
-        return default
+def _coefficients(shown: Presentation) -> tuple[str, str]:
+    """Factor and offset; what is no number counts as none."""
+    factor, offset = shown.factor or "1", shown.offset or "0"
+    kept = (factor if _COEFFICIENT.fullmatch(factor) else "1", offset if _COEFFICIENT.fullmatch(offset) else "0")
+    return kept if (float(kept[0]), float(kept[1])) != (1.0, 0.0) else IDENTICAL
 
 
 def _method_key(shown: Presentation) -> tuple[str | None, str, str]:
-    return shown.unit, *((shown.factor or "1", shown.offset or "0") if _is_scaled(shown) else ("1", "0"))
+    return shown.unit, *_coefficients(shown)
 
 
 def _method_name(shown: Presentation, units: dict[str, str]) -> str:
-    unit = units.get(shown.unit or "", "NoUnit")
-    return short_name(f"CM_{unit}_{shown.factor or 1}_{shown.offset or 0}" if _is_scaled(shown) else f"CM_{unit}")
+    unit, coefficients = units.get(shown.unit or "", "NoUnit"), _coefficients(shown)
+    return short_name(f"CM_{unit}" if coefficients == IDENTICAL else "_".join(("CM", unit, *coefficients)))
 
 
 def _limits_name(shown: Presentation) -> str:
@@ -211,7 +216,7 @@ def _text_table(entry: TypeEntry) -> Tag:
 
 def _compu_method(key: tuple[str | None, str, str], name: str, known: Library) -> Tag:
     unit, factor, offset = key
-    identical = (factor, offset) == ("1", "0")
+    identical = (factor, offset) == IDENTICAL
     scale = tag(
         "COMPU-SCALE",
         tag(

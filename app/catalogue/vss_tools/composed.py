@@ -4,7 +4,6 @@ vss-tools then expands, refines and deletes as it would with the original files,
 gets no chance to stumble over layouts of other releases, or over two units with one name.
 """
 
-import hashlib
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -12,12 +11,15 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from app.catalogue.definition import BRANCH, Definition
+from app.catalogue.definition import BRANCH, Definition, Problem
+from app.catalogue.digest import digest_of
 from app.catalogue.model import Catalogue, Node
 from app.catalogue.vocabulary import Unit, Vocabulary
 
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _TEXT = "tag:yaml.org,2002:str"
+_ESSENTIAL = frozenset(("type", "datatype", "description", "instances"))
+"""Attributes without which a node is not the same."""
 
 
 class Files(NamedTuple):
@@ -48,10 +50,27 @@ def write_catalogue(catalogue: Catalogue, folder: Path, *, copy_unit_files: bool
 
 def tree_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
     """The merged tree as one flat file, in the order in which its paths were first written."""
+    refused = {path: {problem.attribute for problem in refused_attributes(d)} for path, d in definitions.items()}
     return {
-        path: {name: value for name, value in d.values.items() if not _is_include(name, d)}
+        path: {
+            name: value for name, value in d.values.items() if not _is_include(name, d) and name not in refused[path]
+        }
         for path, d in definitions.items()
     }
+
+
+def refused_attributes(definition: Definition) -> tuple[Problem, ...]:
+    """Problems of attributes that the tools of an older release took and that vss-tools of today refuses.
+
+    A catalogue with such errors is only exported if they count as warnings; what can be left out is left out.
+    """
+    return tuple(
+        problem
+        for problem in definition.problems
+        if problem.severity == "error"
+        and problem.attribute in definition.values
+        and problem.attribute not in _ESSENTIAL
+    )
 
 
 def late_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
@@ -77,8 +96,9 @@ def unit_entries(vocabulary: Vocabulary) -> dict[str, Any]:
 
 
 def quantity_entries(vocabulary: Vocabulary) -> dict[str, Any]:
-    """Quantities in today's layout."""
-    return {
+    """Quantities in today's layout, and those that units measure though an older release defined none."""
+    measured = {unit.quantity.lower(): {"definition": unit.quantity} for unit in vocabulary.distinct_units}
+    return measured | {
         key: {"definition": quantity.definition, **({"remark": quantity.remark} if quantity.remark else {})}
         for key, quantity in vocabulary.quantities.items()
     }
@@ -138,7 +158,7 @@ def _unit_files(vocabulary: Vocabulary, folder: Path, *, copy: bool) -> tuple[tu
             return units, quantities
     return (
         (_write(folder / "units.yaml", unit_entries(vocabulary)),) if vocabulary.units else (),
-        (_write(folder / "quantities.yaml", quantity_entries(vocabulary)),) if vocabulary.quantities else (),
+        (_write(folder / "quantities.yaml", quantity_entries(vocabulary)),) if vocabulary.units else (),
     )
 
 
@@ -153,7 +173,7 @@ def _copies(names: Iterable[str], vocabulary: Vocabulary, folder: Path) -> tuple
             data = Path(source.name).read_bytes()
         except OSError:
             return ()
-        if hashlib.sha256(data).hexdigest() != source.digest:
+        if digest_of(data) != source.digest:
             return ()
         copies.append(folder / f"original{number}.yaml")
         copies[-1].write_bytes(data)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from app.catalogue.export_json import kept_instances
 from app.catalogue.model import Catalogue
-from app.catalogue.vss_tools.composed import Files, write_catalogue
+from app.catalogue.vss_tools.composed import Files, refused_attributes, write_catalogue
 from app.catalogue.vss_tools.files import Export, ExportedFile
 from app.catalogue.vss_tools.formats import KEEP_INSTANCES, Format, Option, options_of
 from app.errors import InputRefused
@@ -48,7 +48,8 @@ def run(catalogue: Catalogue, format_: Format, options: Mapping[str, Any], name:
         files = (*_main_files(places.output, name, format_), *_files_beside(options, format_, places))
         if not any(not file.option for file in files):
             raise InputRefused(f"vss-tools exported nothing as {format_.name}.", findings)
-        return Export(files, tuple(finding for finding in findings if not _NO_NEWS.search(finding.message)))
+        news = (finding for finding in findings if not _NO_NEWS.search(finding.message))
+        return Export(files, (*_left_out(catalogue), *news))
 
 
 def _request(
@@ -161,6 +162,14 @@ def _findings(log: Path, catalogue: Catalogue, temporary: Path) -> tuple[Finding
     text = log.read_text(encoding="utf-8").replace(f"{temporary}/", "")
     lines = (json.loads(line) for line in text.splitlines())
     return tuple(_finding(level, message, catalogue) for level, message in lines if level in _SEVERITIES)
+
+
+def _left_out(catalogue: Catalogue) -> Iterator[Finding]:
+    for definition in catalogue.definitions.values():
+        for problem in refused_attributes(definition):
+            message = f"`{problem.attribute}` is left out, since vss-tools refuses it. {problem.message}"
+            place = definition.origin(problem.attribute)[:3]
+            yield Finding("X004", "warning", message, *place, definition.path)
 
 
 def _finding(level: str, message: str, catalogue: Catalogue) -> Finding:

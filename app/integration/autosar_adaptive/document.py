@@ -216,6 +216,16 @@ def _numbers(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str
             yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS
 
 
+def identifiers_of(model: IntegrationModel) -> dict[str, int]:
+    """Every id of a model under the key that fixes it in a deployment: whatever is added later, these stay."""
+    found: dict[str, int] = {}
+    for component in _filled(model).components:
+        for interface in component.services:
+            for (_, kind), owner, value, _ in _numbers(interface):
+                found[f"{owner}:instance" if kind == "instance" else owner] = value
+    return dict(sorted(found.items()))
+
+
 # -- what is filled in --------------------------------------------------------------------------------------------
 
 

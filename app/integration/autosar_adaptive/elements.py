@@ -1,5 +1,6 @@
 """Events, methods and fields of each service: named, typed, with ids, and with every side that takes part."""
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
@@ -223,11 +224,25 @@ def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
 
 
 def sent(value: float | None, interface: Signal | DataQueue) -> int | float | None:
-    """A limit of the code, in the unit in which the value is sent: exact, and with its ends swapped nowhere."""
+    """A limit of the code, in the unit in which the value is sent, exact; None if it cannot be told."""
     if value is None or interface.conversion_factor is None:
         return value
-    exact = Fraction(value) * Fraction(interface.conversion_factor) + Fraction(interface.conversion_offset or "0")
-    return int(exact) if exact.denominator == 1 else float(exact)
+    factor, offset = _fraction(interface.conversion_factor), _fraction(interface.conversion_offset or "0")
+    if factor is None or offset is None:
+        return None
+    exact = Fraction(value) * factor + offset
+    try:
+        return int(exact) if exact.denominator == 1 else float(exact)
+    except OverflowError:
+        return None
+
+
+_DECIMAL = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,3}|/0*[1-9]\d{0,39})?")
+"""A number, of a size that exact arithmetic bears."""
+
+
+def _fraction(text: str) -> Fraction | None:
+    return Fraction(text) if _DECIMAL.fullmatch(text) else None
 
 
 def _text(number: str | float | None) -> str | None:

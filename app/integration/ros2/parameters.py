@@ -48,11 +48,16 @@ def _parameter(
     _unexpressed(item, kind, interface, limits)
     name = field_name(item.name, taken)
     limits.renamed(interface, item.name, name.text, name.reason)
-    linear = physical(item, interface, limits)
+    return _resolved(item, kind, name.text, place, table, physical(item, interface, limits))
+
+
+def _resolved(
+    item: Parameter, kind: FieldType, name: str, place: Place, table: Mapping[str, Datatype], linear: Linear
+) -> RosParameter:
     low, high = _limits(item, kind, linear)
     api = package_name(f"{place.name}_{item.name}_from_parameter").text
     return RosParameter(
-        name=name.text,
+        name=name,
         parameter=item.name,
         type=_type(kind),
         description=item.description,
@@ -65,14 +70,12 @@ def _parameter(
         variable=item.variable or item.name,
         variable_type=c_definition(item.datatype, table),
         variable_units=item.units or None,
-        conversion=conversion(
-            api, name.text, item.datatype, kind, linear, table, _type(kind), is_outgoing=False
-        ),
+        conversion=conversion(api, name, item.datatype, kind, linear, table, _type(kind), is_outgoing=False),
         storage=item.interface_type,
         attribute=item.attribute,
         range_error_action=item.range_error_action,
         vss_path=item.vss_path,
-    )  # fmt: skip
+    )
 
 
 def _type(kind: FieldType) -> str:

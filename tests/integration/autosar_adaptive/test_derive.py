@@ -18,7 +18,7 @@ from app.function.model import (
     Signal,
 )
 from app.integration.autosar_adaptive.derive import derive
-from app.integration.autosar_adaptive.document import read_integration
+from app.integration.autosar_adaptive.document import identifiers_of, read_integration
 from app.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
 from app.integration.autosar_adaptive.targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from app.integration.deployment import Deployment, read_deployment
@@ -284,6 +284,14 @@ def test_ids_that_depend_on_each_other_are_told_with_what_keeps_them():
     told = [finding for finding in derived.findings if finding.rule == "A008"]
     assert told
     assert told[0].fix.startswith("To keep it, write it into the deployment: identifiers: {VehicleBranchService.")
+
+
+def test_ids_that_a_deployment_keeps_stay_whatever_is_added():
+    paths = [f"Vehicle.Branch.Signal{i}" for i in range(900)]
+    before = derive([function(signals=[at(path) for path in paths[300:]])]).model
+    kept = deployed(autosarAdaptive={"identifiers": identifiers_of(before)})
+    after = derive([function(signals=[at(path) for path in paths])], kept).model
+    assert ids(before).items() <= ids(after).items()
 
 
 def test_the_deployment_may_fix_ids():

@@ -13,6 +13,7 @@ from app.integration.names import FIELD, MESSAGE
 from app.integration.reading import read_function
 from app.integration.report import to_markdown
 from app.integration.ros2.derive import derive
+from app.integration.ros2.document import read_integration
 from app.integration.ros2.model import to_json
 from tests.integration.ros2.functions import document, function, signal
 
@@ -96,11 +97,21 @@ def test_ten_megabytes_are_refused_or_read_within_seconds():
 def test_another_schema_version_is_refused():
     data = json.loads(function_to_json(function(signal())))
     data["MetaInfo"] = {"SchemaVersion": "2.0.0"}
-    with pytest.raises(InputRefused, match=r"schema version 2\.0\.0"):
+    with pytest.raises(InputRefused) as refused:
         read_function(json.dumps(data).encode(), "function.json", no_catalogue)
+    assert any("2.0.0" in finding.message for finding in refused.value.findings)
 
 
 def test_integration_json_is_no_function():
     data = to_json(derive([function(signal())]).model)
     with pytest.raises(InputRefused, match="Integration JSON already"):
         read_function(data, "ros2.json", no_catalogue)
+
+
+def test_a_document_is_read_back_and_a_defect_has_its_place():
+    data = to_json(derive([function(signal())]).model)
+    assert to_json(read_integration(data, "ros2.json")) == data
+    with pytest.raises(InputRefused) as refused:
+        read_integration(data.replace(b'"TopicName"', b'"Topic"'), "ros2.json")
+    (finding,) = refused.value.findings
+    assert (finding.rule, finding.pointer) == ("F002", "/CommunicationList/0/ROSTopicList/0")

@@ -293,6 +293,53 @@ def test_parameters_have_the_catalogues_unit_and_range():
     assert tire["Conversion"]["Factor"] == "25.4"
 
 
+def parameter(**more):
+    base = {
+        "Name": "Limit", "Description": "A limit.", "Datatype": "DT_Float32", "Asillevel": "QM", "Min": 0, "Max": 9,
+        "Default": 1, "InitValue": 2, "RangeErrorAction": "Default", "Interfacetype": "Calibration",
+        "Attribute": "Normal", "Units": "m", "Variable": "par.Limit",
+    }  # fmt: skip
+    return base | more
+
+
+@pytest.mark.parametrize(
+    ("more", "kind", "default", "bounds"),
+    [
+        ({}, "double", 2.0, (0, 9)),
+        ({"VssDatatype": "uint16", "Max": 65535}, "integer", 2, (None, None)),
+        ({"VssDatatype": "boolean", "Max": 1}, "bool", True, (None, None)),
+        ({"VssDatatype": "string", "DefaultText": "left", "Max": 0}, "string", "left", (None, None)),
+        ({"Datatype": "DT_Float32Array3", "VssDatatype": "float[]"}, "double_array", [2.0, 2.0, 2.0], (None, None)),
+        ({"Datatype": "DT_Side", "VssDatatype": "string"}, "string", "RIGHT", (None, None)),
+    ],
+)
+def test_a_parameter_has_a_type_of_nodes(more, kind, default, bounds):
+    types = [
+        {"typeRef": "DT_Float32Array3", "category": "userdefined", "cDef": "float[3]", "Kind": "array",
+         "ElementType": "DT_Float32", "Length": 3},
+        {"typeRef": "DT_Side", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration",
+         "Symbols": [{"Symbol": "LEFT", "Value": 0}, {"Symbol": "RIGHT", "Value": 2}]},
+    ]  # fmt: skip
+    (made,) = node([function(contract={"ParameterList": [parameter(**more)]}, datatypes=types)])["Parameters"]
+    assert (made["Type"], made["Default"], (made.get("From"), made.get("To"))) == (kind, default, bounds)
+
+
+@pytest.mark.parametrize(
+    ("rule", "more"),
+    [
+        ("N208", {"Interfacetype": "PersistenceMemory"}),
+        ("N208", {"Attribute": "LearningParameter"}),
+        ("N209", {"Interfacetype": "Measurement"}),
+        ("N209", {"VssDatatype": "uint64", "Max": 2**64 - 1}),
+        ("N209", {"Datatype": "DT_Point", "VssDatatype": "Types.Point"}),
+    ],
+)
+def test_a_parameter_that_nodes_do_not_have_is_told(rule, more):
+    point = {"typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct", "Fields": []}
+    made = function(contract={"ParameterList": [parameter(VssPath="Vehicle.Limit", **more)]}, datatypes=[point])
+    assert (rule, "Vehicle.Limit") in rules([made])
+
+
 def test_errors_are_diagnostics_and_depend_on_those_of_other_nodes():
     statuses = {each["Error"]: each for each in node(examples())["Diagnostics"]}
     assert statuses["CoreAcc_ProposalTimeout_ErrorSts"]["Dependencies"] == [

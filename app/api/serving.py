@@ -1,0 +1,69 @@
+"""Run an application until it is told to stop; requests under way are finished."""
+
+import json
+import logging
+import sys
+
+import uvicorn
+from fastapi import FastAPI
+
+from app.api.settings import Settings
+
+
+class _Server(uvicorn.Server):
+    """Says where it listens once it does: with port 0 nobody knows before."""
+
+    async def startup(self, sockets: list[object] | None = None) -> None:  # type: ignore[override]
+        await super().startup(sockets)  # type: ignore[arg-type]
+        for server in self.servers:
+            for socket in server.sockets:
+                host, port = socket.getsockname()[:2]
+                shown = f"[{host}]" if ":" in host else host
+                print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
+
+
+class _Lines(logging.Formatter):
+    """One line of JSON for each record; those of requests are JSON already."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """The line."""
+        time = self.formatTime(record, "%Y-%m-%dT%H:%M:%S%z")
+        told = {"time": time, "level": record.levelname.lower(), "logger": record.name}
+        if record.name == "sigcat.requests":
+            return json.dumps({**told, **json.loads(record.getMessage())})
+        if record.exc_info:
+            told["trace"] = self.formatException(record.exc_info)
+        return json.dumps({**told, "message": record.getMessage()})
+
+
+def run(application: FastAPI, settings: Settings) -> None:
+    """Serve until a signal comes. Logs go to standard error."""
+    log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
+    _Server(uvicorn_config(application, settings)).run()
+
+
+def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
+    """How uvicorn is set up for these settings."""
+    return uvicorn.Config(
+        application,
+        host=settings.host,
+        port=settings.port,
+        root_path=settings.root_path,
+        proxy_headers=bool(settings.trusted_proxies),
+        forwarded_allow_ips=list(settings.trusted_proxies),
+        timeout_graceful_shutdown=settings.stop_seconds,
+        h11_max_incomplete_event_size=32 * 1024,
+        log_config=None,
+        access_log=False,
+        server_header=False,
+    )
+
+
+def log_as_json(level: int) -> None:
+    """Send what sigcat and uvicorn log to standard error, a line of JSON each."""
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(_Lines())
+    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING)):
+        logger = logging.getLogger(name)
+        logger.handlers, logger.propagate = [handler], False
+        logger.setLevel(least)

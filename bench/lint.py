@@ -1,0 +1,78 @@
+"""The linter as a process, cold, beside what it is held against."""
+
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from app.data import OVERLAYS, ROOT_FILE, VSPEC
+from bench import trees
+from bench.measuring import command, interleaved
+from bench.rows import Bench, Row
+
+OFFICIAL = Path("../shared/vss/v6.0/spec")
+"""The official tree, if there is a checkout of it; the shipped one stands in for it otherwise."""
+
+_COMPOSE = """
+import os, sys, yaml
+for here, _, names in os.walk(sys.argv[1]):
+    for name in names:
+        with open(os.path.join(here, name), "rb") as file:
+            yaml.compose(file, Loader=yaml.CSafeLoader)
+"""
+
+
+def whole_tree(bench: Bench) -> Row:
+    """The shipped tree, which vss-tools accepts too, beside its export with `--strict`."""
+    vspec = str(Path(sys.executable).with_name("vspec"))
+    output = str(bench.folder / "out.json")
+    strict = command(vspec, "export", "json", "--strict", "-s", str(ROOT_FILE), "-o", output)
+    figure, reference = interleaved([_lint(VSPEC), strict], bench.runs)
+    return _row("`sigcat lint vspec`", figure, "`vspec export json --strict`", reference, "at least 12 × faster")
+
+
+def parser_alone(bench: Bench) -> Row:
+    """The whole official tree beside a process that only reads the same files as YAML."""
+    tree = OFFICIAL if OFFICIAL.is_dir() else VSPEC
+    compose = command(sys.executable, "-c", _COMPOSE, str(tree))
+    figure, reference = interleaved([_lint(tree), compose], 3 * bench.runs)
+    return _row(f"`sigcat lint` of {tree}", figure, "Python and `yaml.compose`", reference, "at most 4 ×")
+
+
+def changed_part(bench: Bench) -> Row:
+    """One file of a tree, as pre-commit names it."""
+    return _changed("a changed part of a tree", VSPEC / "Body" / "Body.vspec", bench)
+
+
+def changed_overlay(bench: Bench) -> Row:
+    """One overlay, for which the tree below it is read."""
+    return _changed("a changed overlay", OVERLAYS / "error.vspec", bench)
+
+
+def hundred_thousand(bench: Bench) -> Row:
+    """A hundred thousand signals beside five times twenty thousand."""
+    large = trees.flat(bench.folder / "lint", 100_000)
+    small = trees.flat(bench.folder / "lint", 20_000)
+    figure, reference = interleaved([_lint(large), _lint(small)], min(bench.runs, 3))
+    return _row("`sigcat lint` of 100,000 signals", figure, "5 × 20,000 signals", 5 * reference, "at most 1.2 ×")
+
+
+ROWS: Mapping[str, Callable[[Bench], Row]] = {
+    "lint": whole_tree, "lint-parser": parser_alone, "lint-part": changed_part, "lint-overlay": changed_overlay,
+    "lint-large": hundred_thousand,
+}  # fmt: skip
+
+
+def _changed(work: str, file: Path, bench: Bench) -> Row:
+    imported = command(sys.executable, "-c", "import yaml")
+    figure, reference = interleaved([_lint(file), imported], 5 * bench.runs)
+    return _row(f"`sigcat lint` of {work}", figure, '`python -c "import yaml"`', reference, "at most 3 ×")
+
+
+def _lint(path: Path) -> Callable[[], float]:
+    return command("sh", "-c", '"$0" -m app.cli lint "$1" || test $? -eq 1', sys.executable, str(path))
+
+
+def _row(work: str, figure: float, name: str, reference: float, wanted: str) -> Row:
+    is_faster = wanted.endswith("faster")
+    ratio = f"{reference / figure:.1f} × faster" if is_faster else f"{figure / reference:.2f} ×"
+    return Row(work, f"{figure * 1000:.0f} ms", f"{name}: {reference * 1000:.0f} ms", ratio, wanted)

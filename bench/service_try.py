@@ -1,0 +1,177 @@
+"""Measure the service: one worker on one core, load from the other, each figure beside its floor in the same run.
+
+The floor is a FastAPI route that returns bytes made beforehand, in the same server.
+"""
+
+import asyncio
+import contextlib
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from itertools import cycle, islice
+from statistics import median
+from time import perf_counter
+from typing import NamedTuple
+
+from bench.measuring import ROOT
+
+_FLOOR = """
+from fastapi import FastAPI
+from fastapi.responses import Response
+from app.api.serving import run
+from app.api.settings import Settings
+application = FastAPI()
+BODY = b"x" * 2000
+@application.get("/floor")
+async def floor() -> Response:
+    return Response(BODY, media_type="application/json")
+run(application, Settings(port=0, log="none"))
+"""
+_SERVICE = """
+from app.api.application import create_app
+from app.api.serving import run
+from app.api.settings import Settings
+from app.catalogue.hosting import Library, shipped_sources
+settings = Settings(port=0, log="none", heavy_requests=1, heavy_waiting=64)
+run(create_app(Library(shipped_sources()[1:]), settings), settings)
+"""
+_VSS = "/api/v1/catalogues/vss"
+_CLIENTS = 10
+_OVERLAY = "".join(
+    f"Vehicle.Bench{n}:\n  type: sensor\n  datatype: float\n  unit: km/h\n  description: Signal number {n} of a test.\n\n"
+    for n in range(20)
+)
+
+
+class Load(NamedTuple):
+    """What ten clients got: requests in a second, and seconds of each."""
+
+    rate: float
+    seconds: Sequence[float]
+
+    @property
+    def p99(self) -> float:
+        """Seconds within which 99 of 100 were answered."""
+        return sorted(self.seconds)[int(len(self.seconds) * 0.99)]
+
+
+def rows(runs: int, count: int = 3000) -> Iterator[tuple[str, str, str, str, str]]:
+    """Work, figure, reference, ratio and what is wanted, for each row."""
+    with _server(_FLOOR) as floor, _server(_SERVICE) as service:
+        paths = [f"{_VSS}/nodes/{path}" for path in _paths()]
+        words = [f"{_VSS}/search?q={word}" for word in reversed(_words(paths))]
+        tag = (("If-None-Match", _tag(service, paths[0])),)
+        for work, least, addresses, headers in (
+            ("node by path", 0.7, paths, ()),
+            ("304", 0.8, paths, tag),
+            ("search of the standard tree", 0.35, words, ()),
+        ):
+            asyncio.run(_load(service, iter(addresses[:2000]), (), min(len(addresses), 2000), b""))
+            asked = _medians(runs, count, (service, cycle(addresses), headers), (floor, cycle(["/floor"]), ()))
+            ratio = asked[0] / asked[1]
+            yield (
+                work,
+                f"{asked[0]:.0f}/s",
+                f"prebuilt bytes: {asked[1]:.0f}/s",
+                f"{ratio:.2f} ×",
+                f"at least {least} ×",
+            )
+        for work, most, address in (
+            ("lint of a 2 kB overlay, ten clients, p99", 0.05, "/api/v1/lint"),
+            ("composition of an overlay, ten clients, p99", 0.25, f"{_VSS}/trial"),
+        ):
+            load = asyncio.run(_load(service, cycle([address]), (), count // 10, _OVERLAY.encode()))
+            yield work, f"{load.p99 * 1000:.0f} ms", f"{load.rate:.0f}/s", "", f"at most {most * 1000:.0f} ms"
+
+
+def _medians(runs: int, count: int, *asked: tuple[str, Iterator[str], Sequence[tuple[str, str]]]) -> list[float]:
+    """Requests in a second of each, taken in turn; the addresses go on from run to run."""
+    taken = [[asyncio.run(_load(*each, count, b"")).rate for each in asked] for _ in range(runs)]
+    return [median(values) for values in zip(*taken, strict=True)]
+
+
+@contextlib.contextmanager
+def _server(code: str) -> Iterator[str]:
+    """Host and port of a server on the first core; this process moves to the last one."""
+    cores = sorted(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else []
+    pin = f"import os; os.sched_setaffinity(0, [{cores[0]}])\n" if len(cores) > 1 else ""
+    if pin:
+        os.sched_setaffinity(0, cores[-1:])
+    command = [sys.executable, "-c", pin + code]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        match = re.search(r"http://(\S+)", process.stdout.readline())
+        assert match, "the service did not start"
+        yield match[1]
+        process.terminate()
+    if pin:
+        os.sched_setaffinity(0, cores)
+
+
+async def _load(
+    place: str, addresses: Iterator[str], headers: Sequence[tuple[str, str]], count: int, body: bytes
+) -> Load:
+    """Ask from ten connections, each one request after the other."""
+    waiting = iter([_request(place, address, headers, body) for address in islice(addresses, count)])
+    seconds: list[float] = []
+    start = perf_counter()
+    await asyncio.gather(*(_client(place, waiting, seconds) for _ in range(_CLIENTS)))
+    return Load(count / (perf_counter() - start), seconds)
+
+
+def _request(place: str, address: str, headers: Sequence[tuple[str, str]], body: bytes) -> bytes:
+    lines = [f"{'POST' if body else 'GET'} {address} HTTP/1.1", f"Host: {place}"]
+    lines += [f"{name}: {value}" for name, value in headers]
+    lines += [f"Content-Length: {len(body)}"] if body else []
+    return "\r\n".join([*lines, "", ""]).encode() + body
+
+
+async def _client(place: str, waiting: Iterator[bytes], seconds: list[float]) -> None:
+    """A client that costs as little as it can: it shares its core with the other nine."""
+    host, port = place.split(":")
+    reader, writer = await asyncio.open_connection(host, int(port))
+    for request in waiting:
+        start = perf_counter()
+        writer.write(request)
+        head = await reader.readuntil(b"\r\n\r\n")
+        length = re.search(rb"content-length: (\d+)", head, re.IGNORECASE)
+        if length:
+            await reader.readexactly(int(length[1]))
+        status = head[9:12]
+        assert status in (b"200", b"304"), head
+        seconds.append(perf_counter() - start)
+    writer.close()
+
+
+def _paths() -> list[str]:
+    from app.catalogue.compose import read_catalogue
+    from app.data import ROOT_FILE
+
+    return list(read_catalogue(ROOT_FILE).nodes)
+
+
+def _words(paths: Sequence[str]) -> list[str]:
+    """Searches of two words, each once: none is answered from what is kept."""
+    names = sorted({path.rpartition(".")[2] for path in paths})
+    return [f"{a}+{b[:3]}" for a in names[:150] for b in names[150:260]]
+
+
+def _tag(place: str, address: str) -> str:
+    import urllib.request
+
+    with urllib.request.urlopen(f"http://{place}{address}") as answer:
+        return str(answer.headers["ETag"])
+
+
+def main() -> int:
+    """Print the table."""
+    print("| work | sigcat | reference | ratio | wanted |\n|---|---|---|---|---|")
+    for row in rows(runs=int(sys.argv[1]) if len(sys.argv) > 1 else 3):
+        print(f"| {' | '.join(row)} |", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

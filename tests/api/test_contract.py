@@ -1,0 +1,59 @@
+"""The whole contract, tried by schemathesis: no 5xx, no answer outside the schema, whatever is asked.
+
+SIGCAT_FUZZ is the number of examples for each operation; `make fuzz` takes many.
+"""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, settings
+from schemathesis.specs.openapi.checks import (
+    content_type_conformance,
+    response_headers_conformance,
+    response_schema_conformance,
+    status_code_conformance,
+)
+
+from app.api.application import create_app
+from app.api.settings import Settings
+from app.catalogue.hosting import Library, Source
+
+EXAMPLES = int(os.environ.get("SIGCAT_FUZZ", "8"))
+TREE = Path(__file__).parent / "tree"
+LIBRARY = Library([Source("interfaces", "A small tree", TREE / "tree.vspec", (TREE / "overlay.vspec",))])
+APP = create_app(LIBRARY, Settings(log="none"))
+SCHEMA = schemathesis.openapi.from_asgi("/openapi.json", APP)
+CHECKS = [
+    schemathesis.checks.not_a_server_error,
+    status_code_conformance,
+    content_type_conformance,
+    response_headers_conformance,
+    response_schema_conformance,
+]
+BOUNDED = settings(
+    max_examples=EXAMPLES,
+    deadline=None,
+    derandomize=EXAMPLES < 50,
+    suppress_health_check=list(HealthCheck),
+    database=None,
+)
+
+
+@SCHEMA.parametrize()
+@BOUNDED
+def test_every_operation_answers_as_its_schema_says(case: "schemathesis.Case[Any]") -> None:
+    case.call_and_validate(checks=CHECKS)
+
+
+class Journey(SCHEMA.as_state_machine()):  # type: ignore[misc]
+    """Goes from answer to request along the links."""
+
+    def validate_response(self, response: schemathesis.Response, case: "schemathesis.Case[Any]", **_: object) -> None:
+        case.validate_response(response, checks=CHECKS)
+
+
+TestJourney = pytest.mark.xdist_group("contract")(Journey.TestCase)
+TestJourney.settings = settings(BOUNDED, stateful_step_count=6)

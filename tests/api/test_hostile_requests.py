@@ -1,0 +1,199 @@
+"""Hostile input over a real connection: a clear 4xx in under a second, memory bounded, the next request answered."""
+
+import json
+import resource
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from tests.clients.generating import ROOT
+
+pytestmark = pytest.mark.xdist_group("hostile")
+_SERVE = """
+import sys
+from app.api.application import create_app
+from app.api.serving import run
+from app.api.settings import Settings
+from app.catalogue.hosting import Library
+from tests.api.conftest import SOURCES
+settings = Settings(port=0, body_seconds=0.5, log="none")
+run(create_app(Library(SOURCES), settings), settings)
+"""
+SMALL = "/api/v1/catalogues/small"
+LINT, TRIAL, BUILD = "/api/v1/lint", f"{SMALL}/trial", "/api/v1/functions/build"
+VALIDATE = "/api/v1/functions/validate"
+
+
+class Service:
+    """A service in a process of its own."""
+
+    def __init__(self, address: str, process: int) -> None:
+        self.address = address
+        self.process = process
+
+    @property
+    def memory(self) -> int:
+        """Bytes that the process holds in memory."""
+        pages = int(Path(f"/proc/{self.process}/statm").read_text().split()[1])
+        return pages * resource.getpagesize()
+
+    def ask(self, method: str, path: str, **options: object) -> httpx.Response:
+        return httpx.request(method, self.address + path, timeout=10, **options)  # type: ignore[arg-type]
+
+    def send(self, data: bytes, wait: float = 5) -> bytes:
+        """What comes back on a connection of its own, until it ends."""
+        parts = urlsplit(self.address)
+        with socket.create_connection((parts.hostname, parts.port), timeout=wait) as connection:
+            connection.sendall(data)
+            received = b""
+            try:
+                while part := connection.recv(65536):
+                    received += part
+            except (TimeoutError, ConnectionError):
+                pass
+            return received
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Service]:
+    with subprocess.Popen(
+        [sys.executable, "-c", _SERVE], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().split()[3]
+        yield Service(address, process.pid)
+        process.terminate()
+        assert process.wait(15) in (0, -15)
+
+
+def _aliases(levels: int) -> bytes:
+    lines = ["a0: &a0 [x, x, x, x, x, x, x, x, x]"]
+    lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, levels)]
+    return "\n".join(lines).encode()
+
+
+OVERLAY = "Vehicle.X: {{type: sensor, datatype: string, description: X., {}}}"
+BOMBS = {
+    "nested YAML": b"[" * 100_000,
+    "nested YAML mappings": b"{a: " * 50_000,
+    "nested block YAML": b"".join(b" " * n + b"a:\n" for n in range(1500)),
+    "nested JSON": b'{"a":' * 100_000,
+    "nested JSON lists": b'{"functions": ' + b"[" * 100_000,
+    "aliases in YAML": _aliases(30),
+    "merge keys": b"a: &a {b: c}\n" + b"d:\n  <<: [" + b"*a, " * 50_000 + b"*a]\n",
+    "many keys": b"".join(b"k%d: 1\n" % n for n in range(20_000)),
+    "a long scalar": b"a: " + b"x" * 2_000_000,
+    "many anchors": b"".join(b"k%d: &k%d 1\n" % (n, n) for n in range(30_000)),
+    "a huge number": b"Vehicle.X: {type: sensor, datatype: float, max: " + b"9" * 200_000 + b"}",
+    "a sexagesimal number": b"a: " + b"1:" * 60_000 + b"1",
+    "a pattern that explodes": OVERLAY.format("pattern: '^(a+)+$', default: " + "a" * 60 + "b").encode(),
+    "a pattern of alternatives": OVERLAY.format("pattern: '^(a|a|aa)*$', default: " + "a" * 60 + "b").encode(),
+    "many instances": b"Vehicle.X: {type: branch, instances: ['A[1,99999]', 'B[1,99999]'], description: X.}",
+    "a huge range": b"Vehicle.X: {type: branch, instances: ['A[1,999999999999]'], description: X.}",
+    "a long path": b"Vehicle" + b".X" * 100_000 + b": {type: branch}",
+}
+
+
+@pytest.mark.parametrize("address", [LINT, TRIAL, BUILD, VALIDATE])
+@pytest.mark.parametrize("case", BOMBS)
+def test_a_bomb_is_answered_in_under_a_second_and_the_next_request_too(
+    service: Service, case: str, address: str
+) -> None:
+    start = time.perf_counter()
+    answer = service.ask("POST", address, content=BOMBS[case])
+    seconds = time.perf_counter() - start
+    assert answer.status_code in (200, 422), answer.text[:300]
+    report = answer.json()
+    assert report["findings"] or report.get("ok"), report
+    assert service.ask("GET", "/health/live").status_code == 200
+    assert seconds < 3, seconds  # one second on a quiet machine
+
+
+def test_memory_stays_bounded(service: Service) -> None:
+    bombs = [
+        BOMBS[name] for name in ("nested YAML", "aliases in YAML", "merge keys", "a long scalar", "many instances")
+    ]
+    for _ in range(2):
+        for data in bombs:
+            service.ask("POST", TRIAL, content=data)
+    middle = service.memory
+    for data in 2 * bombs:
+        service.ask("POST", TRIAL, content=data)
+    assert service.memory < 1.2 * middle + 20_000_000
+    assert service.memory < 1_000_000_000
+
+
+def test_a_hundred_megabytes_are_refused_before_they_are_read(service: Service) -> None:
+    before = service.memory
+    head = f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: {100 * 1024 * 1024}\r\n\r\n".encode()
+    assert b" 413 " in service.send(head + b"a" * 1000).split(b"\r\n", 1)[0]
+    assert service.memory - before < 20_000_000
+
+
+def test_a_body_that_drips_is_refused(service: Service) -> None:
+    start = time.perf_counter()
+    answer = service.send(f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\nVehicle".encode())
+    assert b" 408 " in answer.split(b"\r\n", 1)[0]
+    assert time.perf_counter() - start < 3
+
+
+FLOODS = {
+    "a long header": b"GET / HTTP/1.1\r\nHost: a\r\nX: " + b"a" * 200_000 + b"\r\n\r\n",
+    "many headers": b"GET /health/live HTTP/1.1\r\nHost: a\r\n" + b"".join(b"X%d: 1\r\n" % n for n in range(20_000)) + b"\r\n",
+    "a long address": b"GET /" + b"a" * 200_000 + b" HTTP/1.1\r\nHost: a\r\n\r\n",
+    "no HTTP": b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + b"\0" * 100,
+    "two lengths": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\naaaaaa",
+    "a length below zero": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: -1\r\n\r\n",
+    "a length and chunks": (
+        b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\nGET /"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", FLOODS)
+def test_what_is_no_request_is_refused_and_the_next_one_answered(service: Service, case: str) -> None:
+    answer = service.send(FLOODS[case], wait=1)
+    assert answer[:12] in (b"", b"HTTP/1.1 400", b"HTTP/1.1 413", b"HTTP/1.1 414", b"HTTP/1.1 431", b"HTTP/1.1 200")
+    assert service.ask("GET", "/health/live").status_code == 200
+
+
+@pytest.mark.parametrize("encoding", ["gzip", "br", "deflate", "nonsense", "gzip, gzip"])
+def test_a_packed_body_is_never_unpacked(service: Service, encoding: str) -> None:
+    assert service.ask("POST", LINT, content=b"\x1f\x8b", headers={"Content-Encoding": encoding}).status_code == 415
+
+
+NAMES = {
+    "XML": "Vehicle.A]]><x/>", "HTML": "Vehicle.<img src=x onerror=alert(1)>", "Markdown": "Vehicle.[a](javascript:x)",
+    "a formula": "=HYPERLINK(1)", "a comment": "Vehicle.*/system(1)/*", "a header": "Vehicle.A\r\nSet-Cookie: a=b",
+    "a folder": "../../etc/passwd", "zero": "Vehicle.\0", "half a character": "Vehicle.\ud800",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_that_breaks_out_is_found_and_told_as_plain_data(service: Service, name: str) -> None:
+    text = json.dumps({NAMES[name]: {"type": "sensor", "datatype": "float", "description": "X."}}).encode()
+    answer = service.ask("POST", TRIAL, content=text)
+    assert answer.headers["content-type"] in ("application/json", "application/problem+json")
+    assert "set-cookie" not in answer.headers
+    assert service.ask("POST", LINT, content=text).json()["findings"]
+
+
+@pytest.mark.parametrize("name", ["../../secret", "a\r\nX: y", "<script>", "\0", "=1+1", "a" * 300])
+def test_the_name_of_a_text_is_only_a_name(service: Service, name: str) -> None:
+    answer = service.ask("POST", LINT, params={"name": name}, content=b"Vehicle.Speed:\n  type: sensr\n")
+    assert answer.status_code == 200
+    assert "x" not in answer.headers
+
+
+def test_a_posted_text_includes_no_files(service: Service) -> None:
+    for kind in ("overlay", "tree"):
+        answer = service.ask("POST", f"{LINT}?kind={kind}", content=b"#include /etc/passwd\nVehicle: {type: branch}\n")
+        assert "root:" not in answer.text
+        assert not answer.json()["ok"]

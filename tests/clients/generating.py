@@ -1,0 +1,89 @@
+"""Generate clients from the running service, check their types, and run the same round trip with each."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+CASES = Path(__file__).parent / "cases"
+NODE_FOLDER = ROOT / ".venv" / "node"
+DECLARATION = ROOT / "examples" / "core_acc" / "function.yaml"
+_ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+
+
+class NoNode(Exception):
+    """Node or its packages are not to be had here."""
+
+
+@contextmanager
+def running_service() -> Iterator[str]:
+    """Address of a service with the shipped catalogues, in a process of its own."""
+    command = [sys.executable, "-m", "app.cli", "serve", "--port", "0"]
+    with subprocess.Popen(command, cwd=ROOT, env=_ENVIRONMENT, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        match = re.search(r"http://\S+", process.stdout.readline())
+        assert match, "the service did not start"
+        yield match.group()
+        process.terminate()
+
+
+def check_python_client(address: str, folder: Path) -> None:
+    """Generate the Python client, check it with mypy --strict, run the round trip. Raises AssertionError."""
+    tool = str(Path(sys.executable).with_name("openapi-python-client"))
+    config = f"--config={CASES / 'python.yaml'}"
+    output = f"--output-path={folder / 'sigcat_client'}"
+    _run([tool, "generate", f"--url={address}/openapi.json", "--meta=none", config, output], folder)
+    shutil.copy(CASES / "round_trip.py", folder)
+    (folder / "mypy.ini").write_text("[mypy]\nstrict = true\n")
+    _run([sys.executable, "-m", "mypy", "--config-file=mypy.ini", "sigcat_client", "round_trip.py"], folder)
+    _run([sys.executable, "round_trip.py", address, str(DECLARATION)], folder)
+
+
+def check_typescript_client(address: str, folder: Path) -> None:
+    """Generate the TypeScript client, check it with tsc, run the round trip. Raises NoNode, or AssertionError."""
+    tools = node_tools()
+    for name in ("round_trip.ts", "tsconfig.json", "package.json", "openapi-ts.config.mjs"):
+        shutil.copy(CASES / name, folder)
+    (folder / "node_modules").symlink_to(tools / "node_modules")
+    _run([str(tools / "node_modules/.bin/openapi-ts")], folder, OPENAPI=f"{address}/openapi.json")
+    _run([str(tools / "node_modules/.bin/tsc"), "-p", "."], folder)
+    _run(["node", "built/round_trip.js", address, str(DECLARATION)], folder)
+
+
+def lint_document(document: Path) -> None:
+    """Lint an OpenAPI document with Redocly's recommended rules. Raises NoNode, or AssertionError."""
+    tool = node_tools() / "node_modules/.bin/redocly"
+    _run([str(tool), "lint", str(document), f"--config={CASES / 'redocly.yaml'}", "--format=stylish"], CASES)
+
+
+def node_tools() -> Path:
+    """A folder with the packages of package-lock.json, installed once. Raises NoNode."""
+    node, npm = shutil.which("node"), shutil.which("npm")
+    if node is None or npm is None:
+        raise NoNode("there is no Node here")
+    lock = (CASES / "package-lock.json").read_bytes()
+    mark = NODE_FOLDER / "installed-lock.json"
+    if not mark.is_file() or mark.read_bytes() != lock:
+        NODE_FOLDER.mkdir(parents=True, exist_ok=True)
+        for name in ("package.json", "package-lock.json"):
+            shutil.copy(CASES / name, NODE_FOLDER)
+        quiet = ["--no-audit", "--no-fund", "--ignore-scripts"]
+        result = subprocess.run([npm, "ci", *quiet], cwd=NODE_FOLDER, capture_output=True, check=False, timeout=180)
+        if result.returncode:
+            raise NoNode("npm could not install the packages of tests/clients/cases/package-lock.json")
+        mark.write_bytes(lock)
+    return NODE_FOLDER
+
+
+def _run(command: list[str], folder: Path, **extra: str) -> None:
+    environment = {**_ENVIRONMENT, **extra, "REDOCLY_TELEMETRY": "off", "REDOCLY_SUPPRESS_UPDATE_NOTICE": "true"}
+    environment["MYPYPATH"] = environment["PYTHONPATH"] = str(folder)
+    result = subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert result.returncode == 0, f"{' '.join(command)}\n{result.stdout}\n{result.stderr}"

@@ -1,0 +1,41 @@
+"""Clients that are generated from the running service compile, pass type checks, and do the same round trip."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.clients.generating import (
+    ROOT,
+    NoNode,
+    check_python_client,
+    check_typescript_client,
+    lint_document,
+    running_service,
+)
+
+pytestmark = pytest.mark.xdist_group("clients")
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with running_service() as found:
+        yield found
+
+
+def test_a_python_client_passes_mypy_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
+    check_python_client(address, tmp_path)
+
+
+def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
+    try:
+        check_typescript_client(address, tmp_path)
+    except NoNode as reason:
+        pytest.skip(str(reason))
+
+
+def test_the_document_passes_the_recommended_rules_of_redocly() -> None:
+    try:
+        lint_document(ROOT / "docs" / "openapi.json")
+    except NoNode as reason:
+        pytest.skip(str(reason))

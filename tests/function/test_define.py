@@ -1,0 +1,253 @@
+"""Interfaces that a function.yaml defines itself: used at once, judged by the catalogue's rules, written as an overlay."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import yaml
+
+from app.catalogue.compose import read_catalogue
+from app.data import ROOT_FILE
+from app.errors import InputRefused, UsageError
+from app.function.build import build_function, check_function
+from app.function.declaration import declaration_schema, read_declaration
+from app.function.model import to_json
+from app.function.overlay import overlay_of
+from app.function.scaffold import SCHEMA_FILE, scaffold
+from app.function.validate import validate_function_json
+from app.rules.lint import lint_paths
+from tests.function.shipped import interfaces
+from tests.overlays.test_overlays import EXTENDED, UNITS
+
+LANES = (Path(__file__).parent / "lane_keeping.function.yaml").read_bytes()
+
+
+def found(text: bytes) -> list[tuple[str, str, int]]:
+    return [(f.rule, f.pointer, f.line) for f in check_function(text, "f.yaml", interfaces())]
+
+
+def changed(old: str, new: str) -> bytes:
+    text = LANES.decode()
+    assert old in text
+    return text.replace(old, new).encode()
+
+
+def test_what_a_file_defines_it_can_use_without_any_overlay():
+    function, findings = build_function(LANES, "f.yaml", interfaces())
+    assert findings == ()
+    call = next(call for call in function.components[0].runnables if call.name == "LaneKeeping_Step")
+    assert call.previous_runnable == "LaneKeeping_Init"
+    assert call.watchdog is not None
+    assert call.watchdog.alive is not None
+    assert call.watchdog.alive.error_name == "LaneKeeping_AliveError_ErrorSts"
+    contract = (call.contracts or ())[0]
+    assert [error.name for error in contract.errors or ()] == ["LaneKeeping_AliveError_ErrorSts"]
+    assert [(queue.name, queue.queue_length) for queue in contract.queues or ()] == [("Lane", 4)]
+    assert [method.name for method in contract.methods or ()] == ["ResetLane"]
+    structs = {datatype.reference: datatype for datatype in function.datatypes if datatype.kind == "struct"}
+    assert [field.name for field in structs["DT_Lane"].fields or ()] == ["Width", "Curvature"]
+
+
+def test_several_steps_in_one_component_keep_their_order_and_their_fields():
+    function, _ = build_function(LANES, "f.yaml", interfaces())
+    calls = [
+        (call.name, call.run_type, call.cycle_time, call.previous_runnable) for call in function.components[0].runnables
+    ]
+    assert calls == [
+        ("LaneKeeping_Init", "Init", None, None),
+        ("LaneKeeping_DetectStep", "Cyclic", 20, "LaneKeeping_Init"),
+        ("LaneKeeping_Step", "Cyclic", 20, "LaneKeeping_Init"),
+        ("LaneKeeping_Terminate", "Shutdown", None, None),
+    ]
+
+
+def test_the_document_remembers_the_file_that_defines_and_validates_with_its_overlay(tmp_path):
+    function, _ = build_function(LANES, "f.yaml", interfaces())
+    assert function.provenance is not None
+    names = [layer.name for layer in function.provenance.layers]
+    assert names[0] == "VehicleSignalSpecification.vspec"
+    assert "f.yaml" in names
+    overlay, types = tmp_path / "lanes.vspec", tmp_path / "types.vspec"
+    made = overlay_of(LANES, "f.yaml", interfaces())
+    overlay.write_text(made.text)
+    types.write_text(made.types)
+    catalogue = read_catalogue(ROOT_FILE, [overlay], units=UNITS, types=[types])
+    assert catalogue.findings == ()
+    assert validate_function_json(to_json(function), "f.json", catalogue) == ()
+
+
+def test_the_overlay_says_what_the_file_says(tmp_path):
+    made = overlay_of(LANES, "f.yaml", interfaces())
+    nodes = yaml.safe_load(made.text)
+    own = "Vehicle.Function.LaneKeeping"
+    assert nodes[f"{own}.Error.AliveError"]["ASILlevel"] == "B"
+    assert nodes[f"{own}.SafetyReaction.TorqueInvalid"]["errorList"] == ["LaneKeeping_AliveError_ErrorSts"]
+    assert nodes[f"{own}.Mode.Out"]["type"] == "actuator"
+    assert nodes[f"{own}.Scheduling.Terminate"]["runType"] == "Shutdown"
+    assert nodes[f"{own}.Scheduling.DetectStep"]["supervisionType"] == "None"
+    assert list(yaml.safe_load(made.types)) == ["Types", "Types.Lane", "Types.Lane.Width", "Types.Lane.Curvature"]
+
+
+def test_a_build_with_the_overlay_gives_the_same_interfaces_as_one_with_define(tmp_path):
+    own, _ = build_function(LANES, "f.yaml", interfaces())
+    made = overlay_of(LANES, "f.yaml", interfaces())
+    (tmp_path / "o.vspec").write_text(made.text)
+    (tmp_path / "t.vspec").write_text(made.types)
+    catalogue = read_catalogue(ROOT_FILE, [tmp_path / "o.vspec"], units=UNITS, types=[tmp_path / "t.vspec"])
+    values = yaml.safe_load(LANES)
+    del values["define"]
+    other, _ = build_function(yaml.safe_dump(values).encode(), "f.yaml", catalogue)
+    assert own.model_copy(update={"provenance": None}) == other.model_copy(update={"provenance": None})
+
+
+def test_the_overlay_lints_clean(tmp_path):
+    made = overlay_of(LANES, "f.yaml", interfaces())
+    (tmp_path / "overlays").mkdir()
+    (tmp_path / "overlays" / "lanes.vspec").write_text(made.text)
+    (tmp_path / "types.vspec").write_text(made.types)
+    from app.rules.options import LintOptions
+
+    options = LintOptions(types=(tmp_path / "types.vspec",), base=ROOT_FILE, units=UNITS[1:])
+    assert lint_paths([tmp_path / "overlays" / "lanes.vspec"], options).findings == ()
+
+
+def test_vss_tools_takes_the_overlay_and_the_types_strictly(tmp_path):
+    made = overlay_of(LANES, "f.yaml", interfaces())
+    (tmp_path / "o.vspec").write_text(made.text)
+    (tmp_path / "t.vspec").write_text(made.types)
+    command = [sys.executable, "-c", "from vss_tools.cli import cli; cli()", "export", "json", "--strict"]
+    command += ["-s", str(ROOT_FILE), "-o", str(tmp_path / "tree.json"), "-l", str(tmp_path / "o.vspec")]
+    command += ["-t", str(tmp_path / "t.vspec"), "--types-output", str(tmp_path / "types.json")]
+    command += [part for unit in UNITS for part in ("-u", str(unit))]
+    command += [part for name in EXTENDED for part in ("-e", name)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+    tree = json.loads((tmp_path / "tree.json").read_text())
+    step = tree["Vehicle"]["children"]["Function"]["children"]["LaneKeeping"]["children"]["Scheduling"]["children"][
+        "Step"
+    ]
+    assert step["cycleTime"] == 20
+
+
+# -- findings -----------------------------------------------------------------------------------------------------
+
+ALIVE = "/define/scheduling/Step/aliveSupervision"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "rule", "pointer"),
+    [
+        ("unit: Nm", "unit: Nmm", "V006", "/define/data/Vehicle.ADAS.LaneKeeping.Torque/unit"),
+        ("min: -5", "min: 50", "I103", "/define/data/Vehicle.ADAS.LaneKeeping.Torque/max"),
+        ("severity: The function is off.", "resetTime: 1", "I201", "/define/errors/AliveError"),
+        ("errorList: [AliveError]", "errorList: [AlifeError]", "I304", "/define/safetyReactions/TorqueInvalid/errorList"),
+        ("    Terminate:", "    Terminat:", "I502", "/define/scheduling/Terminat"),
+        ("    AliveError:", "    alive_error:", "I203", "/define/errors/alive_error"),
+        ("minIndications: 1", "minIndications: 7", "I517", ALIVE),
+        ("previousRunnable: Init", "previousRunnable: Inti", "I509", "/define/scheduling/DetectStep/previousRunnable"),
+    ],
+)  # fmt: skip
+def test_a_wrong_definition_is_told_where_it_stands(old, new, rule, pointer):
+    told = [(code, at) for code, at, line in found(changed(old, new)) if line]
+    assert any(code == rule and at.startswith(pointer) for code, at in told), told
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "rule"),
+    [("minIndications: 1", "minIndications: 7", "I517"), ("min: -5", "min: 50", "I103"), ("previousRunnable: Init", "previousRunnable: Inti", "I509")],
+)  # fmt: skip
+def test_one_problem_of_a_defined_interface_is_one_finding(old, new, rule):
+    text = LANES.decode().replace(old, new, 1).encode()
+    assert [rule for rule, _, _ in found(text)] == [rule]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "pointer"),
+    [
+        ("    AliveError:\n", "    Alive Error:\n", "/define/errors/Alive Error"),
+        ("  types:\n    Types.Lane:", "  types:\n    '*/ #include <x>':", "/define/types/*~1 #include <x>"),
+        ("maturationTime: 0", "maturationTime: -1", "/define/errors/AliveError/maturationTime"),
+        ("maturationTime: 0", "maturationTim: 0", "/define/errors/AliveError/maturationTim"),
+    ],
+)
+def test_a_definition_of_another_shape_is_refused_at_its_place(old, new, pointer):
+    told = found(changed(old, new))
+    assert [(rule in ("F003", "F004"), at) for rule, at, _ in told] == [(True, pointer)]
+
+
+def test_a_definition_that_contradicts_the_catalogue_is_a_warning():
+    text = changed(
+        "    Vehicle.ADAS.LaneKeeping.Torque:", "    Vehicle.ADAS.EcoControl.Status: {datatype: uint8, max: 7, description: A status.}\n    Vehicle.ADAS.LaneKeeping.Torque:"
+    )  # fmt: skip
+    assert {"O105"} <= {rule for rule, _, _ in found(text)}
+
+
+def test_a_file_that_defines_nothing_makes_no_overlay():
+    values = yaml.safe_load(LANES)
+    del values["define"]
+    with pytest.raises(InputRefused, match="defines no interfaces"):
+        overlay_of(yaml.safe_dump(values).encode(), "f.yaml", interfaces())
+
+
+@pytest.mark.parametrize(
+    "text", ["#include other.vspec", "A.\n#include x\nB", "x " * 80 + "#include <x> */", '"><script>', "a: b # c", "\u2028#include x", "\x85#include x", "'", "*x"]
+)  # fmt: skip
+def test_no_text_of_a_definition_becomes_anything_but_a_text(text):
+    values = yaml.safe_load(LANES)
+    values["define"]["errors"]["AliveError"]["severity"] = text
+    made = overlay_of(yaml.safe_dump(values, allow_unicode=False).encode(), "f.yaml", interfaces())
+    assert not [
+        line
+        for line in made.text.splitlines()
+        if line.lstrip().startswith("#") and "Made by" not in line and len(line) > 30
+    ]
+    assert yaml.safe_load(made.text)["Vehicle.Function.LaneKeeping.Error.AliveError"]["severity"] == text
+    assert not any("#include" in line.split('"')[0].split("'")[0][:12] for line in made.text.splitlines())
+
+
+def test_ten_thousand_definitions_are_judged_quickly():
+    values = yaml.safe_load(LANES)
+    signal = {"datatype": "float", "asil": "QM", "description": "A signal."}
+    values["define"]["data"] |= {f"Vehicle.ADAS.LaneKeeping.S{i}": signal for i in range(10_000)}
+    data = yaml.dump(values, Dumper=getattr(yaml, "CSafeDumper", yaml.SafeDumper)).encode()
+    interfaces()
+    start = time.process_time()
+    function, _ = build_function(data, "f.yaml", interfaces())
+    assert function
+    assert time.process_time() - start < 15
+
+
+# -- the scaffold -------------------------------------------------------------------------------------------------
+
+
+def test_the_scaffold_names_its_schema_and_builds_without_a_finding():
+    text = scaffold("LaneKeeping")
+    assert text.startswith(f"# yaml-language-server: $schema={SCHEMA_FILE}\n")
+    assert check_function(text.encode(), "function.yaml", interfaces()) == ()
+
+
+def test_the_scaffold_and_the_examples_are_valid_under_the_schema_of_the_file():
+    import jsonschema
+
+    schema = jsonschema.Draft202012Validator(declaration_schema(), format_checker=None)
+    for text in (scaffold("LaneKeeping"), LANES.decode()):
+        schema.validate(yaml.safe_load(text))
+
+
+@pytest.mark.parametrize("name", ["lane_keeping", "", "A.B", "*/ #include <x>", "Ünder", "a" * 300, "A\nb: 1"])
+def test_a_name_that_is_none_makes_no_scaffold(name):
+    with pytest.raises(UsageError):
+        scaffold(name)
+
+
+def test_every_key_of_the_declaration_says_what_it_is():
+    for name, model in declaration_schema()["$defs"].items():
+        for key, field in model.get("properties", {}).items():
+            assert field.get("description", "").endswith("."), f"{name}.{key}"
+
+
+def test_an_example_with_definitions_reads_back():
+    assert read_declaration(LANES, "f").declaration is not None

@@ -1,0 +1,209 @@
+"""Functions together: who provides what to whom, in which order, and what does not fit."""
+
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.cli import main
+from app.function.build import build_function
+from app.function.model import to_json
+from app.function.sets import check_functions, check_set, read_set
+from tests.function.shipped import FUNCTIONS, interfaces
+
+LANES = (Path(__file__).parent / "lane_keeping.function.yaml").read_bytes()
+FILES = [(path.read_bytes(), str(path)) for path in FUNCTIONS]
+
+
+def found(*files: tuple[bytes, str], whole: bool = True) -> list[tuple[str, str, str]]:
+    findings = check_functions(files, interfaces(), is_whole=whole)
+    return [(f.rule, f.file, f.pointer) for f in findings if f.rule.startswith("F1")]
+
+
+def document(name: str, *signals: dict[str, Any], **call: Any) -> tuple[bytes, str]:
+    common = {"Description": "Speed.", "AsilLevel": "QM", "Datatype": "DT_Float32", "Units": "m/s"}
+    contract = {"SignalList": [{**common, **s} for s in signals], "DataQList": None, "MethodList": None, "ParameterList": None, "ErrorList": None, "SafetyReactionList": None}  # fmt: skip
+    runnable = {"Name": f"{name}_Step", "Description": "Runs.", "Runtype": "Cyclic", "Cycletime": 50, "AsilLevel": "QM", "Watchdog": None, "Scheduling": "Preemptive", "Priority": "10", "funcContractList": [contract], **call}  # fmt: skip
+    value = {
+        "MetaInfo": {}, "FunctionInfo": {"FunctionName": name, "FunctionResponsible": "A team", "Description": "A."},
+        "ComponentList": [{"Name": name, "functionList": [runnable]}], "ModesList": None,
+        "Datatypes": [{"typeRef": "DT_Float32", "category": "primitive", "cDef": "float"}, {"typeRef": "DT_UInt8", "category": "primitive", "cDef": "uint8_t"}],
+    }  # fmt: skip
+    return json.dumps(value, indent=1).encode(), f"{name}.json"
+
+
+SPEED = "Vehicle.ADAS.EcoControl.AccelerationProposal"
+CATALOGUE = {"VssPath": SPEED, "VssDatatype": "float", "VssUnit": "m/s^2", "Units": "m/s^2"}
+GIVE = {"Name": "Spd", "Role": "Provider"}
+TAKE = {"Name": "Spd", "Role": "Consumer"}
+AT = "/ComponentList/0/functionList/0/funcContractList/0/SignalList/0"
+
+
+def test_the_shipped_examples_fit_together():
+    assert check_functions(FILES, interfaces()) == ()
+
+
+def test_the_published_figures_of_both_forms_of_a_function_count_once():
+    made = [(to_json(build_function(data, name, interfaces())[0]), f"{name}.json") for data, name in FILES]
+    assert found(*FILES, *made) == []
+    assert found(*made) == []
+
+
+@pytest.mark.parametrize(
+    ("give", "take", "expected"),
+    [
+        ({}, {}, []),
+        ({}, {"Datatype": "DT_UInt8"}, [("F100", f"{AT}/Datatype")]),
+        ({}, {"Units": "km/h"}, [("F101", f"{AT}/Units")]),
+        ({}, {"Units": None}, [("F101", f"{AT}/Units")]),
+        ({"Max": 50}, {"Max": 40}, [("F102", f"{AT}/Min")]),
+        ({"Max": 50}, {"Max": 40, "RangeErrorAction": "Init"}, []),
+        ({"Max": 40}, {"Max": 50}, []),
+        ({"Min": -1}, {"Min": 0}, [("F102", f"{AT}/Min")]),
+        ({}, {"Timeout": "40"}, [("F109", f"{AT}/Timeout")]),
+        ({}, {"Timeout": "50"}, []),
+        ({}, {"AsilLevel": "B"}, [("F110", AT)]),
+        ({"AsilLevel": "D"}, {"AsilLevel": "B"}, []),
+        ({**CATALOGUE}, {**CATALOGUE, "VssDatatype": "double"}, [("F100", f"{AT}/Datatype")]),
+        ({**CATALOGUE}, {**CATALOGUE, "VssUnit": "cm/s^2"}, [("F101", f"{AT}/Units")]),
+    ],
+)
+def test_both_ends_of_a_signal_agree(give, take, expected):
+    told = found(document("Give", {**GIVE, **give}), document("Take", {**TAKE, **take}))
+    assert [(rule, pointer.replace("/Min", "/Min")) for rule, file, pointer in told] == expected
+    assert {file for _, file, _ in told} <= {"Take.json"}
+
+
+def test_ranges_are_compared_in_the_unit_of_the_catalogue():
+    own = {**CATALOGUE, "Units": "cm/s^2", "ConversionFactor": "0.01", "ConversionOffset": "0"}
+    give, take = {**GIVE, **CATALOGUE, "Max": 5}, {**TAKE, **own, "Max": 500}
+    assert found(document("Give", give), document("Take", take)) == []
+    assert [r for r, _, _ in found(document("Give", give), document("Take", {**take, "Max": 499}))] == ["F102"]
+
+
+def test_a_signal_that_nobody_provides_is_told_unless_someone_outside_is_named():
+    take = {**TAKE, **CATALOGUE}
+    assert [r for r, _, _ in found(document("Take", take))] == ["F103"]
+    assert found(document("Take", take), whole=False) == []
+    assert found(document("Take", {**take, "ExternalProvider": "Brake control unit"})) == []
+    assert found(document("Give", {**GIVE, **CATALOGUE}), document("Take", take)) == []
+
+
+def test_sensors_of_the_standard_need_no_provider():
+    assert found(document("Take", {**TAKE, "VssPath": "Vehicle.Speed", "Units": "km/h"})) == []
+
+
+def test_one_function_provides_a_signal():
+    told = found(document("Give", GIVE), document("Also", GIVE), document("Take", TAKE))
+    assert told == [("F104", "Also.json", AT)]
+
+
+ORDER = "/ComponentList/0/functionList/0/PrevRunnable"
+
+
+@pytest.mark.parametrize(
+    ("give", "take", "rules"),
+    [
+        ({}, {"PrevRunnable": "Give_Step"}, []),
+        ({}, {"PrevRunnable": "Give_Step", "Priority": "20"}, ["F105"]),
+        ({"ExecOffset": "10"}, {"PrevRunnable": "Give_Step"}, ["F105"]),
+        ({}, {"PrevRunnable": "Give_Step", "ExecOffset": "10", "Priority": "20"}, []),
+        ({"Cycletime": 10}, {"PrevRunnable": "Give_Step", "Priority": "20"}, []),
+        ({"Runtype": "Shutdown"}, {"PrevRunnable": "Give_Step"}, ["F105"]),
+        ({"PrevRunnable": "Take_Step"}, {"PrevRunnable": "Give_Step"}, ["F106", "F106"]),
+        ({}, {"PrevRunnable": "Give_Stop"}, ["F107"]),
+        ({}, {"PrevRunnable": "Elsewhere_Step"}, []),
+    ],
+)
+def test_priorities_and_previous_calls_of_several_functions_agree(give, take, rules):
+    told = found(document("Give", **give), document("Take", **take))
+    assert [rule for rule, _, _ in told] == rules
+    assert {pointer for _, _, pointer in told} <= {ORDER}
+
+
+def test_two_functions_have_two_names():
+    assert [r for r, _, _ in found(document("Give", GIVE), document("Give", TAKE))] == ["F108"]
+    assert found(document("Give", GIVE), document("Give", GIVE)) == []
+
+
+def test_what_one_function_defines_another_one_may_use():
+    consumer = (
+        b"function: Display\ndescription: Shows the torque.\nresponsible: Display team\n"
+        b"define: {scheduling: {Init: {description: Starts.}, Step: {cycleTime: 100, asil: B, description: Shows.}, "
+        b"Terminate: {description: Stops.}}}\n"
+        b"components: [{name: Display, runnables: [Display_Init, {interface: Display_Step, data: [\n"
+        b"  {path: Vehicle.ADAS.LaneKeeping.Torque, role: consumed}]}, Display_Terminate]}]\n"
+    )
+    assert check_functions([(consumer, "display.yaml"), (LANES, "lanes.yaml")], interfaces()) == ()
+    alone = check_functions([(consumer, "display.yaml")], interfaces())
+    assert [(f.rule, f.line, f.pointer) for f in alone] == [("F010", 6, "/components/0/runnables/1/data/0/path")]
+
+
+def test_a_finding_about_a_declaration_points_into_it():
+    path = next(path for path in FUNCTIONS if path.parent.name == "core_acc")
+    text = path.read_text().replace("timeout: 1500", "timeout: 100")
+    told = check_functions([(text.encode(), "acc.yaml"), *(f for f in FILES if "mpc" in f[1])], interfaces())
+    assert [(f.rule, f.file, f.pointer) for f in told] == [
+        ("F109", "acc.yaml", "/components/0/runnables/1/data/8/timeout")
+    ]
+    assert "timeout: 100" in text.splitlines()[told[0].line - 1]
+
+
+@pytest.mark.parametrize("data", [b"", b"{}", b"function: 5", b"\xff", b"{" * 9999])
+def test_a_file_that_cannot_be_read_is_told_and_the_others_are_still_checked(data):
+    told = check_functions([(data, "bad.yaml"), *FILES], interfaces())
+    assert told
+    assert {finding.file for finding in told} == {"bad.yaml"}
+
+
+def test_a_set_without_a_catalogue_is_judged_by_itself():
+    members, _ = read_set([document("Give", GIVE), document("Also", GIVE)], interfaces())
+    assert [finding.rule for finding in check_set(members)] == ["F104"]
+
+
+def test_a_hundred_functions_are_checked_quickly():
+    files = [document(f"F{i}", *({"Name": f"s{i}_{n}", "Role": "Provider"} for n in range(50)), *({"Name": f"s{i - 1}_{n}", "Role": "Consumer"} for n in range(50))) for i in range(100)]  # fmt: skip
+    interfaces()
+    start = time.process_time()
+    assert found(*files) == []
+    assert time.process_time() - start < 15
+
+
+# -- the command line ---------------------------------------------------------------------------------------------
+
+
+def test_the_commands_take_a_new_function_all_the_way(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["function", "new", "LaneKeeping"]) == 0
+    assert main(["function", "new", "LaneKeeping"]) == 2
+    assert "is there already" in capsys.readouterr().err
+    assert main(["function", "build", "LaneKeeping/function.yaml", "-o", "LaneKeeping.json"]) == 0
+    assert main(["function", "validate", "LaneKeeping/function.yaml", "LaneKeeping.json"]) == 0
+    assert main(["function", "overlay", "LaneKeeping/function.yaml", "-o", "overlay.vspec"]) == 0
+    assert main(["lint", "."]) == 0
+    assert (tmp_path / "LaneKeeping/function.schema.json").is_file()
+    assert main(["function", "new", "Other", "--schema", "http://localhost:8000/s.json", "-o", "x"]) == 0
+    assert (
+        Path("x/function.yaml").read_text().startswith("# yaml-language-server: $schema=http://localhost:8000/s.json\n")
+    )
+
+
+def test_struct_types_need_a_file_of_their_own(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("f.yaml").write_bytes(LANES)
+    assert main(["function", "overlay", "f.yaml", "-o", "o.vspec"]) == 2
+    assert "--types-output" in capsys.readouterr().err
+    assert main(["function", "overlay", "f.yaml", "-o", "o.vspec", "--types-output", "t.vspec"]) == 0
+    assert Path("t.vspec").read_text().count("type: struct") == 1
+
+
+def test_lint_checks_the_functions_of_a_folder_as_one_set(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for data, name in (document("Give", GIVE), document("Also", GIVE)):
+        Path(name).write_bytes(data)
+    assert main(["lint", "."]) == 1
+    assert "F104" in capsys.readouterr().out
+    assert main(["function", "validate", "Give.json", "Also.json"]) == 1
+    assert main(["function", "validate", "Give.json"]) == 0

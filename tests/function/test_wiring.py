@@ -1,0 +1,93 @@
+"""Who provides what to whom in a set of functions."""
+
+from typing import Any
+
+import pytest
+
+from app.function.model import FunctionJson
+from app.function.wiring import connect
+
+
+def function(name: str, *signals: dict[str, Any], cycle: int = 10, reactions: tuple[str, ...] = ()) -> FunctionJson:
+    """A function of one call with these signals."""
+    listed = [
+        {"Name": "S", "Description": "A signal.", "Datatype": "DT_Float32", "VssDatatype": "float", **signal}
+        for signal in signals
+    ]
+    told = [
+        {"Name": "R_SftyCondSts", "Description": "A condition.", "Datatype": "DT_Bool", "ErrorList": list(reactions)}
+    ]
+    contract = {
+        "SignalList": listed, "DataQList": None, "MethodList": None, "ParameterList": None, "ErrorList": None,
+        "SafetyReactionList": told if reactions else None,
+    }  # fmt: skip
+    call = {
+        "Name": f"{name}_Step", "Description": "Step.", "Runtype": "Cyclic", "Cycletime": cycle, "Watchdog": None,
+        "Scheduling": "Preemptive", "Priority": "1", "funcContractList": [contract],
+    }  # fmt: skip
+    info = {"FunctionName": name, "FunctionResponsible": "Team", "Description": "A function."}
+    component = {"Name": name, "functionList": [call]}
+    return FunctionJson.model_validate(
+        {"MetaInfo": {}, "FunctionInfo": info, "ComponentList": [component], "ModesList": None, "Datatypes": []}
+    )
+
+
+def gives(path: str = "Vehicle.A", **more: Any) -> dict[str, Any]:
+    return {"VssPath": path, "Role": "Provider", **more}
+
+
+def takes(path: str = "Vehicle.A", **more: Any) -> dict[str, Any]:
+    return {"VssPath": path, "Role": "Consumer", **more}
+
+
+def flaws(given: dict[str, Any], wanted: dict[str, Any], cycle: int = 10) -> tuple[str, ...]:
+    (link,) = connect([function("One", given, cycle=cycle), function("Two", wanted)]).links
+    return link.flaws
+
+
+def test_what_one_provides_and_another_consumes_is_a_link() -> None:
+    wiring = connect([function("One", gives(), takes("Vehicle.In")), function("Two", takes(), gives("Vehicle.Out"))])
+    assert [(link.path, link.provider.function, link.consumer.function) for link in wiring.links] == [
+        ("Vehicle.A", "One", "Two")
+    ]
+    assert [end.path for end in wiring.from_outside] == ["Vehicle.In"]
+    assert [end.path for end in wiring.to_outside] == ["Vehicle.Out"]
+
+
+def test_a_signal_that_a_function_gives_itself_is_no_link() -> None:
+    wiring = connect([function("One", gives(), takes())])
+    assert (wiring.links, wiring.from_outside, wiring.to_outside) == ((), (), ())
+
+
+def test_two_providers_of_one_signal_are_rivals() -> None:
+    assert connect([function("One", gives()), function("Two", gives())]).rivals == (("Vehicle.A", ("One", "Two")),)
+
+
+def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
+    wiring = connect([function("One", gives(), reactions=("Other_X_ErrorSts",))])
+    assert wiring.unreported == (("One", "R_SftyCondSts", "Other_X_ErrorSts"),)
+
+
+@pytest.mark.parametrize(
+    ("given", "wanted", "told"),
+    [
+        ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "QM, and consumed with ASIL B"),
+        ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "unit km/h, and consumed with m/s"),
+        ({"VssDatatype": "uint8"}, {}, "datatype uint8, and consumed with float"),
+        ({"Min": -5, "Max": 5}, {"Min": 0, "Max": 5}, "Values down to -5"),
+        ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "Values up to 100"),
+    ],
+)
+def test_what_does_not_fit_is_told(given: dict[str, Any], wanted: dict[str, Any], told: str) -> None:
+    (flaw,) = flaws(gives(**given), takes(**wanted))
+    assert told in flaw
+
+
+def test_ranges_are_compared_in_the_unit_of_the_catalogue() -> None:
+    assert flaws(gives(Max=100), takes(Max=27.7777778, ConversionFactor="3.6", ConversionOffset="0")) == ()
+
+
+def test_a_signal_that_comes_later_than_its_consumer_waits_does_not_fit() -> None:
+    (flaw,) = flaws(gives(), takes(Timeout="200"), cycle=500)
+    assert "every 500 ms" in flaw
+    assert flaws(gives(), takes(Timeout="1500"), cycle=500) == ()

@@ -1,0 +1,56 @@
+"""Rules are read from YAML once and are the same afterwards; what is kept never outlives the files."""
+
+import shutil
+
+import pytest
+
+from app.data import INTERFACE_RULES
+from app.errors import InputRefused
+from app.rules.compiled import compiled_rules
+from app.rules.record import load_rules
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setattr("sys.dont_write_bytecode", False)
+    monkeypatch.setattr("sys.pycache_prefix", None)
+    shutil.copytree(INTERFACE_RULES, tmp_path / "rules", ignore=shutil.ignore_patterns("__pycache__"))
+    return tmp_path / "rules"
+
+
+def kept(folder):
+    (file,) = (folder / "__pycache__").iterdir()
+    return file
+
+
+def test_kept_rules_are_those_of_the_files(folder):
+    rules = load_rules(folder)
+    assert compiled_rules(folder) == rules
+    assert kept(folder).stat().st_size
+    assert compiled_rules(folder) == rules
+
+
+def test_a_changed_file_is_read_again(folder):
+    compiled_rules(folder)
+    file = folder / "vss.yaml"
+    file.write_text(file.read_text(encoding="utf-8").replace("severity: error", "severity: warning"), encoding="utf-8")
+    assert compiled_rules(folder) == load_rules(folder)
+
+
+@pytest.mark.parametrize("data", [b"", b"x", b"(\x02\x00\x00\x00", b"i\x01\x00\x00\x00", b"\x00" * 100, b"N"])
+def test_what_is_damaged_is_not_used(folder, data):
+    compiled_rules(folder)
+    kept(folder).write_bytes(data)
+    assert compiled_rules(folder) == load_rules(folder)
+
+
+def test_rules_are_read_where_nothing_can_be_kept(folder):
+    (folder / "__pycache__").write_text("in the way")
+    assert compiled_rules(folder) == load_rules(folder)
+
+
+def test_a_defect_is_told_and_nothing_is_kept(folder):
+    (folder / "own.yaml").write_text("X001: {}\n")
+    with pytest.raises(InputRefused):
+        compiled_rules(folder)
+    assert not (folder / "__pycache__").exists()

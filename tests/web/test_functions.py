@@ -1,0 +1,175 @@
+"""Pages of functions, of sets, of changes and to try a text, as the server writes them."""
+
+import re
+from urllib.parse import urlencode
+
+import pytest
+
+from app.catalogue.hosting import Library, shipped_sources
+from app.web.site import create_site
+from app.web.timeline import time_line
+from tests.api.conftest import SOURCES, Ask, asker
+from tests.function.test_wiring import function, gives
+
+
+@pytest.fixture(scope="module")
+def site() -> Ask:
+    return asker(create_site(Library([*shipped_sources(), *SOURCES])))
+
+
+def post(site: Ask, **form: str) -> str:
+    page = site("/try", "POST", content=urlencode(form))
+    assert page.status_code == 200
+    return page.text
+
+
+def test_a_function_shows_its_interfaces_as_a_diagram(site: Ask) -> None:
+    page = site("/functions/core_acc").text
+    assert "CoreAcc_BrakePressureTimeout_ErrorSts" in page
+    assert re.search(r'href="/tree/interfaces/Vehicle.Chassis.Brake.CylP"><text', page)
+
+
+@pytest.mark.parametrize("view", ["source", "function-json", "autosar-adaptive", "ros2", "arxml"])
+def test_what_is_made_from_a_function_is_read_and_downloaded(site: Ask, view: str) -> None:
+    page = site(f"/functions/core_acc?view={view}").text
+    for address in re.findall(r'href="(/functions/core_acc/files/[^"]+)"', page):
+        file = site(address)
+        assert file.status_code == 200
+        assert file.headers["content-disposition"].startswith("attachment")
+        assert file.content
+
+
+def test_function_json_of_the_page_is_that_of_the_api(site: Ask) -> None:
+    source = site("/functions/core_acc/files/source").content
+    built = site("/api/v1/functions/build", "POST", content=source)
+    assert site("/functions/core_acc.json").content == built.content
+
+
+def test_a_function_that_does_not_fit_the_catalogue_shows_its_findings_beside_its_lines(site: Ask) -> None:
+    page = site("/functions/core_acc?catalogue=small").text
+    assert "cannot be built" in page
+    assert re.search(r'<li class="marked error" id="line-\d+">', page)
+
+
+def test_near_names_are_proposed_for_functions_and_views(site: Ask) -> None:
+    assert "core_acc" in site("/functions/core_ac").text
+    assert site("/functions/core_acc?view=nope").status_code == 404
+    assert site("/functions/core_acc/files/nope").status_code == 404
+
+
+def test_ecocontrol_is_wired(site: Ask) -> None:
+    wiring = site("/wiring.json").json()
+    assert wiring["links"] == [
+        {"path": "Vehicle.ADAS.EcoControl.AccelerationProposal", "from": "EcoControlMpc", "to": "CoreAcc", "flaws": []}
+    ]
+    page = site("/wiring").text
+    assert "EcoControlMpc_Step" in page
+    for address in re.findall(r'href="(/wiring/files/[^"]+)"', page):
+        assert site(address.replace("&amp;", "&")).status_code == 200
+
+
+def test_sets_are_bounded(site: Ask) -> None:
+    assert site("/wiring?" + "&".join(f"f=x{n}" for n in range(30))).status_code == 400
+    assert site("/wiring?f=nope").status_code == 404
+
+
+def test_the_time_line_repeats_after_the_common_period() -> None:
+    line = time_line([function("One", gives(), cycle=20), function("Two", gives(), cycle=50)])
+    assert line is not None
+    assert line.horizon == "100\u00a0ms"
+    assert [len(lane.marks) for lane in line.lanes] == [5, 2]
+
+
+@pytest.mark.parametrize("cycle", [1, 7, 10**9, 10**30])
+def test_a_time_line_is_bounded(cycle: int) -> None:
+    line = time_line([function("One", gives(), cycle=cycle), function("Two", gives(), cycle=999_983)])
+    assert line is not None
+    assert sum(len(lane.marks) for lane in line.lanes) <= 2_000
+
+
+def test_a_posted_overlay_shows_its_findings_and_stays_in_the_field(site: Ask) -> None:
+    page = post(site, kind="overlay", catalogue="interfaces", text="Vehicle.Speed:\r\n  type: sensr\r\n")
+    assert 'class="marked error" id="line-2"' in page
+    assert "Vehicle.Speed:\n  type: sensr\n</textarea>" in page
+
+
+def test_a_posted_function_shows_its_diagram(site: Ask) -> None:
+    text = site("/functions/eco_control_mpc/files/source").text
+    assert "Interfaces of EcoControlMpc" in post(site, kind="function", text=text)
+    json = site("/functions/eco_control_mpc.json").text
+    assert "Interfaces of EcoControlMpc" in post(site, kind="function", text=json)
+
+
+@pytest.mark.parametrize("kind", ["overlay", "tree", "function"])
+@pytest.mark.parametrize(
+    "text",
+    ["", "</textarea><script>alert(1)</script>", "a: [" * 100_000, "\x00", "{}", "- 1", '{"FunctionInfo": 3}', "é: ü"],
+)
+def test_whatever_is_posted_shows_as_text(site: Ask, kind: str, text: str) -> None:
+    page = post(site, kind=kind, text=text)
+    assert "<script>alert" not in page
+
+
+def test_markup_in_a_posted_function_shows_as_text(site: Ask) -> None:
+    text = site("/functions/core_acc.json").text.replace('"BrkCylP"', '"<img src=x onerror=alert(1)>"')
+    page = post(site, kind="function", text=text.replace("Determines", "</text><script>alert(1)</script>"))
+    assert "<img" not in page
+    assert "<script>alert" not in page
+
+
+@pytest.mark.parametrize("form", [{"kind": "nope"}, {f"f{n}": "1" for n in range(50)}])
+def test_a_form_that_the_page_does_not_have_is_refused(site: Ask, form: dict[str, str]) -> None:
+    assert site("/try", "POST", content=urlencode(form)).status_code == 400
+
+
+def test_changes_stand_below_their_branches_with_old_and_new(site: Ask) -> None:
+    page = site("/changes?old=bare&new=small").text
+    assert "<h1>The small tree alone → A small tree</h1>" in page
+    assert re.search(r'<span class="old"><span class="unseen">from </span>float</span>', page)
+
+
+def test_changes_are_filtered_by_class_and_kind(site: Ask) -> None:
+    everything = site("/changes?old=vss&new=interfaces").text
+    added = site("/changes?old=vss&new=interfaces&kind=added").text
+    assert everything.count('<li class="change ') > added.count('<li class="change ') > 0
+    assert "Remove filter Kind: added" in added
+    assert "No differences." in site("/changes?old=vss&new=vss").text
+
+
+def test_overlays_are_switched_off_by_the_address(site: Ask) -> None:
+    page = site("/tree/interfaces~without.error/Vehicle.Function.CoreAcc").text
+    assert 'href="/tree/interfaces/Vehicle.Function.CoreAcc" role="switch" aria-checked="false"' in page
+    assert site("/tree/interfaces~without.error/Vehicle.Function.CoreAcc.Error").status_code == 307
+    assert site("/tree/interfaces~without.nope").status_code == 404
+    assert site("/tree/interfaces~nope").status_code == 404
+
+
+def test_a_variant_without_every_overlay_is_the_base_tree(site: Ask) -> None:
+    names = ("ecocontrol", "error", "mode", "safety_reaction", "scheduling")
+    bare = "~".join(["interfaces", *(f"without.{name}" for name in names)])
+    assert "No differences." in site(f"/changes?old=vss&new={bare}").text
+
+
+def test_instances_are_folded_to_their_definition(site: Ask) -> None:
+    page = site("/tree/interfaces~folded/Vehicle.Chassis.Axle.Wheel").text
+    assert "<b>×4</b> in the tree" in page
+    one = site("/tree/interfaces~folded/Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed")
+    assert one.headers["location"].endswith("/tree/interfaces~folded/Vehicle.Chassis.Axle.Wheel.Speed")
+    back = site("/tree/interfaces/Vehicle.Chassis.Axle.Wheel.Speed")
+    assert back.headers["location"].endswith("/tree/interfaces/Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed")
+
+
+def test_a_node_tells_who_uses_it_its_names_and_the_units_of_its_fields(site: Ask) -> None:
+    signal = site("/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationProposal").text
+    assert re.search(r"EcoControlMpc</a></span><span class=\"hint\">provides it", signal)
+    assert re.search(r"CoreAcc</a></span><span class=\"hint\">consumes it", signal)
+    assert "ADAS_EcoControl_AccelerationProposal" in signal
+    assert re.search(r"0x[0-9A-F]{8}", signal)
+    error = site("/tree/interfaces/Vehicle.Function.CoreAcc.Error.AliveError").text
+    assert re.search(r'<span class="muted">ms</span>', error)
+
+
+def test_a_catalogue_is_pictured(site: Ask) -> None:
+    page = site("/catalogues/interfaces").text
+    assert 'class="overlaid"' in page
+    assert "by overlays, on the rim" in page
