@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench pictures golden lock clean
+.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz lock clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -39,6 +39,12 @@ pictures: .venv/dev  ## picture every page into docs/pictures
 
 golden: .venv/dev  ## write the expected outputs of the tests anew
 	$(BIN)/python scripts/golden.py
+
+clients: .venv/dev  ## generate a Python and a TypeScript client, and run the same round trip with each
+	$(BIN)/python -m scripts.clients
+
+fuzz: .venv/dev  ## the service against its whole contract, for long
+	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py
 
 lock:  ## pin the newest versions that pyproject.toml allows
 	$(PYTHON) -m venv .venv-lock && .venv-lock/bin/pip --quiet install pip-tools

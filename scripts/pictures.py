@@ -20,8 +20,11 @@ SHOWN = ROOT / "docs" / "pictures"
 OTHERS = ROOT / "build" / "pictures"
 _SERVE = """
 from app.catalogue.hosting import Library, shipped_sources
-from app.web.serving import serve
-serve(Library(shipped_sources()), "127.0.0.1", 0)
+from app.api.serving import run
+from app.api.settings import Settings
+from app.web.site import create_site
+settings = Settings(port=0)
+run(create_site(Library(shipped_sources()), settings), settings)
 """
 
 

@@ -62,6 +62,11 @@ def _blocks(lines: Iterable[Iterable[Any]], size: int) -> Iterator[list[Iterable
         yield block
 
 
+def json_answer(model: BaseModel) -> Response:
+    """A model as JSON, in answer to a posted text."""
+    return Response(json_bytes(model), media_type=JSON)
+
+
 def caching_headers(request: Request) -> dict[str, str]:
     """The headers of a catalogue's state; the form of the answer depends on what is accepted."""
     caching: dict[str, str] = getattr(request.state, "caching", {})

@@ -58,6 +58,7 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     app.state.settings = settings
     app.state.rules = rule_book(INTERFACE_RULES)
     app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.exports = HeavyWork(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
     app.state.metrics = Metrics(library, app.state.heavy)
     for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router)

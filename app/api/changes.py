@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from app.api import schemas
-from app.api.answers import JSON, YAML, answer, caching_headers, chosen_type
+from app.api.answers import JSON, YAML, answer, caching_headers, chosen_type, json_answer
 from app.api.presenting import diff_schema, trial_schema
 from app.api.problems import problem_documentation
 from app.api.requests import (
@@ -78,6 +78,7 @@ async def diff_catalogues(
 
 @router.post(
     "/trial",
+    response_model=schemas.Trial,
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
     openapi_extra=text_body("An overlay, as it stands in its file. It cannot include others.", _OVERLAY),
 )
@@ -87,10 +88,10 @@ async def try_overlay(
     settings: TheSettings,
     heavy: TheHeavyWork,
     name: FileName = "posted.vspec",
-) -> schemas.Trial:
+) -> Response:
     """Apply an overlay to a catalogue and tell the resulting nodes, findings and changes. Nothing is stored."""
 
     def trial() -> schemas.Trial:
         return trial_schema(tried(hosted.catalogue, text, name, settings.limits), settings.results)
 
-    return await heavy.run(trial)
+    return json_answer(await heavy.run(trial))

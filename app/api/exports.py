@@ -10,7 +10,7 @@ from fastapi.responses import Response, StreamingResponse
 
 from app.api.answers import caching_headers
 from app.api.problems import problem_documentation
-from app.api.requests import TheCatalogue, TheHeavyWork, TheSettings
+from app.api.requests import TheCatalogue, TheExports, TheSettings
 from app.api.tree_stream import json_parts
 from app.catalogue.vss_tools.exporting import exported, zipped
 from app.catalogue.vss_tools.formats import FORMATS, Format, Option, format_named, options_of
@@ -82,7 +82,7 @@ async def export_catalogue(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    exports: TheExports,
     format: Annotated[str, Path(description=f"One of {', '.join(FORMATS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
 ) -> Response:
     """A catalogue in another format. JSON is sent while it is made."""
@@ -94,9 +94,9 @@ async def export_catalogue(
             raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
         return _sent(request, json_parts(catalogue, options), f"{catalogue.roots[0].name}.json", chosen.media_type)
     work = partial(exported, catalogue, chosen.name, options, timeout=settings.heavy_seconds)
-    files = (await heavy.run(work)).files
+    files = (await exports.run(work)).files
     if chosen.is_folder or len(files) > 1:
-        archive = await heavy.run(partial(zipped, files))
+        archive = await exports.run(partial(zipped, files))
         return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{chosen.name}.zip", "application/zip")
     return _sent(request, _blocks(files[0].data), files[0].name, chosen.media_type)
 

@@ -4,8 +4,10 @@ from functools import partial
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
+from fastapi.responses import Response
 
 from app.api import schemas
+from app.api.answers import json_answer
 from app.api.presenting import lint_report
 from app.api.problems import problem_documentation
 from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheRules, text_body
@@ -25,6 +27,7 @@ Vehicle.Speed:
 
 @router.post(
     "/lint",
+    response_model=schemas.LintReport,
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
     openapi_extra=text_body("An overlay, a tree or a declaration of a function, as it stands in its file.", _EXAMPLE),
 )
@@ -38,10 +41,10 @@ async def lint(
         Query(description="An overlay over the catalogue, a tree by itself, or the declaration of a function."),
     ] = "overlay",
     name: FileName = "posted.vspec",
-) -> schemas.LintReport:
+) -> Response:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
     if kind == "function":
         work = partial(check_function, text, name, hosted.catalogue)
     else:
         work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=kind == "tree")
-    return lint_report(await heavy.run(work))
+    return json_answer(lint_report(await heavy.run(work)))

@@ -16,7 +16,7 @@ from app.catalogue.hosting import Hosted, Library
 from app.errors import NotFound
 
 __all__ = [
-    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedText", "TheCatalogue", "TheHeavyWork",
+    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedText", "TheCatalogue", "TheExports", "TheHeavyWork",
     "TheLibrary", "TheRules", "TheSettings", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
     "settings_of", "text_body", "version_of",
 ]  # fmt: skip
@@ -60,11 +60,17 @@ async def _heavy(request: Request) -> HeavyWork:
     return heavy
 
 
+async def _exports(request: Request) -> HeavyWork:
+    exports: HeavyWork = request.app.state.exports
+    return exports
+
+
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
 TheLibrary = Annotated[Library, Depends(_library)]
 TheSettings = Annotated[Settings, Depends(_settings)]
 TheRules = Annotated[RuleBook, Depends(_rules)]
 TheHeavyWork = Annotated[HeavyWork, Depends(_heavy)]
+TheExports = Annotated[HeavyWork, Depends(_exports)]
 CatalogueId = Annotated[
     str,
     Path(

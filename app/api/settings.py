@@ -63,8 +63,11 @@ class Settings(BaseModel):
     tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 400.", ge=1)
     query_characters: int = Field(default=200, description="Longest text to search for; longer: 400.", ge=1)
     heavy_requests: int = Field(
-        default=4, description="Compositions, lints, diffs and exports under way at once.", ge=1
+        default=1,
+        description="Compositions, lints and diffs under way at once; they share one core, so more only makes all late.",
+        ge=1,
     )
+    exports: int = Field(default=2, description="Exports under way at once, each in a process of its own.", ge=1)
     heavy_waiting: int = Field(default=32, description="Further ones that wait; more: 503 with `Retry-After`.", ge=0)
     heavy_seconds: float = Field(
         default=60.0, description="Seconds that each of them may take, waiting included.", gt=0

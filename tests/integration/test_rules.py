@@ -4,6 +4,7 @@ import ast
 from collections import defaultdict
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -33,7 +34,7 @@ BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in en
 
 def findings_of(rule, example, folder):
     """An example is a function, or files with a deployment; Integration JSON; or a configuration with its files."""
-    parts = {"files": {"function": example}} if isinstance(example, str) else example
+    parts: Any = {"files": {"function": example}} if isinstance(example, str) else example
     if rule.check == "configuration":
         return findings_of_configuration(parts["files"], folder)
     if "document" in parts:
@@ -91,10 +92,10 @@ def is_milder(rule, finding):
 @cache
 def emitted():
     """Severities with which the code of sigcat reports each rule; none where a call does not name it."""
-    found = defaultdict(set)
+    found: defaultdict[str, set[str]] = defaultdict(set)
     for file in APP.glob("**/*.py"):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Constant) and is_code(node.value):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str) and is_code(node.value):
                 found[node.value] |= set()
             if isinstance(node, ast.Call):
                 codes, severities = named_in(node)

@@ -16,11 +16,14 @@ _SERVE = """
 import sys
 from pathlib import Path
 from app.catalogue.hosting import Library, Source, shipped_sources
-from app.web.serving import serve
+from app.api.serving import run
+from app.api.settings import Settings
+from app.web.site import create_site
 from tests.api.conftest import SOURCES
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
-serve(Library([*SOURCES, big, lost, *shipped_sources()]), "127.0.0.1", 0)
+settings = Settings(port=0)
+run(create_site(Library([*SOURCES, big, lost, *shipped_sources()]), settings), settings)
 """
 
 
