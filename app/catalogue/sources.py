@@ -54,6 +54,13 @@ def release_source(name: str) -> Source:
     return Source(release.name, f"VSS {release.name.removeprefix('v')}", release.spec, release=release.name)
 
 
+def pulled_sources() -> tuple[Source, ...]:
+    """The sources of all releases that were pulled, newest first."""
+    from app.catalogue.releases import pulled_releases
+
+    return tuple(release_source(release.name) for release in reversed(pulled_releases()))
+
+
 def source_from_option(text: str) -> Source:
     """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
     catalogue_id, equals, rest = text.partition("=")

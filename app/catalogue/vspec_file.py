@@ -117,7 +117,7 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     statements: list[Statement] = []
     includes: list[Include] = []
     if isinstance(document.root, MappingNode):
-        _read_statements(document.root, source, Builder(limits), statements, includes, findings)
+        _read_statements(document.root, source, Builder(limits, len(document.text)), statements, includes, findings)
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
         message = "The file is not a mapping of node paths to attributes."

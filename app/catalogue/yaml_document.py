@@ -146,10 +146,13 @@ def duplicate_keys(node: MappingNode) -> Iterator[ScalarNode]:
 
 
 class Builder:
-    """Builds plain values from the nodes of one document; counts them, so that aliases cannot multiply unseen."""
+    """Builds plain values from the nodes of one document; counts them, so that aliases cannot multiply unseen.
 
-    def __init__(self, limits: Limits = DEFAULT_LIMITS) -> None:
-        self._left = limits.values
+    A text of `characters` cannot write more values than that; with aliases it may give four times as many.
+    """
+
+    def __init__(self, limits: Limits = DEFAULT_LIMITS, characters: int | None = None) -> None:
+        self._left = limits.values if characters is None else min(limits.values, 10_000 + 4 * characters)
         self._nesting = limits.nesting
         self._above: set[int] = set()
 

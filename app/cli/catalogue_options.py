@@ -28,18 +28,18 @@ def add_catalogue_options(parser: argparse.ArgumentParser) -> None:
 
 
 def chosen_configuration(arguments: argparse.Namespace) -> "Configuration":
-    """The configuration, with the catalogues of the command line before those of the file and the shipped ones last.
+    """The configuration, with `sources` as all catalogues that are to be hosted, the default one first.
 
-    `sources` of the result are all that are to be hosted, the default one first.
+    Those of the command line stand before those of the file; shipped ones and pulled releases stand last.
     """
     from app.catalogue.configuration import Configuration, read_configuration
-    from app.catalogue.sources import shipped_sources, source_from_option, sources_in_order
+    from app.catalogue.sources import pulled_sources, shipped_sources, source_from_option, sources_in_order
 
     file = _file(arguments.config)
     configuration = read_configuration(file, ("service",)) if file is not None else Configuration()
     named = tuple(source_from_option(text) for text in arguments.catalogue)
     declared = tuple(s for s in configuration.sources if s.id not in {source.id for source in named})
-    shipped = shipped_sources() if configuration.has_shipped else ()
+    shipped = (*shipped_sources(), *pulled_sources()) if configuration.has_shipped else ()
     sources = sources_in_order((*named, *declared), shipped)
     if not sources:
         raise UsageError(f"{file}: no catalogue is left to host; declare one, or set shipped = true")

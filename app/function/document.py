@@ -61,7 +61,7 @@ def read_yaml(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Docume
     value = None
     if document.root is not None:
         try:
-            value = Builder(limits).value(document.root)
+            value = Builder(limits, len(document.text)).value(document.root)
             findings.extend(_yaml_duplicates(document.root, name))
         except Unbuildable as error:
             findings.append(Finding("R014", "error", str(error), name, *position(error.node)))

@@ -11,6 +11,7 @@ import sys
 import pytest
 
 from app.cli import pull, releases
+from app.cli.catalogue_options import add_catalogue_options, chosen_configuration
 from app.cli.pull import bar_text
 from app.errors import SigcatError
 from tests.releases.server import GOOD
@@ -25,6 +26,15 @@ def run(*argv: str) -> int:
     arguments = parser.parse_args(argv)
     status: int = arguments.run(arguments)
     return status
+
+
+def test_a_pulled_release_is_served_beside_the_shipped_trees(server, data, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    parser = argparse.ArgumentParser()
+    add_catalogue_options(parser)
+    assert run("pull", "5.0", "--from", f"{server}/good") == 0
+    sources = chosen_configuration(parser.parse_args([])).sources
+    assert [source.id for source in sources] == ["interfaces", "vss", "v5.0"]
 
 
 def test_pulling_says_what_came_and_listing_shows_it(server, data, capsys):
