@@ -1,17 +1,20 @@
 """Routes that take a function from its declaration to Function JSON."""
 
-from functools import partial
-
 from fastapi import APIRouter
 from fastapi.responses import Response
 
 from app.api import schemas
+from app.api.function_files import SET, posted_functions
 from app.api.presenting import lint_report
 from app.api.problems import problem_documentation
-from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, text_body
-from app.function.build import build_function
+from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
+from app.catalogue.limits import Limits
+from app.catalogue.model import Catalogue
+from app.errors import InputRefused
+from app.findings import Finding
+from app.function.build import build_function, check_function
 from app.function.model import FunctionJson, to_json
-from app.function.validate import validate_function_json
+from app.function.sets import check_functions
 
 router = APIRouter(prefix="/api/v1/functions", tags=["functions"])
 
@@ -45,20 +48,51 @@ components:
     openapi_extra=text_body("The declaration of a function, as it stands in `function.yaml`.", DECLARATION),
 )
 async def build_function_json(
-    text: PostedText, hosted: NamedCatalogue, heavy: TheHeavyWork, name: FileName = "function.yaml"
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    heavy: TheHeavyWork,
+    name: FileName = "function.yaml",
 ) -> Response:
     """Resolve a declaration against a catalogue. To see the warnings, lint the same text with `kind=function`."""
-    function, findings = await heavy.run(partial(build_function, text, name, hosted.catalogue))
-    return Response(to_json(function), media_type="application/json", headers={"Sigcat-Warnings": str(len(findings))})
+
+    def built() -> Response:
+        function, findings = build_function(text, name, hosted.catalogue, settings.limits)
+        warnings = {"Sigcat-Warnings": str(len(findings))}
+        return Response(to_json(function), media_type="application/json", headers=warnings)
+
+    return await heavy.run(built)
 
 
 @router.post(
     "/validate",
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
-    openapi_extra=text_body("A Function JSON from anywhere.", ""),
+    openapi_extra=text_body(f"A function file from anywhere; or several, which are checked together: {SET}.", ""),
 )
 async def validate_function(
-    text: PostedText, hosted: NamedCatalogue, heavy: TheHeavyWork, name: FileName = "function.json"
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    heavy: TheHeavyWork,
+    name: FileName = "function.json",
 ) -> schemas.LintReport:
-    """Check a Function JSON. Errors make it unusable; warnings are departures from the conventions."""
-    return lint_report(await heavy.run(partial(validate_function_json, text, name, hosted.catalogue)))
+    """Check functions, alone and together. Errors make them unusable; warnings are departures from the conventions.
+
+    The text is Function JSON unless its `name` ends otherwise.
+    """
+
+    def checked() -> schemas.LintReport:
+        return lint_report(check_posted(text, name, hosted.catalogue, settings.limits))
+
+    return await heavy.run(checked)
+
+
+def check_posted(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> tuple[Finding, ...]:
+    """Everything that is wrong with the function of a body, or with those of a set, alone and together."""
+    try:
+        posted = posted_functions(text, name, limits)
+    except InputRefused as error:
+        return error.findings
+    if posted.is_set:
+        return check_functions(posted.files, catalogue, limits, is_whole=len(posted.files) > 1)
+    return check_function(text, name, catalogue, limits)

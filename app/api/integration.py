@@ -5,36 +5,30 @@ import json
 import zipfile
 from collections.abc import Mapping
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Path, Query
 from fastapi.responses import Response
 
+from app.api import schemas
+from app.api.function_files import SET, posted_functions
+from app.api.functions import DECLARATION
 from app.api.problems import problem_documentation
-from app.api.requests import NamedCatalogue, PostedText, TheHeavyWork, text_body
+from app.api.requests import NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
 from app.catalogue.hosting import Hosted
-from app.errors import InputRefused
-from app.findings import Finding, has_errors
-from app.function.document import read_json
-from app.function.model import FunctionJson
-from app.integration.deployment import DEFAULT_DEPLOYMENT, Deployment, read_deployment
+from app.catalogue.limits import Limits
+from app.findings import Finding
+from app.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
 from app.integration.platforms import Integrated, Platform, integrate
-from app.integration.reading import read_function
+from app.integration.reading import read_functions
 from app.integration.report import to_json, to_markdown
 from app.integration.schemas import SCHEMAS, schema
 
 router = APIRouter(prefix="/api/v1", tags=["integration"])
 
-_LARGEST_SET = 500
-"""Most functions of one request."""
-_EXAMPLE = """\
-function: WheelSpeedCalculation
-version: 1.0.0
-description: Turns the rotation of the four wheels into their speeds over ground.
-"""
 _BODY = (
-    "One function, as `function.yaml` or Function JSON; or a set: a JSON object with `functions`, a list of Function "
-    "JSON objects and of texts of `function.yaml`, and, if wanted, `deployment`, what differs from the defaults."
+    f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
+    "from the defaults."
 )
 _ZIP = {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
 _MOMENT = (1980, 1, 1, 0, 0, 0)
@@ -54,18 +48,19 @@ _MOMENT = (1980, 1, 1, 0, 0, 0)
         },
         **problem_documentation(400, 404, 413, 415, 422, 503),
     },
-    openapi_extra=text_body(_BODY, _EXAMPLE),
+    openapi_extra=text_body(_BODY, DECLARATION),
 )
 async def integrate_functions(
     text: PostedText,
     hosted: NamedCatalogue,
+    settings: TheSettings,
     heavy: TheHeavyWork,
     platform: Annotated[Platform, Path(description="The platform.")],
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
     archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    return await heavy.run(partial(_integrated, text, name, hosted, platform, archive=archive))
+    return await heavy.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
 
 
 @router.post(
@@ -79,27 +74,34 @@ async def integrate_functions(
 )
 async def generate_arxml(
     text: PostedText,
+    settings: TheSettings,
     heavy: TheHeavyWork,
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "autosar-adaptive.json",
 ) -> Response:
     """Generate the ARXML of AUTOSAR adaptive R23-11."""
-    return await heavy.run(partial(_arxml, text, name))
+    return await heavy.run(partial(_arxml, text, name, settings.limits))
 
 
 @router.get("/schemas", responses=problem_documentation(404))
-def list_schemas() -> list[str]:
+def list_schemas() -> schemas.SchemaAddresses:
     """Addresses of the JSON Schemas of every file format for functions."""
-    return [f"{router.prefix}/schemas/{name}.json" for name in SCHEMAS]
+    return schemas.SchemaAddresses([f"{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
 
 
 @router.get("/schemas/{name}.json", responses=problem_documentation(404))
-def get_schema(name: Annotated[str, Path(description="Name of the format.", examples=["function"])]) -> dict[str, Any]:
+def get_schema(
+    name: Annotated[str, Path(description="Name of the format.", examples=["function"])],
+) -> schemas.JsonSchema:
     """The JSON Schema (2020-12) of a file format."""
-    return schema(name)
+    return schemas.JsonSchema(schema(name))
 
 
-def _integrated(text: bytes, name: str, hosted: Hosted, platform: Platform, *, archive: bool) -> Response:
-    functions, findings, deployment = _posted(text, name, hosted)
+def _integrated(
+    text: bytes, name: str, hosted: Hosted, platform: Platform, limits: Limits, *, archive: bool
+) -> Response:
+    posted = posted_functions(text, name, limits, deployment=True)
+    functions, findings = read_functions(posted.files, lambda: hosted.catalogue, limits)
+    deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
     made = integrate(platform, functions, deployment)
     count = {"Sigcat-Warnings": str(len(findings) + len(made.findings))}
     if not archive:
@@ -107,58 +109,12 @@ def _integrated(text: bytes, name: str, hosted: Hosted, platform: Platform, *, a
     return _archive(_files(platform, made, findings), f"{platform}.zip", count)
 
 
-def _arxml(text: bytes, name: str) -> Response:
+def _arxml(text: bytes, name: str, limits: Limits) -> Response:
     from app.adapter.arxml.generate import generate
     from app.integration.autosar_adaptive.document import read_integration
 
-    files = generate(read_integration(text, name))
+    files = generate(read_integration(text, name, limits))
     return _archive({file.name: file.data for file in files}, "arxml.zip", {})
-
-
-def _posted(text: bytes, name: str, hosted: Hosted) -> tuple[list[FunctionJson], tuple[Finding, ...], Deployment]:
-    """The functions of a body, their warnings, and the deployment."""
-    parts = _set_of(text, name)
-    if parts is None:
-        function, findings = read_function(text, name, lambda: hosted.catalogue)
-        return [function], findings, DEFAULT_DEPLOYMENT
-    functions: list[FunctionJson] = []
-    found: list[Finding] = []
-    for index, item in enumerate(parts["functions"]):
-        data, what = _item(item, f"{name}, function {index + 1}")
-        function, findings = read_function(data, what, lambda: hosted.catalogue)
-        functions.append(function)
-        found.extend(findings)
-    deployment = parts.get("deployment")
-    if deployment is None:
-        return functions, tuple(found), DEFAULT_DEPLOYMENT
-    data, what = _item(deployment, f"{name}, deployment")
-    return functions, tuple(found), read_deployment(data, what)
-
-
-def _set_of(text: bytes, name: str) -> Mapping[str, Any] | None:
-    """The body, if it is a set: a JSON object with `functions`."""
-    if text.lstrip()[:1] != b"{" or b'"functions"' not in text:
-        return None
-    document = read_json(text, name)
-    if has_errors(document.findings):
-        raise InputRefused(f"{name} cannot be read.", document.findings)
-    value = document.value
-    if not isinstance(value, dict) or "functions" not in value:
-        return None
-    given = value["functions"]
-    unknown = sorted(set(value) - {"functions", "deployment"})
-    if unknown or not isinstance(given, list) or not 1 <= len(given) <= _LARGEST_SET:
-        message = f"A set has `functions`, a list of 1 to {_LARGEST_SET}, and `deployment` if wanted; nothing else."
-        pointer = f"/{unknown[0]}" if unknown else "/functions"
-        raise InputRefused(message, (Finding("F003", "error", message, name, pointer=pointer),))
-    return value
-
-
-def _item(item: Any, name: str) -> tuple[bytes, str]:
-    """A part of a set as the bytes of its file: a text is YAML, anything else JSON."""
-    if isinstance(item, str):
-        return item.encode("utf-8", "replace"), f"{name}.yaml"
-    return json.dumps(item).encode(), f"{name}.json"
 
 
 def _files(platform: Platform, made: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:

@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,17 +53,15 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _functions(arguments: argparse.Namespace) -> "list[FunctionJson]":
-    from app.integration.reading import read_function
+def _functions(arguments: argparse.Namespace) -> "tuple[FunctionJson, ...]":
+    from app.integration.reading import read_functions
 
-    tree = cache(lambda: read_tree(arguments))
-    functions = []
     for path in arguments.functions:
         if not path.is_file():
             raise UsageError(f"{path}: there is no such file")
-        function, findings = read_function(path.read_bytes(), str(path), tree)
-        _print(findings)
-        functions.append(function)
+    files = [(path.read_bytes(), str(path)) for path in arguments.functions]
+    functions, findings = read_functions(files, lambda: read_tree(arguments))
+    _print(findings)
     return functions
 
 

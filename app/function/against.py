@@ -8,22 +8,19 @@ from app.catalogue.interfaces import Category, category_of, interface_name
 from app.catalogue.model import Catalogue, Node
 from app.function.conversion import IDENTITY, Linear, between
 from app.function.document import Pointer
+from app.function.hints import Hints
 from app.function.model import DataQueue, FunctionJson, Parameter, Signal
 from app.function.problem import Problem
 from app.function.types import symbols_of
 from app.function.walk import contracts, data, parameters, runnables
-from app.names import did_you_mean
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | Parameter
 
-MOST_HINTS = 100
-"""The search for near names costs a millisecond: only the first problems get one."""
-
 
 def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
     """Everything in which the document and the catalogue differ."""
-    hints = 0
+    hint = Hints()
     for pointer, _, item in (*data(function), *parameters(function)):
         if not item.vss_path:
             continue
@@ -32,9 +29,7 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
             yield from _item(pointer, item, node, catalogue)
             continue
         message = f"The catalogue has no signal {item.vss_path!r}."
-        near = did_you_mean(item.vss_path, catalogue.nodes) if hints < MOST_HINTS else ""
-        hints += 1
-        yield Problem("F010", (*pointer, "VssPath"), message, near, item.name)
+        yield Problem("F010", (*pointer, "VssPath"), message, hint(item.vss_path, catalogue.nodes), item.name)
     yield from _interfaces(function, catalogue)
 
 
@@ -117,12 +112,13 @@ def _close(one: Fraction, other: Fraction) -> bool:
 
 
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
+    hint = Hints()
     for pointer, name, path, category in _named(function):
         if not path:
             continue
         words = category.replace("_", " ")
         if catalogue.get(path) is None:
-            near = did_you_mean(path, [p for p in catalogue.nodes if category_of(p) == category])
+            near = hint(path, [p for p in catalogue.nodes if category_of(p) == category])
             message = f"The catalogue has no {words} interface {path!r}."
             yield Problem("F013", (*pointer, "VssPath"), message, near, name)
         elif category_of(path) != category:

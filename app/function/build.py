@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from app import __version__
 from app.catalogue.interfaces import category_of, interface_name
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
 from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
@@ -52,13 +53,9 @@ def build(declared: Declared, catalogue: Catalogue) -> Built:
     return Built(None if has_errors(findings) else function, findings)
 
 
+@collector_paused()
 def resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue) -> tuple[Work, FunctionJson]:
     """The function as far as it can be made, and all that was found in it and in what it defines."""
-    with collector_paused():
-        return _resolved(declared, declaration, catalogue)
-
-
-def _resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue) -> tuple[Work, FunctionJson]:
     over, findings = defined(declared, catalogue)
     work = Work(over, declared.document, declaration.function)
     work.findings.extend(findings)
@@ -86,9 +83,12 @@ def _is_told(finding: Finding, told: Collection[tuple[str, str]], work: Work) ->
     return any((rule, path) in told for rule in _SAME.get(finding.rule, ()))
 
 
-def build_function(data: bytes, name: str, catalogue: Catalogue) -> tuple[FunctionJson, tuple[Finding, ...]]:
+@collector_paused()
+def build_function(
+    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
+) -> tuple[FunctionJson, tuple[Finding, ...]]:
     """The Function JSON of a `function.yaml`, and its warnings. Raises InputRefused with every finding."""
-    built = build(read_declaration(data, name), catalogue)
+    built = build(read_declaration(data, name, limits), catalogue)
     if built.function is None:
         count = sum(finding.severity == "error" for finding in built.findings)
         message = f"{name} cannot be built: {count} error{'s' if count != 1 else ''}."
@@ -96,11 +96,14 @@ def build_function(data: bytes, name: str, catalogue: Catalogue) -> tuple[Functi
     return built.function, built.findings
 
 
-def check_function(data: bytes, name: str, catalogue: Catalogue) -> tuple[Finding, ...]:
+@collector_paused()
+def check_function(
+    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
+) -> tuple[Finding, ...]:
     """Everything that is wrong with a function file, `function.yaml` or Function JSON."""
     if is_function_json(data, name):
-        return validate_function_json(data, name, catalogue)
-    return build(read_declaration(data, name), catalogue).findings
+        return validate_function_json(data, name, catalogue, limits)
+    return build(read_declaration(data, name, limits), catalogue).findings
 
 
 def is_function_json(data: bytes, name: str) -> bool:

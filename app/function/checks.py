@@ -1,15 +1,16 @@
 """Checks of a Function JSON in itself: what holds of every function, wherever its document comes from."""
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator
 
 from app.function.asil import level_of, rank
 from app.function.document import Pointer
+from app.function.hints import Hints
 from app.function.model import PROVIDER, FunctionJson, Runnable, WatchdogLimits, milliseconds
-from app.function.order import contradiction, previous_calls
+from app.function.order import contradiction, in_circles, previous_calls
 from app.function.problem import Problem
 from app.function.walk import Placed, contracts, data, errors, methods, parameters, references, runnables
-from app.names import camel_case, did_you_mean
+from app.names import camel_case
 
 Problems = Iterator[Problem]
 
@@ -122,7 +123,8 @@ def _is_outside(value: float, low: float | None, high: float | None) -> bool:
 
 
 def _time_outs(function: FunctionJson) -> Problems:
-    declared = [error.name for _, _, error in errors(function)]
+    hint = Hints()
+    declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for pointer, (_, _, runnable), item in data(function):
         duration = milliseconds(item.timeout)
         if duration is not None and runnable.cycle_time and duration < runnable.cycle_time:
@@ -133,7 +135,7 @@ def _time_outs(function: FunctionJson) -> Problems:
             yield Problem("F040", (*pointer, "Timeout"), message, fix, item.name)
         if item.timeout_error and item.timeout_error not in declared:
             message = f"The function does not declare the time-out error {item.timeout_error!r} of {item.name!r}."
-            fix = did_you_mean(item.timeout_error, declared) or "Add it to the errors of the call."
+            fix = hint(item.timeout_error, declared) or "Add it to the errors of the call."
             yield Problem("F041", (*pointer, "TimeoutError"), message, fix, item.name)
 
 
@@ -170,8 +172,10 @@ def _cycles(function: FunctionJson) -> Problems:
 
 
 def _order(function: FunctionJson) -> Problems:
+    hint = Hints()
     placed = {runnable.name: (pointer, runnable) for pointer, _, runnable in runnables(function)}
     before = {name: previous_calls(runnable) for name, (_, runnable) in placed.items()}
+    circular = in_circles(before)
     own = function.info.function_name
     for name, (pointer, runnable) in placed.items():
         at = (*pointer, "PrevRunnable")
@@ -179,15 +183,16 @@ def _order(function: FunctionJson) -> Problems:
             if previous not in placed:
                 if previous.startswith(f"{own}_"):
                     message = f"{name} runs after {previous!r}, which does not exist."
-                    yield Problem("F052", at, message, did_you_mean(previous, placed), name)
-            elif _reaches(name, before):
+                    yield Problem("F052", at, message, hint(previous, placed), name)
+            elif name in circular:
                 yield Problem("F053", at, f"{name} runs after itself, by way of {previous}.", path=name)
             elif reason := contradiction(runnable, placed[previous][1]):
                 yield Problem("F059", at, f"{name} runs after {previous}, {reason}.", path=name)
 
 
 def _supervision(function: FunctionJson) -> Problems:
-    declared = [error.name for _, _, error in errors(function)]
+    hint = Hints()
+    declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for placed in runnables(function):
         watchdog = placed.runnable.watchdog
         yield from _supervision_types(placed)
@@ -208,7 +213,7 @@ def _supervision(function: FunctionJson) -> Problems:
                 message = (
                     f"The function does not declare {name!r}, which the supervision of {placed.runnable.name} sets."
                 )
-                fix = did_you_mean(name, declared) or "Add it to the errors of the call."
+                fix = hint(name, declared) or "Add it to the errors of the call."
                 yield Problem("F056", place, message, fix, placed.runnable.name)
 
 
@@ -262,6 +267,7 @@ def _asil(function: FunctionJson) -> Problems:
 
 
 def _error_references(function: FunctionJson, known: Collection[str]) -> Problems:
+    hint = Hints()
     declared = [error.name for _, _, error in errors(function)]
     candidates = dict.fromkeys((*declared, *known))
     for pointer, _, contract in contracts(function):
@@ -270,12 +276,12 @@ def _error_references(function: FunctionJson, known: Collection[str]) -> Problem
                 if _is_undeclared(name, candidates, known, function):
                     message = f"{reaction.name} reacts to {name!r}, which nobody declares."
                     place = (*pointer, "SafetyReactionList", i, "ErrorList", j)
-                    yield Problem("F060", place, message, did_you_mean(name, candidates), reaction.name)
+                    yield Problem("F060", place, message, hint(name, candidates), reaction.name)
     for pointer, _, error in errors(function):
         for j, name in enumerate(error.dependencies):
             if _is_undeclared(name, candidates, known, function):
                 message = f"{error.name} depends on {name!r}, which nobody declares."
-                yield Problem("F061", (*pointer, "Dependancy", j), message, did_you_mean(name, candidates), error.name)
+                yield Problem("F061", (*pointer, "Dependancy", j), message, hint(name, candidates), error.name)
 
 
 def _is_undeclared(name: str, candidates: Collection[str], known: Collection[str], function: FunctionJson) -> bool:
@@ -284,51 +290,39 @@ def _is_undeclared(name: str, candidates: Collection[str], known: Collection[str
 
 
 def _dependency_cycles(function: FunctionJson) -> Problems:
-    depends = {error.name: error.dependencies for _, _, error in errors(function)}
+    circular = in_circles({error.name: error.dependencies for _, _, error in errors(function)})
     for pointer, _, error in errors(function):
-        if _reaches(error.name, depends):
+        if error.name in circular:
             message = f"{error.name} depends on itself, by way of {', '.join(error.dependencies)}."
             yield Problem("F062", (*pointer, "Dependancy"), message, path=error.name)
-
-
-def _reaches(start: str, depends: Mapping[str, tuple[str, ...]]) -> bool:
-    waiting, seen = list(depends[start]), set()
-    while waiting:
-        name = waiting.pop()
-        if name == start:
-            return True
-        if name not in seen:
-            seen.add(name)
-            waiting.extend(depends.get(name, ()))
-    return False
 
 
 # -- modes and datatypes ------------------------------------------------------------------------------------------
 
 
 def _modes(function: FunctionJson) -> Problems:
-    names = [placed.runnable.name for placed in runnables(function)]
+    hint = Hints()
+    names = dict.fromkeys(placed.runnable.name for placed in runnables(function))
     allowed = [mode for interface in function.mode_interfaces or () for mode in interface.modes]
     for i, mode in enumerate(function.modes or ()):
         for j, name in enumerate(mode.runnables):
             if name not in names:
                 message = f"Mode {mode.name!r} runs {name!r}, which does not exist."
-                yield Problem(
-                    "F070", ("ModesList", i, "RunnablesList", j), message, did_you_mean(name, names), mode.name
-                )
+                yield Problem("F070", ("ModesList", i, "RunnablesList", j), message, hint(name, names), mode.name)
         if allowed and mode.name not in allowed:
             message = f"{mode.name!r} is no mode of the mode interfaces."
-            fix = did_you_mean(mode.name, allowed) or f"They allow {', '.join(dict.fromkeys(allowed))}."
+            fix = hint(mode.name, allowed) or f"They allow {', '.join(dict.fromkeys(allowed))}."
             yield Problem("F071", ("ModesList", i, "Name"), message, fix, mode.name)
 
 
 def _undefined_types(function: FunctionJson) -> Problems:
+    hint = Hints()
     defined = [datatype.reference for datatype in function.datatypes]
     known = frozenset(defined)
     for pointer, reference in references(function):
         if reference not in known:
             message = f"{reference!r} is not among the datatypes of the document."
-            yield Problem("F080", pointer, message, did_you_mean(reference, defined))
+            yield Problem("F080", pointer, message, hint(reference, defined))
 
 
 _CHECKS: tuple[Callable[[FunctionJson], Problems], ...] = (

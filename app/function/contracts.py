@@ -1,12 +1,14 @@
 """What a call reads and writes: signals, queues, parameters, errors, safety reactions and methods, resolved."""
 
+import json
 from collections.abc import Iterable
+from fractions import Fraction
 from typing import Any
 
-from app.catalogue.datatypes import element_of
+from app.catalogue.datatypes import element_of, is_array
 from app.catalogue.interfaces import function_of, interface_name
 from app.catalogue.model import Node
-from app.function.conversion import Linear, as_text
+from app.function.conversion import IDENTITY, Linear, as_number, as_text
 from app.function.datatypes import BY_REFERENCE, value_range
 from app.function.declaration import (
     ArgumentItem,
@@ -196,10 +198,18 @@ def _parameter(item: ParameterItem, at: Pointer, work: Work) -> Parameter | None
 
 
 def _default_text(value: Value) -> str | None:
-    """The catalogue's default of a parameter that is a text."""
-    is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
+    """The catalogue's default of a parameter that is a text; of an array its elements as JSON, in the code's unit."""
     default = value.node.values.get("default")
+    if isinstance(default, list) and is_array(str(value.node.values["datatype"])):
+        to_code = value.conversion.inverse if value.conversion else IDENTITY
+        return json.dumps([_element(each, to_code) for each in default], ensure_ascii=False)
+    is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
     return default if is_text and isinstance(default, str) else None
+
+
+def _element(value: Any, to_code: Linear) -> Any:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return as_number(to_code(Fraction(str(value)))) if is_number and to_code != IDENTITY else value
 
 
 def _limits(value: Value) -> tuple[float, float]:

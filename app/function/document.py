@@ -27,8 +27,8 @@ Pointer = tuple[str | int, ...]
 Place = tuple[int, int]
 """Line and column, from 1; (0, 0) if unknown."""
 
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|\\?\Z)|[\[\]{},:]|[^\s\[\]{},:"]++', re.DOTALL)
-"""Tokens of JSON. An unterminated text runs to the end, so that the search stays linear on any input."""
+_TOKEN = re.compile(r'("(?:[^"\\]|\\.)*+(?:"|\\?\Z))(\s*:)?|[\[\]{}]|[^\s\[\]{},:"]++', re.DOTALL)
+"""Keys with their colon, and values, of JSON; an unterminated text runs to the end, so that the search stays linear."""
 MOST_COLLECTIONS = 200_000
 """Lists and mappings in one document: twenty times those of a function with 10,000 signals."""
 _NO_NUMBERS = ("NaN", "Infinity", "-Infinity")
@@ -78,7 +78,7 @@ def read_json(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Docume
     value = None
     findings = [finding] if finding else []
     if not findings:
-        value, findings = _parsed(text, name)
+        value, findings = _parsed(text, name, limits.nesting)
     return Document(name, _digest(data), value, tuple(findings), _JsonPlaces(text if value is not None else ""))
 
 
@@ -171,32 +171,36 @@ def _decoded(data: bytes, name: str, limits: Limits) -> tuple[str, Finding | Non
         column = error.start - data.rfind(b"\n", 0, error.start)
         message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
         return "", Finding("R002", "error", message, name, line, column, fix="Save the file as UTF-8.")
-    if (deep := _too_deep(text, limits.nesting)) is not None:
-        message = f"Collections nest deeper than {limits.nesting} levels."
-        return "", Finding("R004", "error", message, name, *_line_and_column(text, deep))
     return text, None
 
 
-def _too_deep(text: str, limit: int) -> int | None:
-    """Offset of the first bracket beyond the limit."""
-    if text.count("[") + text.count("{") <= limit:
-        return None
-    depth = 0
+def _depth(value: Any) -> int:
+    """How many collections stand inside each other."""
+    depth, level = 0, [value] if isinstance(value, dict | list) else []
+    while level:
+        depth += 1
+        inner = (each for outer in level for each in (outer.values() if isinstance(outer, dict) else outer))
+        level = [each for each in inner if isinstance(each, (dict, list))]
+    return depth
+
+
+def _too_deep(text: str, limit: int, name: str) -> Finding:
+    """The finding at the first bracket beyond the limit."""
+    depth = offset = 0
     for token in _TOKEN.finditer(text):
-        if token[0] in ("[", "{"):
-            depth += 1
-            if depth > limit:
-                return token.start()
-        elif token[0] in ("]", "}"):
-            depth -= 1
-    return None
+        depth += (token[0] in ("[", "{")) - (token[0] in ("]", "}"))
+        if depth > limit:
+            offset = token.start()
+            break
+    message = f"Collections nest deeper than {limit} levels."
+    return Finding("R004", "error", message, name, *_line_and_column(text, offset))
 
 
 class _NoNumber(ValueError):
     """A number that JSON does not have, or that no computer holds."""
 
 
-def _parsed(text: str, name: str) -> tuple[Any, list[Finding]]:
+def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
     has_duplicates = False
 
     def as_object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -215,6 +219,10 @@ def _parsed(text: str, name: str) -> tuple[Any, list[Finding]]:
         return None, [Finding("F001", "error", f"Not valid JSON: {str(error)[:40]} is no number.", name, *place)]
     except ValueError:
         return None, [Finding("F001", "error", "A number has more digits than can be read.", name)]
+    except RecursionError:
+        return None, [_too_deep(text, nesting, name)]
+    if _depth(value) > nesting:
+        return None, [_too_deep(text, nesting, name)]
     return value, list(_json_duplicates(text, name)) if has_duplicates else []
 
 
@@ -231,41 +239,39 @@ def _token_offset(text: str, wanted: str) -> int:
     return next((token.start() for token in _TOKEN.finditer(text) if token[0] == wanted), 0)
 
 
-def _json_values(text: str) -> Iterator[tuple[Pointer, int, bool]]:
-    """Pointer and offset of every key (True) and every value (False) of valid JSON."""
-    path: list[str | int] = []
-    is_list: list[bool] = []
-    key_next = False
+_Spots = dict[str | int, tuple[int, "_Spots"]]
+"""Where values start, as offsets, by key or position; each with the same of the values in it."""
+_NOTHING: _Spots = {}
+
+
+def _spots(text: str) -> tuple[_Spots, list[tuple[Pointer, int]]]:
+    """Where every value of valid JSON starts, the whole under the empty name; and every key that stood there before."""
+    here: _Spots = {}
+    key: str | int = ""
+    above: list[tuple[_Spots, str | int]] = []
+    repeated: list[tuple[Pointer, int]] = []
     for token in _TOKEN.finditer(text):
         word = token[0]
-        if word in ("}", "]"):
-            path.pop()
-            is_list.pop()
-            key_next = False
-        elif word == ",":
-            key_next = not is_list[-1]
-            if not key_next:
-                path[-1] = int(path[-1]) + 1
-        elif word == ":":
-            key_next = False
-        elif key_next:
-            path[-1] = word[1:-1] if "\\" not in word else json.loads(word)
-            yield tuple(path), token.start(), True
+        if token[2]:
+            quoted: str = token[1]
+            key = quoted[1:-1] if "\\" not in quoted else json.loads(quoted)
+            if key in here:
+                repeated.append(((*(name for _, name in above[1:]), key), token.start()))
+        elif word in ("}", "]"):
+            here, key = above.pop()
         else:
-            yield tuple(path), token.start(), False
-            if word in ("{", "["):
-                is_list.append(word == "[")
-                path.append(0 if word == "[" else "")
-                key_next = word == "{"
+            key = key + 1 if isinstance(key, int) else key
+            inner: _Spots = {} if word in ("{", "[") else _NOTHING
+            here[key] = (token.start(), inner)
+            if inner is not _NOTHING:
+                above.append((here, key))
+                here, key = inner, "" if word == "{" else -1
+    return here, repeated
 
 
 def _json_duplicates(text: str, name: str) -> Iterator[Finding]:
-    seen: set[Pointer] = set()
-    for pointer, offset, is_key in _json_values(text):
-        if is_key and pointer in seen:
-            yield _duplicate(str(pointer[-1]), name, _line_and_column(text, offset), pointer_text(pointer))
-        if is_key:
-            seen.add(pointer)
+    for pointer, offset in _spots(text)[1]:
+        yield _duplicate(str(pointer[-1]), name, _line_and_column(text, offset), pointer_text(pointer))
 
 
 class _JsonPlaces:
@@ -275,16 +281,19 @@ class _JsonPlaces:
         self._text = text
 
     def __call__(self, pointer: Pointer) -> Place:
-        for length in range(len(pointer), -1, -1):
-            offset = self._offsets.get(pointer[:length])
-            if offset is not None:
-                line = bisect_right(self._lines, offset)
-                return line, offset - self._lines[line - 1] + 1
-        return (0, 0)
+        if not self._text:
+            return (0, 0)
+        offset, inner = self._root
+        for part in pointer:
+            if part not in inner:
+                break
+            offset, inner = inner[part]
+        line = bisect_right(self._lines, offset)
+        return line, offset - self._lines[line - 1] + 1
 
     @cached_property
-    def _offsets(self) -> dict[Pointer, int]:
-        return {pointer: offset for pointer, offset, is_key in _json_values(self._text) if not is_key}
+    def _root(self) -> tuple[int, _Spots]:
+        return _spots(self._text)[0][""]
 
     @cached_property
     def _lines(self) -> list[int]:

@@ -5,13 +5,12 @@ A superset of the authors' published schema, field for field and spelling for sp
 added as optional fields, and so is what later stages need, such as the VSS path of a signal.
 """
 
-import json
 import re
 from typing import Annotated, Any
 
 from pydantic import Field
 
-from app.function.wire import OWN, PHYSICAL, TABLE, Integer, Number, TypeReference, WireModel, described
+from app.function.wire import OWN, PHYSICAL, TABLE, Integer, Number, TypeReference, WireModel, described, written
 
 CONSUMER = "Consumer"
 PROVIDER = "Provider"
@@ -187,7 +186,9 @@ class Parameter(WireModel):
     interface_type: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
     attribute: str = described("Attribute", "Normal, LearningParameter or NA.")
     units: str = described("Units", "Unit of the value; empty if it has none.")
-    default_text: str | None = described("DefaultText", "Default of a text.", default=None, source=OWN)
+    default_text: str | None = described(
+        "DefaultText", "Default of a text; of an array its elements, as JSON.", default=None, source=OWN
+    )
     vss_path: str | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
@@ -421,14 +422,10 @@ class FunctionJson(WireModel):
 
 def to_json(function: FunctionJson) -> bytes:
     """The document as UTF-8 text with a stable layout: the same function gives the same bytes."""
-    return _written(function.model_dump(mode="json"))
+    return written(function)
 
 
 def function_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of Function JSON."""
     schema = FunctionJson.model_json_schema(by_alias=True)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
-
-
-def _written(value: Any) -> bytes:
-    return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()

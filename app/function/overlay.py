@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from app.catalogue.definition import Definition
 from app.catalogue.model import Catalogue
 from app.data import INTERFACE_RULES
 from app.errors import InputRefused
@@ -52,13 +51,9 @@ def definition_findings(declaration: Declaration, document: Document, over: Cata
     if declaration.define is None:
         return ()
     pointers = _pointers((*defined_nodes(declaration, over), *defined_types(declaration)), document)
-
-    def is_own(definition: Definition) -> bool:
-        return any(statement.file.name == document.name for statement in definition.statements)
-
     return tuple(
         finding._replace(pointer=pointer_text(pointers.get((finding.line, finding.column), ("define",))))
-        for finding, _ in found_in(over, _rules(), is_own)
+        for finding, _ in found_in(over, _rules(), over.written_in({document.name}))
         if finding.file == document.name
     )
 

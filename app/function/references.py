@@ -16,8 +16,7 @@ def interface_node(reference: str, category: Category, at: Pointer, work: Work, 
     node = work.node(reference)
     words = category.replace("_", " ")
     if node is None or category_of(node.path) is None:
-        candidates = [name for name, path in work.interfaces.items() if category_of(path) == category]
-        fix = work.hint(reference, candidates) or f"Define it under `define`, or in an overlay of {words} interfaces."
+        fix = _meant(reference, category, work)
         work.report("F013", at, f"The catalogue has no {words} interface {reference!r}.", fix, reference)
         return None
     actual = category_of(node.path)
@@ -30,6 +29,16 @@ def interface_node(reference: str, category: Category, at: Pointer, work: Work, 
         work.report("F015", at, message, path=node.path)
         return None
     return node
+
+
+def _meant(reference: str, category: Category, work: Work) -> str:
+    """What to write instead: the function's own interface that `define` calls so, or one of a near name."""
+    candidates = {name: path for name, path in work.interfaces.items() if category_of(path) == category}
+    for name, path in candidates.items():
+        if function_of(path) == work.function and path.rpartition(".")[2] == reference:
+            return f"Write {name!r}."
+    words = category.replace("_", " ")
+    return work.hint(reference, candidates) or f"Define it under `define`, or in an overlay of {words} interfaces."
 
 
 def text_of(node: Node, name: str) -> str | None:

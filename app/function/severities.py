@@ -8,7 +8,7 @@ SEVERITIES: Mapping[str, Severity] = {
     "F001": "error", "F002": "error", "F003": "error", "F004": "error",
     "F005": "error",
     "F010": "error", "F011": "error", "F012": "warning", "F013": "error", "F014": "error", "F015": "error",
-    "F016": "warning",
+    "F016": "warning", "F017": "warning",
     "F020": "error", "F021": "error", "F022": "error", "F023": "error", "F024": "error", "F025": "warning",
     "F026": "error", "F027": "error", "F028": "warning", "F029": "error",
     "F030": "error", "F031": "warning", "F032": "warning", "F033": "warning", "F034": "warning", "F035": "warning",

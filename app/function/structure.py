@@ -25,14 +25,24 @@ _EXPECTED = {
     "date_type": "a date such as 2025-09-12 belongs here",
     "string_unicode": "a text of Unicode characters belongs here",
 }
+_PATTERNS = {
+    r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0 belong here",
+    r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits belongs here",
+}
+"""What patterns of the models ask for."""
+_MOST_DEFECTS = 1_000
 _YAML_WORDS = "YAML reads words such as OFF, ON, YES and NO as true or false: put quotes around a text."
 
 
 def structural_findings(error: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
-    """One finding for each defect."""
-    for defect in error.errors(include_url=False, include_context=True):
+    """One finding for each defect; of very many the first, and a last one that says how many more there are."""
+    defects = error.errors(include_url=False, include_context=True)
+    for defect in defects[:_MOST_DEFECTS]:
         pointer = _existing(defect["loc"], document.value)
         yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
+    if len(defects) > _MOST_DEFECTS:
+        message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong. Settle the others first."
+        yield Finding("F004", "error", message, document.name)
 
 
 def _finding(
@@ -61,6 +71,9 @@ def _finding(
 def _worded(defect: Any) -> str:
     """What pydantic says, as the rest of a sentence: `Input should be 'A' or 'B'` → `it has to be 'A' or 'B'`."""
     message: str = defect["msg"].removesuffix(".")
+    pattern = (defect.get("ctx") or {}).get("pattern")
+    if pattern in _PATTERNS:
+        return _PATTERNS[pattern]
     for prefix in ("Input should be ", "String should ", "List should ", "Tuple should "):
         if message.startswith(prefix):
             return ("it has to be " if prefix.startswith("Input") else "it has to ") + message.removeprefix(prefix)

@@ -19,7 +19,9 @@ from app.function.severities import SEVERITIES
 from app.function.structure import fields_of, models_of, structural_findings
 from app.names import nearest
 
-_VERSION = re.compile(r"\d{1,9}\.\d+\.\d+")
+_MAJOR = re.compile(r"\s*[vV]?(\d{1,9})(?:\.|\s*\Z)")
+_READ = 1
+"""The major version of the format that is read."""
 
 
 class Validated(NamedTuple):
@@ -29,6 +31,7 @@ class Validated(NamedTuple):
     findings: tuple[Finding, ...]
 
 
+@collector_paused()
 def validate_function_json(
     data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
 ) -> tuple[Finding, ...]:
@@ -39,6 +42,7 @@ def validate_function_json(
     return read_function_json(data, name, catalogue, limits).findings
 
 
+@collector_paused()
 def read_function_json(
     data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
 ) -> Validated:
@@ -46,6 +50,7 @@ def read_function_json(
     return validated(read_json(data, name, limits), catalogue)
 
 
+@collector_paused()
 def validated(document: Document, catalogue: Catalogue | None) -> Validated:
     """The function of a document that was read, and everything that is wrong with it."""
     if document.value is None and document.findings:
@@ -58,20 +63,20 @@ def validated(document: Document, catalogue: Catalogue | None) -> Validated:
     except ValidationError as error:
         findings = (*document.findings, *structural_findings(error, document, FunctionJson))
         return Validated(None, in_order(findings))
-    with collector_paused():
-        findings = _judged(function, document, catalogue)
-    return Validated(function, findings)
+    return Validated(function, _judged(function, document, catalogue))
 
 
 def _other_version(document: Document) -> Finding | None:
     """A finding instead of many, where the document is of another major version of the format."""
     meta = document.value.get("MetaInfo") if isinstance(document.value, dict) else None
     version = meta.get("SchemaVersion") if isinstance(meta, dict) else None
-    if not isinstance(version, str) or not _VERSION.fullmatch(version) or version.startswith("1."):
+    major = _MAJOR.match(str(version)) if isinstance(version, str | int | float) else None
+    if major is None or int(major[1]) == _READ:
         return None
     at = ("MetaInfo", "SchemaVersion")
-    message = f"The document is of version {version} of the format; this program reads version 1."
-    fix = "Use a newer sigcat, or write the document as version 1."
+    message = f"The document is of version {str(version)[:40]} of the format; this program reads version {_READ}."
+    is_newer = int(major[1]) > _READ
+    fix = "Use a newer sigcat, or write the document as version 1." if is_newer else "Write the document as version 1."
     return Finding("F005", SEVERITIES["F005"], message, document.name, *document.place(at), "", pointer_text(at), fix)
 
 

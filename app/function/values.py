@@ -310,7 +310,8 @@ def _first_of(code: _Code, keys: tuple[str, ...]) -> Pointer:
 
 def _init(code: _Code, low: Fraction | None, high: Fraction | None, work: Work) -> float | None:
     at, given = (*code.at, "init"), code.item.init
-    if given is None:
+    _tell_unheld(code, work)
+    if given is None or _is_unheld(code, given):
         return _default(code)
     number = _as_number(given, code.symbols)
     if number is None:
@@ -323,6 +324,26 @@ def _init(code: _Code, low: Fraction | None, high: Fraction | None, work: Work) 
         fix = f"Valid values go from {_shown(low)} to {_shown(high)}." if is_outside else ""
         work.report("F024", at, message, fix, code.item.path)
     return as_number(number)
+
+
+def _tell_unheld(code: _Code, work: Work) -> None:
+    """Function JSON has one number as the start value of a signal; a parameter's default it has in any form."""
+    default = code.node.values.get("default") if isinstance(code.item, DataItem) else None
+    given = default if code.item.init is None else code.item.init
+    if _is_unheld(code, given):
+        at = code.at if code.item.init is None else (*code.at, "init")
+        message = (
+            f"The start value {str(given)[:60]!r} of {code.item.path!r} is not carried: Function JSON has numbers only."
+        )
+        work.report("F017", at, message, "Set it in the code.", code.item.path)
+
+
+def _is_unheld(code: _Code, given: Any) -> bool:
+    """Whether this is a text, or elements of an array, where such is meant."""
+    own = str(code.node.values["datatype"])
+    if is_array(own):
+        return isinstance(given, list)
+    return isinstance(given, str) and own == "string" and code.symbols is None
 
 
 def _default(code: _Code) -> float | None:

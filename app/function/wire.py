@@ -1,6 +1,7 @@
 """What the models of the wire formats have in common: fields that say what they are, and numbers that are numbers."""
 
 import math
+from functools import cache
 from typing import Annotated, Any, cast
 
 from pydantic import (
@@ -42,10 +43,21 @@ class WireModel(BaseModel):
 
     @model_serializer(mode="wrap")
     def _without_absent(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        fields = type(self).model_fields
-        optional = {name for key, field in fields.items() if not field.is_required() for name in (key, field.alias)}
+        optional = _optional(type(self))
         written = cast("dict[str, Any]", handler(self))
         return {name: value for name, value in written.items() if value is not None or name not in optional}
+
+
+def written(model: BaseModel) -> bytes:
+    """A document as UTF-8 text with a stable layout: the same values give the same bytes."""
+    return model.model_dump_json(indent=2).encode() + b"\n"
+
+
+@cache
+def _optional(model: type[BaseModel]) -> frozenset[str | None]:
+    """Names of the fields that may be absent, in Python and on the wire."""
+    fields = model.model_fields.items()
+    return frozenset(name for key, field in fields if not field.is_required() for name in (key, field.alias))
 
 
 def _number(value: Any) -> int | float:

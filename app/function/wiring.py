@@ -3,28 +3,11 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from app.function.asil import level_of, rank
-from app.function.model import PROVIDER, Contract, DataQueue, FunctionJson, Runnable, Signal, milliseconds
+from app.function.fit import Datum, End, Misfit, misfits
+from app.function.model import Contract, FunctionJson, Runnable
+from app.function.walk import data
 
-
-class End(NamedTuple):
-    """A signal at a call of a function."""
-
-    function: str
-    call: str
-    cycle: float | None
-    """Time from one call to the next, in ms; None for a call that is not cyclic."""
-    signal: Signal | DataQueue
-
-    @property
-    def path(self) -> str:
-        """What both ends of a link have in common: the VSS path, or the name where a document has none."""
-        return self.signal.vss_path or self.signal.name
-
-    @property
-    def is_provider(self) -> bool:
-        """Whether the call writes the signal."""
-        return self.signal.role == PROVIDER
+__all__ = ["End", "Link", "Wiring", "calls_of", "connect", "data_of"]
 
 
 class Link(NamedTuple):
@@ -33,8 +16,25 @@ class Link(NamedTuple):
     path: str
     provider: End
     consumer: End
-    flaws: tuple[str, ...]
-    """What does not fit, each as a sentence."""
+    misfits: tuple[Misfit, ...]
+
+    @property
+    def flaws(self) -> tuple[str, ...]:
+        """What does not fit, each as a sentence."""
+        return tuple(misfit.message for misfit in self.misfits)
+
+
+class Rivals(NamedTuple):
+    """A signal that several functions provide."""
+
+    path: str
+    providers: tuple[End, ...]
+    """The first end of each of them."""
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """Names of the functions."""
+        return tuple(end.function for end in self.providers)
 
 
 class Wiring(NamedTuple):
@@ -46,8 +46,7 @@ class Wiring(NamedTuple):
     """Consumed, and provided by no function of the set."""
     to_outside: tuple[End, ...]
     """Provided, and consumed by no function of the set."""
-    rivals: tuple[tuple[str, tuple[str, ...]], ...]
-    """Paths that several functions provide, with their names."""
+    rivals: tuple[Rivals, ...]
     unreported: tuple[tuple[str, str, str], ...]
     """(function, safety reaction, error): errors of no function of the set that a reaction waits for."""
 
@@ -55,22 +54,16 @@ class Wiring(NamedTuple):
 def connect(functions: Sequence[FunctionJson]) -> Wiring:
     """The wiring of functions. A signal that a function provides to itself is no link."""
     ends = [end for function in functions for end in ends_of(function)]
-    providers = _by_path(end for end in ends if end.is_provider)
-    consumers = _by_path(end for end in ends if not end.is_provider)
-    links = tuple(
-        Link(path, provider, consumer, tuple(_flaws(provider, consumer)))
-        for path, consuming in consumers.items()
-        for consumer in consuming
-        for provider in providers.get(path, ())
-        if provider.function != consumer.function
-    )
-    rivals = [(path, tuple(dict.fromkeys(end.function for end in each))) for path, each in providers.items()]
+    providers = by_path(end for end in ends if end.is_provider)
+    consumers = by_path(end for end in ends if end.is_consumer)
+    links = (link for path, each in consumers.items() for link in _links(providers.get(path, ()), each))
+    rivals = (Rivals(path, tuple(_first_of_each(each))) for path, each in providers.items())
     return Wiring(
         tuple(function.info.function_name for function in functions),
-        links,
+        tuple(links),
         tuple(end for path, each in consumers.items() if path not in providers for end in each),
         tuple(end for path, each in providers.items() if path not in consumers for end in each),
-        tuple((path, names) for path, names in rivals if len(names) > 1),
+        tuple(each for each in rivals if len(each.providers) > 1),
         tuple(_unreported(functions)),
     )
 
@@ -81,7 +74,7 @@ def calls_of(function: FunctionJson) -> Iterator[Runnable]:
         yield from component.runnables
 
 
-def data_of(contract: Contract) -> Iterator[Signal | DataQueue]:
+def data_of(contract: Contract) -> Iterator[Datum]:
     """Signals and queues of a contract."""
     yield from contract.signals or ()
     yield from contract.queues or ()
@@ -89,18 +82,49 @@ def data_of(contract: Contract) -> Iterator[Signal | DataQueue]:
 
 def ends_of(function: FunctionJson) -> Iterator[End]:
     """Every signal and queue of a function, each once for each call that uses it."""
-    for call in calls_of(function):
-        cycle = float(call.cycle_time) if call.cycle_time is not None else None
-        for contract in call.contracts or ():
-            for signal in data_of(contract):
-                yield End(function.info.function_name, call.name, cycle, signal)
+    return (End(function, pointer, placed.runnable, signal) for pointer, placed, signal in data(function))
 
 
-def _by_path(ends: Iterable[End]) -> dict[str, list[End]]:
+def by_path(ends: Iterable[End]) -> dict[str, list[End]]:
+    """Ends of one signal together."""
     grouped: dict[str, list[End]] = {}
     for end in ends:
         grouped.setdefault(end.path, []).append(end)
     return grouped
+
+
+def _links(providers: Sequence[End], consumers: Sequence[End]) -> Iterator[Link]:
+    """Each consumer of a signal with its provider. A further function that provides it has a link to one consumer.
+
+    Not every pair: a signal that a thousand calls give and take would have a million.
+    """
+    giving, taking = _first_of_each(providers), _first_of_each(consumers)
+    linked = set[str]()
+    for consumer in consumers:
+        provider = _other(consumer, giving)
+        if provider is not None:
+            linked.add(provider.function)
+            yield _link(provider, consumer)
+    for rival in giving:
+        taker = _other(rival, taking)
+        if taker is not None and rival.function not in linked:
+            yield _link(rival, taker)
+
+
+def _link(provider: End, consumer: End) -> Link:
+    return Link(consumer.path, provider, consumer, tuple(misfits(provider, consumer)))
+
+
+def _first_of_each(ends: Iterable[End]) -> list[End]:
+    """The first end of each function."""
+    first: dict[str, End] = {}
+    for end in ends:
+        first.setdefault(end.function, end)
+    return list(first.values())
+
+
+def _other(end: End, others: Iterable[End]) -> End | None:
+    return next((other for other in others if other.function != end.function), None)
 
 
 def _unreported(functions: Sequence[FunctionJson]) -> Iterator[tuple[str, str, str]]:
@@ -111,54 +135,3 @@ def _unreported(functions: Sequence[FunctionJson]) -> Iterator[tuple[str, str, s
     for name, contract in contracts:
         for reaction in contract.safety_reactions or ():
             yield from ((name, reaction.name, error) for error in reaction.errors if error not in reported)
-
-
-# -- what does not fit ------------------------------------------------------------------------------------------------
-
-
-def _flaws(provider: End, consumer: End) -> Iterator[str]:
-    yield from _other_meaning(provider.signal, consumer.signal)
-    yield from _other_range(provider.signal, consumer.signal)
-    given, wanted = level_of(provider.signal.asil_level), level_of(consumer.signal.asil_level)
-    if given and wanted and rank(given) < rank(wanted):
-        yield f"It is provided with {_shown(given)}, and consumed with {_shown(wanted)}."
-    timeout = milliseconds(consumer.signal.timeout)
-    if timeout and provider.cycle and provider.cycle > timeout:
-        yield f"It comes every {provider.cycle:g} ms, and its consumer waits for {timeout:g} ms at most."
-
-
-def _other_meaning(given: Signal | DataQueue, wanted: Signal | DataQueue) -> Iterator[str]:
-    pairs = (
-        ("datatype", given.vss_datatype or given.datatype, wanted.vss_datatype or wanted.datatype),
-        ("unit", given.vss_unit or given.units, wanted.vss_unit or wanted.units),
-    )
-    for what, one, other in pairs:
-        if (one or "") != (other or ""):
-            yield f"It is provided with {what} {one or 'none'}, and consumed with {other or 'none'}."
-
-
-def _other_range(given: Signal | DataQueue, wanted: Signal | DataQueue) -> Iterator[str]:
-    """Values that are provided and not expected. Both ranges are taken to the catalogue's unit."""
-    low, high = _in_catalogue_unit(given, given.min), _in_catalogue_unit(given, given.max)
-    least, most = _in_catalogue_unit(wanted, wanted.min), _in_catalogue_unit(wanted, wanted.max)
-    if low is not None and least is not None and low < least - _slack(least):
-        yield f"Values down to {low:g} are provided, and values from {least:g} on are expected."
-    if high is not None and most is not None and high > most + _slack(most):
-        yield f"Values up to {high:g} are provided, and values up to {most:g} are expected."
-
-
-def _slack(bound: float) -> float:
-    return abs(bound) * 1e-6 + 1e-9
-
-
-def _in_catalogue_unit(signal: Signal | DataQueue, value: float | None) -> float | None:
-    if value is None:
-        return None
-    try:
-        return float(signal.conversion_factor or 1) * value + float(signal.conversion_offset or 0)
-    except ValueError:
-        return None
-
-
-def _shown(level: str) -> str:
-    return "QM" if level == "QM" else f"ASIL {level}"

@@ -1,6 +1,6 @@
 """What the building of one function gathers: findings, datatypes, and where each part of the result comes from."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 
 from app.catalogue.interfaces import by_interface_name
@@ -8,11 +8,9 @@ from app.catalogue.model import Catalogue, Node
 from app.findings import Finding
 from app.function.datatypes import BY_VSS
 from app.function.document import Document, Pointer, pointer_text
+from app.function.hints import Hints
 from app.function.severities import SEVERITIES
 from app.function.types import TypeList
-from app.names import did_you_mean
-
-MOST_HINTS = 100
 
 
 class Work:
@@ -28,7 +26,7 @@ class Work:
         """Paths of the catalogue's interfaces by interface name."""
         self.datatypes = (*BY_VSS, *(node.path for node in catalogue.nodes.values() if node.type == "struct"))
         """Names of datatypes: those of VSS, and paths of structs."""
-        self._hints = 0
+        self.hint = Hints()
         self._told: set[tuple[str, Pointer]] = set()
         self.trace: dict[Pointer, Pointer] = {}
         """From parts of the Function JSON to the parts of the declaration that they were made from."""
@@ -52,11 +50,6 @@ class Work:
     def has_told(self, rule: str, at: Pointer) -> bool:
         """Whether there is a finding of this rule at this place."""
         return (rule, at) in self._told
-
-    def hint(self, name: str, candidates: Iterable[str]) -> str:
-        """A proposal of near names. Only the first hundred problems get one: the search costs a millisecond."""
-        self._hints += 1
-        return did_you_mean(name, candidates) if self._hints <= MOST_HINTS else ""
 
     def node(self, interface: str) -> Node | None:
         """The node of an interface that is given by its name or its path."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Literal, NamedTuple, get_args
 
+from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
 from app.findings import Finding, has_errors
 from app.function.model import FunctionJson
@@ -21,6 +22,7 @@ class Integrated(NamedTuple):
     report: tuple[Entry, ...]
 
 
+@collector_paused()
 def integrate(platform: Platform, functions: Sequence[FunctionJson], deployment: Deployment) -> Integrated:
     """Derive the Integration JSON for a platform. Raises InputRefused if a field of an interface has no place in it."""
     made = _ros2(functions, deployment) if platform == "ros2" else _autosar_adaptive(functions, deployment)

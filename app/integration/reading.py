@@ -1,52 +1,65 @@
 """Function files of either kind, as the functions that an integration starts from."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
+from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
-from app.findings import Finding, has_errors
-from app.function.build import build_function, is_function_json
+from app.findings import Finding, has_errors, in_order
+from app.function.build import build, is_function_json
+from app.function.declaration import Declared, read_declaration
+from app.function.document import Document, read_json
 from app.function.model import FunctionJson
-from app.function.validate import read_function_json
+from app.function.sets import with_definitions
+from app.function.validate import validated
 
 
-class ReadFunction(NamedTuple):
-    """A function, and the warnings of its file."""
+class ReadFunctions(NamedTuple):
+    """Functions, and the warnings of their files."""
 
-    function: FunctionJson
+    functions: tuple[FunctionJson, ...]
     findings: tuple[Finding, ...]
 
 
-def read_function(
-    data: bytes, name: str, catalogue: Callable[[], Catalogue], limits: Limits = DEFAULT_LIMITS
-) -> ReadFunction:
-    """The function of a `function.yaml` or a Function JSON. Only the first needs a catalogue.
+@collector_paused()
+def read_functions(
+    files: Sequence[tuple[bytes, str]], catalogue: Callable[[], Catalogue], limits: Limits = DEFAULT_LIMITS
+) -> ReadFunctions:
+    """The functions of files, `function.yaml` or Function JSON. What one defines, the others may use.
 
-    Raises InputRefused with every finding if there are errors.
+    Only `function.yaml` needs a catalogue. Raises InputRefused with every finding of every file if there are errors.
     """
-    if not is_function_json(data, name):
-        return ReadFunction(*build_function(data, name, catalogue()))
-    function, findings = read_function_json(data, name, limits=limits)
-    if function is None or has_errors(findings):
-        raise InputRefused(f"{name} cannot be integrated: it has errors.", findings)
-    _refuse_version(function, name)
-    _refuse_integration(function, name)
-    return ReadFunction(function, findings)
+    read = [
+        read_json(data, name, limits) if is_function_json(data, name) else read_declaration(data, name, limits)
+        for data, name in files
+    ]
+    declared = [each for each in read if isinstance(each, Declared)]
+    over = with_definitions(declared, catalogue()) if declared else None
+    made = [_of_json(each) if isinstance(each, Document) else _of_declaration(each, over) for each in read]
+    findings = in_order([finding for _, found in made for finding in found])
+    functions = tuple(function for function, _ in made if function is not None)
+    if has_errors(findings) or len(functions) < len(made):
+        refused = [name for (_, name), (_, found) in zip(files, made, strict=True) if has_errors(found)]
+        message = (
+            f"{', '.join(refused[:5])} cannot be integrated: {'it has' if len(refused) == 1 else 'they have'} errors."
+        )
+        raise InputRefused(message, findings)
+    return ReadFunctions(functions, findings)
 
 
-def _refuse_version(function: FunctionJson, name: str) -> None:
-    """Another major version may mean other things by the same words."""
-    version = function.meta.schema_version
-    if version is not None and version.split(".")[0] != "1":
-        message = f"{name} is of schema version {version}; sigcat reads version 1."
-        finding = Finding("F004", "error", message, name, pointer="/MetaInfo/SchemaVersion")
-        raise InputRefused(message, (finding,))
-
-
-def _refuse_integration(function: FunctionJson, name: str) -> None:
+def _of_json(document: Document) -> tuple[FunctionJson | None, tuple[Finding, ...]]:
     """Integration JSON for ROS 2 is Function JSON with more, and would be taken for a function."""
-    if "CommunicationList" in (function.model_extra or {}):
-        message = f"{name} is Integration JSON already; functions are integrated from Function JSON or function.yaml."
-        raise InputRefused(message, (Finding("F003", "error", message, name, pointer="/CommunicationList"),))
+    function, findings = validated(document, None)
+    if function is not None and "CommunicationList" in (function.model_extra or {}):
+        message = "This is Integration JSON already; functions are integrated from Function JSON or function.yaml."
+        place = document.place(("CommunicationList",))
+        found = Finding("F003", "error", message, document.name, *place, pointer="/CommunicationList")
+        return None, (*findings, found)
+    return function, findings
+
+
+def _of_declaration(declared: Declared, over: Catalogue | None) -> tuple[FunctionJson | None, tuple[Finding, ...]]:
+    assert over is not None
+    return build(declared, over)

@@ -4,8 +4,9 @@ import jsonschema
 import pytest
 import yaml
 
+from app.function.build import check_function
 from app.function.declaration import declaration_schema, read_declaration
-from tests.function.shipped import FUNCTIONS
+from tests.function.shipped import FUNCTIONS, interfaces
 
 HEAD = "function: F\ndescription: Does.\nresponsible: Team\ncomponents: [{name: F, runnables: [F_Step]}]\n"
 
@@ -67,3 +68,12 @@ def test_names_are_taken_as_they_are_written(name):
     declared = read_declaration(text.encode(), "f").declaration
     assert declared is not None
     assert declared.description == name
+
+
+def test_the_last_name_of_an_own_interface_is_answered_with_its_interface_name():
+    text = (
+        "function: CoreAcc\ndescription: Cruise control.\nresponsible: Cruise control team\n"
+        "components: [{name: CoreAcc, runnables: [CoreAcc_Init, {interface: CoreAcc_Step, errors: [AliveError]}, CoreAcc_Terminate]}]\n"
+    )
+    found = check_function(text.encode(), "f.yaml", interfaces())
+    assert ("F013", "Write 'CoreAcc_AliveError_ErrorSts'.") in {(finding.rule, finding.fix) for finding in found}

@@ -2,8 +2,8 @@
 
 import json
 import time
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -82,22 +82,50 @@ def large(count: int, path: str = "Vehicle.Speed") -> bytes:
     ).encode()
 
 
-def test_ten_thousand_signals_are_built_and_validated_quickly():
+T = TypeVar("T")
+QUICK = 3.0
+"""Seconds of the processor; each of these takes less than one where nothing else runs."""
+
+
+def quickly(work: Callable[[], T]) -> T:
+    """What the work gives; the quicker of two runs counts, as other processes share the machine."""
     interfaces()
-    start = time.perf_counter()
-    function, _ = build_function(large(10_000), "f.yaml", interfaces())
-    data = to_json(function)
-    assert len(validate_function_json(data, "f.json", interfaces())) == 10_000
+    seconds = []
+    for _ in range(2):
+        start = time.process_time()
+        result = work()
+        seconds.append(time.process_time() - start)
+    assert min(seconds) < QUICK
+    return result
+
+
+def test_ten_thousand_signals_are_built_and_validated_quickly():
+    function, _ = quickly(lambda: build_function(large(10_000), "f.yaml", interfaces()))
+    data = quickly(lambda: to_json(function))
     assert len(data) > 3_000_000
-    assert time.perf_counter() - start < 15
+    assert len(quickly(lambda: validate_function_json(data, "f.json", interfaces()))) == 10_000
 
 
 def test_ten_thousand_wrong_signals_are_told_quickly():
-    interfaces()
-    start = time.perf_counter()
-    found = check_function(large(10_000, "X.Y"), "f.yaml", interfaces())
+    found = quickly(lambda: check_function(large(10_000, "X.Y"), "f.yaml", interfaces()))
     assert sum(finding.rule == "F010" for finding in found) == 10_000
-    assert time.perf_counter() - start < 15
+
+
+@pytest.mark.parametrize(
+    ("previous", "rule", "count"),
+    [("CoreAcc_Sep{}", "F052", 10_000), ("CoreAcc_Step{}", "F053", 0), ("CoreAcc_Step0", "F053", 1)],
+    ids=["unknown", "chain", "circle"],
+)
+def test_ten_thousand_calls_are_put_in_order_quickly(previous, rule, count):
+    document = json.loads(json.dumps(FUNCTION))
+    call = {**document["ComponentList"][0]["functionList"][1], "funcContractList": None, "Watchdog": None}
+    document["FunctionInfo"]["FunctionName"] = "CoreAcc"
+    document["ComponentList"][0]["functionList"] = [
+        {**call, "Name": f"CoreAcc_Step{i}", "PrevRunnable": previous.format(i + 1)} for i in range(10_000)
+    ]
+    data = json.dumps(document).encode()
+    found = quickly(lambda: validate_function_json(data, "f.json"))
+    assert sum(finding.rule == rule for finding in found) == count
 
 
 @pytest.mark.parametrize("text", ["*/ #include <x>", '"><script>', "\\u0000", "a" * 100_000])
@@ -150,11 +178,30 @@ def test_a_mark_of_byte_order_is_taken():
     assert check_function(b"\xef\xbb\xbf" + DECLARATION, "f.yaml", interfaces()) == ()
 
 
-def test_another_version_of_the_format_is_one_clear_finding():
+@pytest.mark.parametrize(
+    ("version", "rules", "fix"),
+    [
+        ("2.1.0", ["F005"], "Use a newer sigcat"),
+        ("v2.0", ["F005"], "Use a newer sigcat"),
+        ("2", ["F005"], "Use a newer sigcat"),
+        (2, ["F005"], "Use a newer sigcat"),
+        ("0.9.0", ["F005"], "Write the document as version 1."),
+        ("10.0.0", ["F005"], "Use a newer sigcat"),
+        ("1.9.0", [], ""),
+        (None, [], ""),
+        (1.0, ["F004"], ""),
+        (["1.0.0"], ["F004"], ""),
+        ("first", ["F004"], ""),
+        ("1.0", ["F004"], ""),
+    ],
+)
+def test_another_version_of_the_format_is_one_clear_finding(version, rules, fix):
     document = json.loads(json.dumps(FUNCTION))
-    document["MetaInfo"]["SchemaVersion"] = "2.1.0"
-    found = validate_function_json(json.dumps(document).encode(), "f.json", interfaces())
-    assert [(finding.rule, finding.pointer) for finding in found] == [("F005", "/MetaInfo/SchemaVersion")]
+    document["MetaInfo"]["SchemaVersion"] = version
+    found = validate_function_json(json.dumps(document, indent=1).encode(), "f.json", interfaces())
+    assert [finding.rule for finding in found] == rules
+    assert {(finding.pointer, finding.line > 1) for finding in found} <= {("/MetaInfo/SchemaVersion", True)}
+    assert all(finding.fix.startswith(fix) for finding in found)
 
 
 @pytest.mark.parametrize("name", ["*/ #include <x>", '"><script>alert(1)</script>', "a\nb", "../../x", "A" * 5000])

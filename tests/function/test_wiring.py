@@ -60,7 +60,20 @@ def test_a_signal_that_a_function_gives_itself_is_no_link() -> None:
 
 
 def test_two_providers_of_one_signal_are_rivals() -> None:
-    assert connect([function("One", gives()), function("Two", gives())]).rivals == (("Vehicle.A", ("One", "Two")),)
+    (rivals,) = connect([function("One", gives()), function("Two", gives())]).rivals
+    assert (rivals.path, rivals.functions) == ("Vehicle.A", ("One", "Two"))
+
+
+def test_each_of_several_providers_has_a_link_and_each_consumer_one_provider() -> None:
+    wiring = connect([function("A", gives()), function("B", gives()), function("C", takes()), function("D", takes())])
+    assert [(link.provider.function, link.consumer.function) for link in wiring.links] == [
+        ("A", "C"), ("A", "D"), ("B", "C"),
+    ]  # fmt: skip
+
+
+def test_links_do_not_multiply() -> None:
+    both = [gives(), takes()] * 50
+    assert len(connect([function(f"F{i}", *both) for i in range(100)]).links) < 100 * 100
 
 
 def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
@@ -71,11 +84,11 @@ def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
 @pytest.mark.parametrize(
     ("given", "wanted", "told"),
     [
-        ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "QM, and consumed with ASIL B"),
-        ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "unit km/h, and consumed with m/s"),
-        ({"VssDatatype": "uint8"}, {}, "datatype uint8, and consumed with float"),
-        ({"Min": -5, "Max": 5}, {"Min": 0, "Max": 5}, "Values down to -5"),
-        ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "Values up to 100"),
+        ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "at QM, and Two needs B"),
+        ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "in km/h, and m/s is expected"),
+        ({"VssDatatype": "uint8"}, {}, "as uint8, and float is expected"),
+        ({"Min": -5, "Max": 5}, {"Min": 0, "Max": 5}, "down to -5, and values from 0 on are expected"),
+        ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "up to 100, and values up to 50 are expected"),
     ],
 )
 def test_what_does_not_fit_is_told(given: dict[str, Any], wanted: dict[str, Any], told: str) -> None:

@@ -16,7 +16,7 @@ from app.function.severities import SEVERITIES as OF_FUNCTIONS
 from app.integration.autosar_adaptive import derive as adaptive
 from app.integration.autosar_adaptive.document import read_integration
 from app.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
-from app.integration.reading import read_function
+from app.integration.reading import read_functions
 from app.integration.ros2 import derive as ros2
 from app.integration.ros2.limits import SEVERITIES as OF_ROS2
 from app.rules.record import load_rules
@@ -39,7 +39,7 @@ def findings_of(rule, example, folder):
         return findings_of_configuration(parts["files"], folder)
     if "document" in parts:
         return findings_of_document(parts["document"].encode())
-    read = [read_function(text.encode(), name, interfaces).function for name, text in parts["files"].items()]
+    read, _ = read_functions([(text.encode(), name) for name, text in parts["files"].items()], interfaces)
     deployment = (
         read_deployment(parts["deployment"].encode(), "deployment.yaml")
         if "deployment" in parts
@@ -123,7 +123,6 @@ def test_every_code_that_is_emitted_has_a_record():
 
 @pytest.mark.parametrize("code", [code for code, severities in sorted(emitted().items()) if severities])
 def test_a_record_has_the_gravest_severity_of_its_code(code):
-    """Some codes have two: A010 is told as information where nothing is lost."""
     (rule,) = [rule for rule in RULES if rule.id == code]
     assert code in GRADED_OTHERWISE or rule.severity == min(emitted()[code], key=SEVERITIES.index)
 

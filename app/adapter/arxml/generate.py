@@ -8,11 +8,13 @@ from app.adapter.arxml import components, deployment, interfaces, types
 from app.adapter.arxml.paths import Paths
 from app.adapter.arxml.tree import written
 from app.adapter.files import GeneratedFile
+from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
 from app.integration.autosar_adaptive.document import completed
 from app.integration.autosar_adaptive.model import IntegrationModel
 
 
+@collector_paused()
 def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
     """Types, interfaces, components and deployment, each a file. The same model gives the same bytes.
 

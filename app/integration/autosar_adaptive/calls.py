@@ -61,7 +61,7 @@ def _run_type(call: Runnable, part: Part, work: Work) -> str:
         work.report("A010", "info", message, call.name, "Trigger tells the difference.")
     if run_type is None:
         message = f"{call.name} of {part.function_name} has the run type {call.run_type!r}, which does not exist; it is taken as Cyclic."
-        work.report("A010", "warning", message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
+        work.report("A015", "warning", message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
     return run_type or "Cyclic"
 
 
@@ -158,7 +158,8 @@ def _parameter_type(parameter: Parameter, part: Part, types: TypeTable) -> model
         fields = entry.fields or (model.StructField(name="Element", type=entry.element),)
         return model.ParameterType(
             name=word, kind="structure", fields=fields, reference=word, min=parameter.min, max=parameter.max,
-            unit=parameter.units, default=parameter.default, init_value=parameter.init_value,
+            unit=parameter.units, default=parameter.default_text or parameter.default,
+            init_value=parameter.default_text or parameter.init_value,
         )  # fmt: skip
     if word == "string":
         text = parameter.default_text or ""

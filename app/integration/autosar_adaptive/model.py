@@ -4,13 +4,12 @@ What the published schema lacks is added as optional fields; source says which i
 interface is carried on, it stands inside as it is in Function JSON, so that no field of it can be lost.
 """
 
-import json
 from typing import Annotated, Any
 
 from pydantic import Field
 
 from app.function.model import Argument, DataQueue, Error, ModeInterface, SafetyReaction, Signal, Watchdog
-from app.function.wire import OWN, Integer, Number, WireModel, described
+from app.function.wire import OWN, Integer, Number, WireModel, described, written
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 
@@ -321,8 +320,7 @@ class IntegrationModel(WireModel):
 
 def to_json(model: IntegrationModel) -> bytes:
     """The document as UTF-8 text with a stable layout: the same model gives the same bytes."""
-    written = model.model_dump(mode="json")
-    return (json.dumps(written, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return written(model)
 
 
 def integration_schema() -> dict[str, Any]:

@@ -4,11 +4,10 @@ Fields of the authors' schema keep their spelling (`ROSTopicList`, `GlobalVariab
 there: packages with messages and services, nodes with their life cycle, quality of service, conversions.
 """
 
-import json
 from typing import Any
 
 from app.function.model import FunctionJson, Provenance
-from app.function.wire import OWN, Integer, Number, WireModel, described
+from app.function.wire import OWN, Integer, Number, WireModel, described, written
 
 ROS2 = "published ROS 2 integration schema 1.0.0"
 
@@ -367,7 +366,7 @@ class Ros2Integration(FunctionJson):
 
 def to_json(model: Ros2Integration) -> bytes:
     """The document as UTF-8 text with a stable layout."""
-    return (json.dumps(model.model_dump(mode="json"), indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return written(model)
 
 
 def ros2_schema() -> dict[str, Any]:

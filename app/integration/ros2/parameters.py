@@ -1,6 +1,8 @@
 """Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
 
+import json
 from collections.abc import Iterable, Mapping
+from math import isfinite
 from typing import Any
 
 from app.catalogue.datatypes import INTEGER_RANGES
@@ -17,6 +19,8 @@ from app.integration.ros2.uses import Place
 
 _LARGEST = 2**63 - 1
 """Largest integer of a parameter."""
+_LONGEST = 10_000
+"""Most elements of a default that is written."""
 
 
 def parameters_of(
@@ -97,21 +101,34 @@ def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | N
 
 
 def _default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
-    value = _one_default(item, kind, linear)
     if not kind.suffix:
-        return value
-    length = int(kind.suffix[1:-1] or 0)
-    return [value] * min(length, 10_000)
+        return _one_default(item.default_text if kind.is_text and not kind.symbols else item.init_value, kind, linear)
+    elements = _elements(item.default_text)
+    if elements is None:
+        elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
+    return [_one_default(each, kind, linear) for each in elements[:_LONGEST]]
 
 
-def _one_default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
+def _elements(text: str | None) -> list[Any] | None:
+    """Elements of an array, which Function JSON has as JSON in a text."""
+    try:
+        value = json.loads(text) if text else None
+    except (ValueError, RecursionError):
+        return None
+    return value if isinstance(value, list) else None
+
+
+def _one_default(given: Any, kind: FieldType, linear: Linear) -> Any:
     assert kind.element is not None
+    if kind.is_text and kind.symbols:
+        names = {symbol.value: symbol.symbol for symbol in kind.symbols}
+        return given if given in names.values() else names.get(given, "")
     if kind.is_text:
-        named = {symbol.value: symbol.symbol for symbol in kind.symbols}
-        return named.get(int(item.init_value), "") if kind.symbols else item.default_text or ""
+        return given if isinstance(given, str) else ""
+    number = given if isinstance(given, int | float) and isfinite(given) else 0
     if kind.element.vss == "boolean":
-        return bool(item.init_value)
-    value = converted(item.init_value, linear) or 0
+        return bool(number)
+    value = converted(number, linear) or 0
     return round(value) if kind.element.vss in INTEGER_RANGES else float(value)
 
 

@@ -226,12 +226,14 @@ def _interface(mine: Sequence[Use]) -> str:
 
 
 def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
+    slowest: dict[str, int] = {}
+    for use in topic.uses:
+        if use.is_provider and use.cycle:
+            slowest[use.key] = max(use.cycle, slowest.get(use.key, 0))
     for use in mine:
-        cycles = [other.cycle for other in topic.uses if other.is_provider and other.key == use.key and other.cycle]
-        if use.timeout and not use.is_provider and cycles and use.timeout < 2 * max(cycles):
-            message = (
-                f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {max(cycles)} ms."
-            )
+        cycle = slowest.get(use.key)
+        if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
+            message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {cycle} ms."
             limits.report("N213", use.interface, message, "One late value sets it: allow twice the cycle.")
 
 

@@ -186,6 +186,12 @@ def test_a_call_on_events_is_told():
     assert derived.model.components[0].calls[0].trigger == "Event"
 
 
+def test_a_run_type_that_does_not_exist_is_told_by_another_code():
+    derived = derive([function(signals=[at("Vehicle.A.B")], call={"Runtype": "Sometimes"})])
+    assert rules(derived) == ["A015"]
+    assert derived.model.components[0].calls[0].run_type == "Cyclic"
+
+
 def test_methods_have_arguments_and_an_id():
     method = {
         "Name": "SetSpeed", "Description": "Sets it.", "Role": "Provider",
@@ -456,9 +462,9 @@ def test_no_function_is_refused():
 
 
 def test_ten_thousand_signals_are_quick():
-    from time import perf_counter
+    from time import process_time
 
     one = function(signals=[at(f"Vehicle.Branch{i % 50}.Signal{i}") for i in range(10_000)])
-    start = perf_counter()
+    start = process_time()
     derive([one])
-    assert perf_counter() - start < 10
+    assert process_time() - start < 10

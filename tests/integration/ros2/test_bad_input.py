@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from app.errors import InputRefused
 from app.function.model import to_json as function_to_json
 from app.integration.names import FIELD, MESSAGE
-from app.integration.reading import read_function
+from app.integration.reading import read_functions
 from app.integration.report import to_markdown
 from app.integration.ros2.derive import derive
 from app.integration.ros2.document import read_integration
@@ -82,7 +82,7 @@ def test_ten_thousand_signals_are_quick():
 )
 def test_what_is_no_function_json_is_refused(data, rule):
     with pytest.raises(InputRefused) as refused:
-        read_function(data, "function.json", no_catalogue)
+        read_functions([(data, "function.json")], no_catalogue)
     assert refused.value.findings
     assert rule is None or rule in {finding.rule for finding in refused.value.findings}
 
@@ -90,7 +90,7 @@ def test_what_is_no_function_json_is_refused(data, rule):
 def test_ten_megabytes_are_refused_or_read_within_seconds():
     start = time.perf_counter()
     with pytest.raises(InputRefused):
-        read_function(b'{"FunctionInfo": "' + b"x" * 10_000_000 + b'"}', "function.json", no_catalogue)
+        read_functions([(b'{"FunctionInfo": "' + b"x" * 10_000_000 + b'"}', "function.json")], no_catalogue)
     assert time.perf_counter() - start < 3
 
 
@@ -98,14 +98,15 @@ def test_another_schema_version_is_refused():
     data = json.loads(function_to_json(function(signal())))
     data["MetaInfo"] = {"SchemaVersion": "2.0.0"}
     with pytest.raises(InputRefused) as refused:
-        read_function(json.dumps(data).encode(), "function.json", no_catalogue)
+        read_functions([(json.dumps(data).encode(), "function.json")], no_catalogue)
     assert any("2.0.0" in finding.message for finding in refused.value.findings)
 
 
 def test_integration_json_is_no_function():
     data = to_json(derive([function(signal())]).model)
-    with pytest.raises(InputRefused, match="Integration JSON already"):
-        read_function(data, "ros2.json", no_catalogue)
+    with pytest.raises(InputRefused, match="cannot be integrated") as refused:
+        read_functions([(data, "ros2.json")], no_catalogue)
+    assert any("Integration JSON already" in finding.message for finding in refused.value.findings)
 
 
 def test_a_document_is_read_back_and_a_defect_has_its_place():

@@ -1,0 +1,58 @@
+"""Start values that are no numbers: carried, or told."""
+
+import json
+
+import pytest
+
+from app.function.build import build_function
+from app.function.model import FunctionJson
+from app.integration.deployment import DEFAULT_DEPLOYMENT
+from app.integration.platforms import integrate
+from tests.function.shipped import interfaces
+
+ARRAY = "Vehicle.ADAS.EcoControl.Gains"
+
+
+def built(uses: str, define: str = "") -> tuple[FunctionJson, list[tuple[str, str]]]:
+    text = (
+        "function: CoreAcc\ndescription: Cruise control.\nresponsible: Cruise control team\n"
+        f"define: {{data: {{{define}}}}}\n"
+        f"components: [{{name: CoreAcc, runnables: [CoreAcc_Init, {{interface: CoreAcc_Step, errors: [CoreAcc_AliveError_ErrorSts], {uses}}}, CoreAcc_Terminate]}}]\n"
+    )
+    function, findings = build_function(text.encode(), "f.yaml", interfaces())
+    return function, [(finding.rule, finding.pointer) for finding in findings if finding.rule == "F017"]
+
+
+ARTIST = "Vehicle.Cabin.Infotainment.Media.Played.Artist"
+AT = "/components/0/runnables/1/data/0"
+
+
+@pytest.mark.parametrize(
+    ("data", "define", "told"),
+    [
+        (f"{{path: {ARTIST}, role: consumed, init: nobody}}", "", [("F017", f"{AT}/init")]),
+        (f"{{path: {ARTIST}, role: consumed}}", "", []),
+        ("{path: Vehicle.Speed, role: consumed, init: 3}", "", []),
+        (
+            f"{{path: {ARRAY}, role: consumed, provider: Car}}",
+            f"{ARRAY}: {{type: sensor, datatype: 'float[]', arraysize: 2, default: [1.0, 2.5], description: Gains.}}",
+            [("F017", AT)],
+        ),
+    ],
+)
+def test_what_a_signal_cannot_start_from_is_told(data: str, define: str, told: list[tuple[str, str]]) -> None:
+    assert built(f"data: [{data}]", define)[1] == told
+
+
+def test_the_elements_of_a_parameter_go_all_the_way() -> None:
+    define = f"{ARRAY}: {{type: attribute, datatype: 'float[]', arraysize: 2, unit: km/h, default: [36, 72], description: Gains.}}"
+    function, told = built(f"parameters: [{{path: {ARRAY}, unit: m/s, variable: par.gains}}]", define)
+    assert told == []
+    contracts = [contract for call in function.components[0].runnables for contract in call.contracts or ()]
+    (parameter,) = [parameter for contract in contracts for parameter in contract.parameters or ()]
+    assert parameter.default_text == "[10, 20]"
+    adaptive = json.loads(integrate("autosar-adaptive", [function], DEFAULT_DEPLOYMENT).document)
+    assert '"Default": "[10, 20]"' in json.dumps(adaptive)
+    ros = integrate("ros2", [function], DEFAULT_DEPLOYMENT).document.decode()
+    assert "36.0" in ros
+    assert "72.0" in ros
