@@ -8,12 +8,12 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from playwright.sync_api import Browser, Error, sync_playwright
+from playwright.sync_api import Browser, Error, Page, sync_playwright
 
 ROOT = Path(__file__).parent.parent
 SHOWN = ROOT / "docs" / "pictures"
@@ -36,14 +36,37 @@ class Picture(NamedTuple):
     scheme: Literal["light", "dark"] = "light"
     width: int = 1280
     height: int = 800
-
     is_shown: bool = False
     """Whether the README shows it."""
+
+    prepare: Callable[[Page], None] | None = None
+    """What is done on the page before."""
 
     @property
     def file(self) -> Path:
         """Where it goes."""
         return (SHOWN if self.is_shown else OTHERS) / f"{self.name}.png"
+
+
+def post_functions(page: Page) -> None:
+    """Connect a posted function, whose unit is wrong, with a shipped one."""
+    made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
+    page.get_by_text("Functions of your own").click()
+    wrong = made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"')
+    page.get_by_role("textbox", name="Documents").fill(f"--- # eco_control_mpc.json\n{wrong}")
+    page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
+    page.get_by_role("button", name="Connect these").click()
+    page.wait_for_selector(".wire.flawed")
+
+
+def open_show(page: Page) -> None:
+    """Open the menu of overlays and instances."""
+    page.get_by_text("Show", exact=True).click()
+
+
+def write_functions(page: Page) -> None:
+    """Open the form for functions of one's own."""
+    page.get_by_text("Functions of your own").click()
 
 
 _SIGNAL = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationRequest"
@@ -56,7 +79,8 @@ PAGES = (
     Picture("changes", "/changes?old=vss&new=interfaces", is_shown=True),
     Picture("tree-dark", _ERROR, "dark"),
     Picture("tree-narrow", "/tree/interfaces/Vehicle.Cabin.HVAC", width=360, height=780),
-    Picture("tree-wide", "/tree/interfaces/Vehicle.Powertrain.TractionBattery", width=1920, height=1080),
+    Picture("tree-wall", _SIGNAL, width=2560, height=1440),
+    Picture("tree-menu", _SIGNAL, prepare=open_show),
     Picture("tree-folded", "/tree/interfaces~folded/Vehicle.Chassis.Axle.Wheel"),
     Picture("error-interface", _ERROR),
     Picture("search", "/search/interfaces?q=wheel+speed"),
@@ -69,16 +93,25 @@ PAGES = (
     Picture("function-dark", "/functions/core_acc", "dark"),
     Picture("function-findings", "/functions/core_acc?catalogue=vss"),
     Picture("function-arxml", "/functions/core_acc?view=arxml"),
+    Picture("function-wall", "/functions/core_acc", width=2560, height=1440),
     Picture("function-narrow", "/functions/core_acc", width=360, height=780),
     Picture("wiring-dark", "/wiring?f=core_acc&f=eco_control_mpc&f=wheel_speed_calculation", "dark"),
+    Picture("wiring-narrow", "/wiring", width=360, height=780),
+    Picture("wiring-own", "/wiring", prepare=write_functions),
+    Picture("wiring-mismatch", "/wiring", prepare=post_functions),
+    Picture("wiring-mismatch-dark", "/wiring", "dark", prepare=post_functions),
+    Picture("changes-dark", "/changes?old=vss&new=interfaces", "dark"),
     Picture("changes-narrow", "/changes?old=vss&new=interfaces", width=360, height=780),
     Picture("try", "/try"),
-    Picture("try-function-dark", "/try?kind=function", "dark", 1920, 1080),
+    Picture("try-function", "/try?kind=function"),
+    Picture("try-function-dark", "/try?kind=function", "dark", 2560, 1440),
     Picture("try-narrow", "/try", width=360, height=780),
     Picture("rules", "/rules"),
     Picture("rule", "/rules/I201"),
     Picture("rule-dark", "/rules/I201", "dark"),
+    Picture("rule-narrow", "/rules/I201", width=360, height=780),
     Picture("units", "/units/interfaces"),
+    Picture("units-narrow", "/units/interfaces", width=360, height=780),
     Picture("catalogue", "/catalogues/interfaces"),
     Picture("catalogue-dark", "/catalogues/interfaces", "dark"),
     Picture("api", "/docs"),
@@ -133,6 +166,8 @@ def take(picture: Picture, address: str, browser: Browser) -> None:
     page.goto(address + picture.address)
     if page.locator("[data-tree]").count():
         page.wait_for_selector("[data-ready]")
+    if picture.prepare:
+        picture.prepare(page)
     page.wait_for_load_state("networkidle")
     page.screenshot(path=picture.file)
     page.close()

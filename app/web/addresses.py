@@ -1,7 +1,16 @@
 """Addresses of pages."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from urllib.parse import quote, urlencode
+
+_IN_QUERY = {
+    "functions": "catalogue",
+    "wiring": "catalogue",
+    "try": "catalogue",
+    "rules": "catalogue",
+    "changes": "new",
+}
+"""Pages whose catalogue is named in the query, by the first part of their address."""
 
 
 class Addresses:
@@ -22,6 +31,19 @@ class Addresses:
         """A query of what is not empty, with its question mark; empty if nothing is left."""
         kept = {name: value for name, value in given.items() if value}
         return f"?{urlencode(kept)}" if kept else ""
+
+    def other_catalogue(
+        self, route: str, names: Mapping[str, str], query: Iterable[tuple[str, str]], catalogue: str
+    ) -> str:
+        """The page of a route for another catalogue, with everything else that its address says."""
+        parts = route.strip("/").split("/")
+        parameter = _IN_QUERY.get(parts[0], "")
+        if not parameter and "{catalogue}" not in parts:
+            return self.tree(catalogue)
+        known = {**{f"{{{name}}}": value for name, value in names.items()}, "{catalogue}": catalogue}
+        kept = [(name, value) for name, value in query if name not in (parameter, "cursor", "part")]
+        given = urlencode([*kept, (parameter, catalogue)] if parameter else kept)
+        return self.page(*(known.get(part, part) for part in parts)) + (f"?{given}" if given else "")
 
     def tree(self, catalogue: str, path: str = "", opened: str = "", start: int = 0) -> str:
         """The tree with a node selected and branches open."""

@@ -2,19 +2,19 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Annotated, NamedTuple
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from app.api.requests import TheLibrary
+from app.api.requests import TheHeavyWork, TheLibrary
 from app.catalogue.changes import CLASSES, KINDS, Change
 from app.catalogue.diff import compare
 from app.catalogue.hosting import Hosted, Library
 from app.catalogue.model import Catalogue
+from app.catalogue.variants import find_hosted
 from app.web.rendering import page
-from app.web.variants import find_hosted
 
 router = APIRouter()
 _MOST = 1_000
@@ -42,9 +42,10 @@ class Facet(NamedTuple):
 
 
 @router.get("/changes")
-def show_changes(
+async def show_changes(
     request: Request,
     library: TheLibrary,
+    heavy: TheHeavyWork,
     old: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     new: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     compatibility: Annotated[str, Query(alias="class")] = "",
@@ -52,8 +53,8 @@ def show_changes(
     below: Annotated[str, Query(max_length=500)] = "",
 ) -> Response:
     """The changes from one catalogue to another, as a tree with filters."""
-    before, after = _sides(library, old, new)
-    changes = changes_between(before.catalogue, after.catalogue)
+    before, after = await heavy.run(partial(_sides, library, old, new))
+    changes = await heavy.run(partial(changes_between, before.catalogue, after.catalogue))
     filters = {"class": compatibility, "kind": kind}
     within = [change for change in changes if not below or f"{_place(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]

@@ -2,6 +2,9 @@
 
 from collections.abc import Sequence
 from typing import NamedTuple
+from urllib.parse import quote
+
+from starlette.responses import Response
 
 from app.adapter.arxml.generate import generate
 from app.errors import InputRefused
@@ -43,6 +46,13 @@ def integrations_of(functions: Sequence[FunctionJson], name: str) -> tuple[MadeD
     """What is made from functions for each platform, as it is without a deployment file."""
     adaptive = _integration("autosar-adaptive", "AUTOSAR adaptive", functions, name)
     return (adaptive, _integration("ros2", "ROS 2", functions, name), *_arxml(functions))
+
+
+def attached(document: MadeDocument) -> Response:
+    """The document as a file to be kept."""
+    disposition = f"attachment; filename*=UTF-8''{quote(document.file, safe='')}"
+    content = document.text.encode("utf-8", "replace")
+    return Response(content, media_type=document.media_type, headers={"Content-Disposition": disposition})
 
 
 def _integration(platform: Platform, title: str, functions: Sequence[FunctionJson], name: str) -> MadeDocument:

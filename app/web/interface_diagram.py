@@ -5,6 +5,7 @@ from typing import Literal, NamedTuple
 
 from app.function.model import PROVIDER, FunctionJson, Runnable
 from app.function.wiring import calls_of, data_of
+from app.web.typesetting import unit as typeset_unit
 
 WIDTH = 1120
 BOX_LEFT, BOX_RIGHT = 380, 740
@@ -98,9 +99,12 @@ def when(call: Runnable) -> str:
 
 
 def short(path: str) -> str:
-    """A path without its root, cut at the front where it is long."""
+    """A path without its root; of a long one, the last names that fit."""
     text = path.partition(".")[2] or path
-    return text if len(text) <= _LONGEST else f"…{text[-_LONGEST + 1 :]}"
+    if len(text) <= _LONGEST:
+        return text
+    end = text[-_LONGEST + 1 :]
+    return f"…{end.partition('.')[2] or end}"
 
 
 def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
@@ -172,7 +176,7 @@ def _label(path: str | None, name: str) -> str:
 
 
 def _with(name: str, unit: str | None) -> str:
-    return f"{name} [{unit}]" if unit else name
+    return f"{name} [{typeset_unit(unit)}]" if unit else name
 
 
 def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> tuple[list[Port], list[Heading], int]:

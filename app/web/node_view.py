@@ -1,18 +1,19 @@
 """What the page of a node shows: the node as the API has it, resolved further for readers."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from app.api import schemas
 from app.api.presenting import node_detail
 from app.catalogue.model import Catalogue, Node
 from app.catalogue.static_id import static_id
-from app.integration.autosar_names import event_name, short_name
-from app.integration.names import field_name, message_name
+from app.catalogue.variants import instance_counts
+from app.integration.autosar_names import branch_of, event_name, service_name, short_name
+from app.integration.names import field_name, message_name, topic_name
+from app.names import last_name
 from app.rules.record import Rule
 from app.web.range_bar import RangeBar, range_bar
 from app.web.shelf import Use, uses
-from app.web.variants import instance_counts
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
 MOST_CHILDREN = 400
@@ -48,6 +49,7 @@ class NodeView(NamedTuple):
 def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) -> NodeView:
     """Everything that the page of a node shows."""
     detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
+    used = tuple(uses(catalogue).get(node.path, ()))
     values = {attribute.name: attribute.value for attribute in detail.attributes}
     return NodeView(
         detail,
@@ -55,8 +57,8 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) 
         range_bar(node.values),
         _ordered(detail.attributes),
         values,
-        _names(node, detail),
-        _uses(catalogue, node),
+        _names(node, detail, used),
+        used,
         0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
         len(node.children),
         field_units,
@@ -78,11 +80,6 @@ def field_units_of(rules: Iterable[Rule]) -> dict[str, str]:
     return units
 
 
-def _uses(catalogue: Catalogue, node: Node) -> tuple[Use, ...]:
-    found = uses(catalogue)
-    return tuple(found.get(node.path, ()))
-
-
 def _crumbs(path: str) -> list[Crumb]:
     names = path.split(".")
     return [Crumb(name, ".".join(names[: position + 1])) for position, name in enumerate(names)]
@@ -94,18 +91,38 @@ def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ..
     return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
 
 
-def _names(node: Node, detail: schemas.Node) -> tuple[tuple[str, str], ...]:
+def _names(node: Node, detail: schemas.Node, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+    """The name of a node for each of those who have rules of their own for names."""
     names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
     if detail.interface_name:
-        return (("Interface", detail.interface_name), *names, ("AUTOSAR", short_name(detail.interface_name)))
+        return (("Interface", detail.interface_name), *names, *_names_of_interface(detail.interface_name))
     if not node.is_leaf:
         return (*names, ("ROS 2 message", message_name(node.path.partition(".")[2] or node.path).text))
-    below_root = node.path.partition(".")[2] or node.path
+    return (*names, *_names_of_signal(node.path, used), ("Static id", static_id(node)))
+
+
+def _names_of_signal(path: str, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+    variable = field_name(path.partition(".")[2] or path).text
+    provider = next((use.component for use in used if use.verb == "provides"), branch_of(path))
+    service, event = service_name(provider), event_name(path)
     return (
-        *names,
-        ("C, C++, Python", field_name(below_root).text),
-        ("ROS 2 field", field_name(node.name).text),
-        ("SOME/IP event", event_name(node.path)),
-        ("AUTOSAR", event_name(node.path)),
-        ("Static id", static_id(node)),
+        ("C", variable),
+        ("C++ (ara::com)", f"{service}Proxy::{event}"),
+        ("Python", variable),
+        ("ROS 2 topic", topic_name(*path.split("."))),
+        ("ROS 2 field", field_name(last_name(path)).text),
+        ("SOME/IP event", event),
+        ("AUTOSAR", f"{service}/{event}"),
+    )
+
+
+def _names_of_interface(name: str) -> tuple[tuple[str, str], ...]:
+    variable, event = field_name(name).text, short_name(name)
+    return (
+        ("C", variable),
+        ("C++ (ara::com)", event),
+        ("Python", variable),
+        ("ROS 2 field", variable),
+        ("SOME/IP event", event),
+        ("AUTOSAR", event),
     )

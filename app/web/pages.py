@@ -11,10 +11,11 @@ from app.api.catalogues import SearchQuery, find_node
 from app.api.cursors import cursor_of, offset_of
 from app.api.presenting import catalogue_detail, node_detail, rule_detail
 from app.api.problems import KINDS
-from app.api.requests import TheLibrary, TheRules, TheSettings, library_of
+from app.api.requests import AnyCatalogue, NamedCatalogue, TheLibrary, TheRules, TheSettings, library_of
 from app.api.versions import version_of
 from app.catalogue.hosting import Hosted
 from app.catalogue.search import FACETS
+from app.catalogue.variants import folding, instance_counts, overlay_switches, stand_in
 from app.errors import NotFound
 from app.rules.record import Rule
 from app.web.addresses import Addresses
@@ -22,7 +23,6 @@ from app.web.node_view import field_units_of, node_view
 from app.web.rendering import page
 from app.web.sunburst import Sunburst, sunburst
 from app.web.tree_rows import OpenBranches, rows_below, visible_rows
-from app.web.variants import find_hosted, folding, instance_counts, overlay_switches, stand_in
 
 router = APIRouter()
 _ROWS = 400
@@ -53,17 +53,16 @@ def show_home(request: Request, library: TheLibrary, opened: Opened = "", start:
 
 
 @router.get("/tree/{catalogue}")
-def show_tree(request: Request, library: TheLibrary, catalogue: str, opened: Opened = "", start: From = 0) -> Response:
+def show_tree(request: Request, hosted: AnyCatalogue, opened: Opened = "", start: From = 0) -> Response:
     """The tree with nothing selected."""
-    return _tree(request, find_hosted(library, catalogue), "", opened, start)
+    return _tree(request, hosted, "", opened, start)
 
 
 @router.get("/tree/{catalogue}/{path}")
 def show_node(
-    request: Request, library: TheLibrary, catalogue: str, path: str, opened: Opened = "", start: From = 0
+    request: Request, library: TheLibrary, hosted: AnyCatalogue, path: str, opened: Opened = "", start: From = 0
 ) -> Response:
     """The tree with a node selected; with `.json` after the path, the node as the API has it."""
-    hosted = find_hosted(library, catalogue)
     if path not in hosted.catalogue.nodes and path.endswith(".json"):
         node = find_node(hosted.catalogue, path.removesuffix(".json"))
         return JSONResponse(node_detail(hosted.catalogue, node).model_dump())
@@ -74,10 +73,9 @@ def show_node(
 
 @router.get("/rows/{catalogue}")
 def list_rows(
-    library: TheLibrary, catalogue: str, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
+    hosted: AnyCatalogue, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
 ) -> Response:
     """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
-    hosted = find_hosted(library, catalogue)
     nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
     is_current = version == version_of(hosted)
     caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
@@ -87,10 +85,9 @@ def list_rows(
 
 @router.get("/search/{catalogue}")
 def show_search(
-    request: Request, library: TheLibrary, settings: TheSettings, catalogue: str, query: Annotated[PageQuery, Query()]
+    request: Request, hosted: AnyCatalogue, settings: TheSettings, query: Annotated[PageQuery, Query()]
 ) -> Response:
     """Search results with the counts of every filter."""
-    hosted = find_hosted(library, catalogue)
     text = query.q[: settings.query_characters]
     digest = hosted.catalogue.digest
     offset = offset_of(query.cursor, digest) if query.cursor else 0
@@ -103,7 +100,7 @@ def show_search(
         text=text,
         sought=text.replace(".", " ").split(),
         filters=query.filters,
-        facets=_facets(result.facets, query.filters),
+        facets=_facets(result.facets, query.filters, result.total),
         result=result,
         offset=offset,
         cursor=cursor_of(following, digest) if result.nodes and following < result.total else None,
@@ -111,9 +108,8 @@ def show_search(
 
 
 @router.get("/units/{catalogue}")
-def show_units(request: Request, library: TheLibrary, catalogue: str) -> Response:
+def show_units(request: Request, hosted: AnyCatalogue) -> Response:
     """Units by quantity."""
-    hosted = find_hosted(library, catalogue)
     by_quantity: dict[str, list[object]] = {}
     for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
         by_quantity.setdefault(unit.quantity, []).append(unit)
@@ -121,16 +117,14 @@ def show_units(request: Request, library: TheLibrary, catalogue: str) -> Respons
 
 
 @router.get("/catalogues/{catalogue}")
-def show_catalogue(request: Request, library: TheLibrary, catalogue: str) -> Response:
+def show_catalogue(request: Request, hosted: AnyCatalogue) -> Response:
     """A catalogue's layers and findings."""
-    hosted = find_hosted(library, catalogue)
     return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted), sunburst=_picture(hosted))
 
 
 @router.get("/rules")
-def show_rules(request: Request, library: TheLibrary, rules: TheRules, catalogue: str | None = None) -> Response:
+def show_rules(request: Request, hosted: NamedCatalogue, rules: TheRules) -> Response:
     """Every rule, with the number of its findings in a catalogue."""
-    hosted = library.default if catalogue is None else find_hosted(library, catalogue)
     by_category: dict[str, list[Rule]] = {}
     for rule in rules.rules:
         by_category.setdefault(rule.category, []).append(rule)
@@ -139,13 +133,10 @@ def show_rules(request: Request, library: TheLibrary, rules: TheRules, catalogue
 
 
 @router.get("/rules/{rule_id}")
-def show_rule(
-    request: Request, library: TheLibrary, rules: TheRules, rule_id: str, catalogue: str | None = None
-) -> Response:
+def show_rule(request: Request, hosted: NamedCatalogue, rules: TheRules, rule_id: str) -> Response:
     """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
     if rule_id.endswith(".json"):
         return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
-    hosted = library.default if catalogue is None else find_hosted(library, catalogue)
     rule = rule_detail(rules.get(rule_id))
     findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
     return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
@@ -200,13 +191,13 @@ def _picture(hosted: Hosted) -> Sunburst | None:
 
 
 def _facets(
-    counted: Mapping[str, Mapping[str, int]], filters: Mapping[str, str]
+    counted: Mapping[str, Mapping[str, int]], filters: Mapping[str, str], total: int
 ) -> list[tuple[str, str, list[tuple[str, int]], str]]:
-    """Filters with something to choose from: (facet, title, values with counts, chosen value)."""
+    """Filters that would narrow the results: (facet, title, values with counts, chosen value)."""
     facets = []
     for facet in FACETS:
         values = sorted(counted.get(facet, {}).items(), key=lambda item: (-item[1], item[0]))
         chosen = filters.get(facet, "")
-        if chosen or len(values) > 1:
+        if chosen or any(number < total for _, number in values):
             facets.append((facet, _FACET_WORDS[facet], values, chosen))
     return facets

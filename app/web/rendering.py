@@ -1,5 +1,8 @@
 """Templates to responses. Every value is escaped; an undefined one is an error."""
 
+from collections.abc import Callable, Mapping
+from functools import partial
+from http import HTTPStatus
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +14,9 @@ from app import __version__
 from app.api.presenting import finding_schema, plain_text, shown_file
 from app.api.requests import library_of
 from app.api.schemas import Problem
+from app.catalogue.variants import choice_of
 from app.web.addresses import Addresses
-from app.web.typesetting import count, marked, number, with_code
+from app.web.typesetting import breakable, count, date, marked, number, unit, with_code
 
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
@@ -30,8 +34,10 @@ _ENVIRONMENT = Environment(
     trim_blocks=True,
     lstrip_blocks=True,
 )
-_ENVIRONMENT.filters.update(number=number, marked=marked, with_code=with_code, shown_file=shown_file)
-_ENVIRONMENT.filters["shown_finding"] = finding_schema
+_ENVIRONMENT.filters.update(
+    number=number, unit=unit, date=date, breakable=breakable, marked=marked, with_code=with_code
+)
+_ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
@@ -40,8 +46,10 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
     part = template.replace(".html", ".part.html")
     name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
     context.setdefault("hosted", None)
+    to = Addresses(request.scope.get("root_path", ""))
     text = _ENVIRONMENT.get_template(name).render(
-        to=Addresses(request.scope.get("root_path", "")),
+        to=to,
+        for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
         library=library_of(request),
         address=request.url.path,
         request_method=request.method,
@@ -50,9 +58,26 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
 
 
-def problem_page(request: Request, problem: Problem) -> HTMLResponse:
-    """A problem as a page; near paths become links into the catalogue that the address names."""
+def _for_catalogue(request: Request, to: Addresses, *, is_problem: bool) -> Callable[[str], str]:
+    """Addresses of this page for other catalogues; of the tree where the page would make no sense."""
+    route = "" if is_problem else getattr(request.scope.get("route"), "path", "")
+    query = request.query_params.multi_items() if request.method == "GET" else []
+    return partial(to.other_catalogue, route, request.path_params, query)
+
+
+def problem_page(request: Request, problem: Problem, headers: Mapping[str, str] | None = None) -> HTMLResponse:
+    """A problem as a page with its headers; near paths become links into the catalogue that the address names."""
     catalogue = request.path_params.get("catalogue")
     known = {hosted.source.id: hosted for hosted in library_of(request)}
-    hosted = known.get(catalogue) if isinstance(catalogue, str) else None
-    return page(request, "problem.html", problem.status, problem=problem, hosted=hosted)
+    hosted = known.get(choice_of(catalogue).base) if isinstance(catalogue, str) else None
+    given = dict(headers or {})
+    shown = page(
+        request,
+        "problem.html",
+        problem.status,
+        problem=problem,
+        hosted=hosted,
+        retry_after=given.get("Retry-After", ""),
+    )
+    shown.headers.update(given)
+    return shown

@@ -42,6 +42,8 @@ class Use(NamedTuple):
     call: str
     name: str
     """Name inside the function, where it has one of its own."""
+    component: str
+    """The component whose call it is; empty for a mode, which concerns the whole function."""
 
 
 @lru_cache(maxsize=8)
@@ -84,9 +86,10 @@ def uses(catalogue: Catalogue) -> Mapping[str, Sequence[Use]]:
 def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None, Use]]:
     name = function.info.function_name
     made: list[tuple[str | None, Use]] = []
+    components = {call.name: component.name for component in function.components for call in component.runnables}
 
     def add(path: str | None, verb: str, call: str = "", own: str = "") -> None:
-        made.append((path, Use(function_id, name, verb, call, own)))
+        made.append((path, Use(function_id, name, verb, call, own, components.get(call, ""))))
 
     for call in calls_of(function):
         add(call.vss_path, "runs")

@@ -1,5 +1,6 @@
 """The whole service: the API, and pages for people on top of it."""
 
+from http import HTTPStatus
 from pathlib import Path
 
 from fastapi import FastAPI, Request
@@ -13,7 +14,7 @@ from app.api.problems import answer_problem, problem_from
 from app.api.settings import DEFAULT_SETTINGS, Settings
 from app.catalogue.hosting import Library
 from app.errors import SigcatError
-from app.web import change_pages, function_pages, pages, reference, try_pages
+from app.web import change_pages, function_pages, pages, reference, set_pages, try_pages
 from app.web.headers import SecurityHeaders
 from app.web.rendering import problem_page
 
@@ -23,7 +24,7 @@ _STATIC = Path(__file__).parent / "static"
 def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
     """The API with the browser pages."""
     app = create_app(library, settings)
-    for module in (function_pages, try_pages, change_pages, pages, reference):
+    for module in (function_pages, set_pages, try_pages, change_pages, pages, reference):
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
@@ -39,6 +40,6 @@ async def _answer(request: Request, error: Exception) -> Response:
     if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):
         return await answer_problem(request, error)
     problem = problem_from(error)
-    if problem.status >= 500:
+    if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
         await answer_problem(request, error)
-    return problem_page(request, problem)
+    return problem_page(request, problem, getattr(error, "headers", None))

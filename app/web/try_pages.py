@@ -1,26 +1,28 @@
 """A page on which one writes an overlay, a tree or a function, and sees at once what is wrong with it."""
 
+from functools import partial
 from typing import Annotated, Literal, NamedTuple
-from urllib.parse import parse_qs
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from app.api.presenting import finding_counts
-from app.api.requests import PostedText, TheLibrary, TheRules
+from app.api.requests import NamedCatalogue, PostedBody, TheHeavyWork, TheLibrary, TheRules, settings_of
 from app.api.rulebook import RuleBook
 from app.catalogue.hosting import Hosted
+from app.catalogue.limits import Limits
 from app.catalogue.model import Catalogue
 from app.data import OVERLAYS
-from app.errors import UsageError
+from app.errors import NotFound, UsageError
 from app.findings import Finding
 from app.function.build import build, is_function_json
 from app.function.declaration import read_declaration
 from app.function.model import FunctionJson
 from app.function.validate import read_function_json
+from app.names import nearest
 from app.rules.lint import lint_text
-from app.web.documents import documents_of
-from app.web.function_pages import Named, named
+from app.web.documents import attached, documents_of
+from app.web.forms import Form, form_catalogue, read_form
 from app.web.interface_diagram import interface_diagram
 from app.web.rendering import page
 from app.web.shelf import FILE, from_shelf
@@ -68,49 +70,70 @@ class Tried(NamedTuple):
 
 
 @router.get("/try")
-def show_try(
+async def show_try(
     request: Request,
-    library: TheLibrary,
+    hosted: NamedCatalogue,
     rules: TheRules,
+    heavy: TheHeavyWork,
     kind: Kind = "overlay",
-    catalogue: Named = None,
     example: Annotated[str, Query(max_length=100)] = "",
 ) -> Response:
     """The page with a text to begin with: a shipped function, a shipped overlay, or a few lines."""
-    hosted = named(library, catalogue)
-    return _page(request, hosted, rules, kind, _beginning(kind, example, hosted.catalogue))
+    return await heavy.run(lambda: _page(request, hosted, rules, kind, _beginning(kind, example, hosted.catalogue)))
 
 
 @router.post("/try")
-def try_text(request: Request, library: TheLibrary, rules: TheRules, body: PostedText) -> Response:
-    """The page with what was found in the posted text. Nothing of it is kept."""
-    try:
-        form = parse_qs(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=10)
-    except ValueError:
-        raise UsageError("The form has more fields than there are on the page.") from None
-    posted = {name: values[-1] for name, values in form.items()}
-    given = posted.get("kind", "overlay")
+async def try_text(
+    request: Request, library: TheLibrary, rules: TheRules, heavy: TheHeavyWork, body: PostedBody
+) -> Response:
+    """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
+    form = read_form(body, request.headers.get("content-type", ""))
+    hosted = await form_catalogue(form, library, heavy)
+    return await heavy.run(partial(_tried_form, request, hosted, rules, form))
+
+
+def _tried_form(request: Request, hosted: Hosted, rules: RuleBook, form: Form) -> Response:
+    given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
         raise UsageError(f"{given[:100]!r} is no kind of text; there are {', '.join(KINDS)}.")
-    hosted = named(library, posted.get("catalogue") or None)
-    return _page(request, hosted, rules, kind, posted.get("text", "").replace("\r\n", "\n"))
+    text = _posted_text(form)
+    if form.last("download"):
+        return _download(
+            tried(text, kind, hosted.catalogue, rules, settings_of(request).limits).function, form.last("download")
+        )
+    return _page(request, hosted, rules, kind, text)
 
 
-def tried(text: str, kind: Kind, catalogue: Catalogue, rules: RuleBook) -> Tried:
+def _posted_text(form: Form) -> str:
+    """The file that was chosen, or else what stands in the field."""
+    chosen = next((file.data.decode("utf-8", "replace") for file in form.files), None)
+    return form.text("text") if chosen is None else chosen.removeprefix("\ufeff").replace("\r\n", "\n")
+
+
+def _download(function: FunctionJson | None, document_id: str) -> Response:
+    known = {document.id: document for document in documents_of(function) if document.text} if function else {}
+    if document_id not in known:
+        near = nearest(document_id[:100], known)
+        raise NotFound(f"There is no document {document_id[:100]!r} of this text.", near)
+    return attached(known[document_id])
+
+
+def tried(text: str, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: Limits) -> Tried:
     """What is wrong with a text, and the function that it declares."""
     data = text.encode("utf-8", "replace")
     if kind != "function":
-        return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=kind == "tree"))
+        is_tree = kind == "tree"
+        return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
     if is_function_json(data, FILE):
-        validated = read_function_json(data, "function.json", catalogue)
+        validated = read_function_json(data, "function.json", catalogue, limits)
         return Tried(validated.findings, validated.function)
-    built = build(read_declaration(data, FILE), catalogue)
+    built = build(read_declaration(data, FILE, limits), catalogue)
     return Tried(built.findings, built.function)
 
 
 def _page(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, text: str) -> Response:
-    result = tried(text, kind, hosted.catalogue, rules)
+    result = tried(text, kind, hosted.catalogue, rules, settings_of(request).limits)
     function = result.function
     return page(
         request,

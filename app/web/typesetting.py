@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable
+from datetime import UTC, datetime
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -9,6 +10,12 @@ from markupsafe import Markup, escape
 _NARROW_SPACE = "\u202f"
 _MINUS = "\u2212"
 _GROUPED_FROM = 10_000
+_EXPONENT = re.compile(r"\^(-?\d+)")
+_RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
+_MONTHS = (
+    "January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November",
+    "December",
+)  # fmt: skip
 
 
 def number(value: Any) -> str:
@@ -23,6 +30,31 @@ def number(value: Any) -> str:
 def count(value: int, one: str, many: str = "") -> str:
     """A count with its noun: `1 node`, `12 340 nodes`."""
     return f"{number(value)}\u00a0{one if value == 1 else many or one + 's'}"
+
+
+def unit(key: str) -> str:
+    """The key of a unit with its exponents raised: `m/s^2` → `m/s²`."""
+    return _EXPONENT.sub(lambda power: power.group(1).translate(_RAISED), key)
+
+
+def date(text: str) -> str:
+    """A date in words, `12.09.2025` or `2025-09-12` → `12 September 2025`; any other text as it stands."""
+    for form in ("%d.%m.%Y", "%Y-%m-%d"):
+        try:
+            day = datetime.strptime(text, form).replace(tzinfo=UTC)
+        except ValueError:
+            continue
+        return f"{day.day}\u00a0{_MONTHS[day.month - 1]}\u00a0{day.year}"
+    return text
+
+
+def breakable(text: str, joint: str = ".") -> Markup:
+    """`text` escaped, with places behind joints where a line may break.
+
+    They are elements and not characters, so that a text that is selected and copied stays what it is.
+    """
+    joints = re.compile(f"(<[^>]*>)|{re.escape(joint)}(?=[\\w<])")
+    return Markup(joints.sub(lambda found: found.group(1) or f"{joint}<wbr>", str(escape(text))))  # noqa: S704 - escaped right here
 
 
 def marked(text: str, sought: Iterable[str]) -> Markup:

@@ -2,26 +2,76 @@
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.web.conftest import Opener
 
 PAGES = (
     "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Scheduling.Step", "/tree/interfaces~folded",
-    "/tree/small/Vehicle.Speed", "/tree/lost", "/tree/small/Vehicle.Sped", "/search/small?q=speed", "/search/small?q=sped",
-    "/functions", "/functions/core_acc", "/functions/core_acc?view=source", "/functions/core_acc?view=ros2",
-    "/functions/core_acc?catalogue=small", "/wiring", "/changes", "/changes?old=bare&new=small",
-    "/try", "/try?kind=function", "/rules", "/rules/I201", "/units/interfaces", "/catalogues/interfaces",
-    "/catalogues/broken", "/docs", "/problems/not-found",
+    "/tree/small/Vehicle.Speed", "/tree/small/Vehicle.OldSpeed", "/tree/lost", "/tree/broken",
+    "/search/small?q=speed", "/search/small?q=sped", "/search/small?q=zzz", "/search/interfaces", "/functions",
+    "/functions?catalogue=interfaces", "/functions/core_acc?catalogue=interfaces",
+    "/functions/core_acc?view=source&catalogue=interfaces",
+    "/functions/core_acc?view=function-json&catalogue=interfaces",
+    "/functions/core_acc?view=ros2&catalogue=interfaces", "/functions/core_acc?view=arxml&catalogue=interfaces",
+    "/functions/core_acc?catalogue=small", "/wiring?catalogue=interfaces", "/wiring?catalogue=small", "/changes",
+    "/changes?old=bare&new=small", "/changes?old=vss&new=interfaces", "/changes?old=small&new=small", "/try",
+    "/try?kind=function&catalogue=interfaces", "/try?kind=tree", "/rules", "/rules/I201", "/rules/V101",
+    "/rules/I201?catalogue=small", "/units/interfaces", "/catalogues/interfaces", "/catalogues/broken",
+    "/catalogues/lost", "/docs", "/problems/not-found", "/problems/busy",
 )  # fmt: skip
+ERRORS = ("/tree/small/Vehicle.Sped", "/tree/nope", "/rules/nope", "/functions/core", "/nothing", "/tree/small?from=-1")
 
 
-@pytest.mark.parametrize("address", PAGES)
+@pytest.mark.parametrize("address", [*PAGES, *ERRORS])
 def test_axe_finds_nothing(open_page: Opener, address: str) -> None:
-    page = open_page(address)
+    _check(open_page(address))
+
+
+def test_axe_finds_nothing_in_open_menus(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces")
+    for menu in page.locator("details.menu").all():
+        menu.locator("summary").click()
+        _check(page)
+        page.keyboard.press("Escape")
+
+
+def test_axe_finds_nothing_in_what_was_posted(open_page: Opener) -> None:
+    page = open_page("/wiring?catalogue=interfaces")
+    made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
+    page.get_by_text("Functions of your own").click()
+    wrong = made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"')
+    page.get_by_role("textbox", name="Documents").fill(f"{wrong}\n---\nfunction: Bad\ncomponents: 3\n")
+    page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
+    page.get_by_role("button", name="Connect these").click()
+    expect(page.locator(".wire.flawed")).to_have_count(1)
+    page.get_by_text("documents of your own").click()
+    _check(page)
+
+
+def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_page: Opener, service: str) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    form: dict[str, str | float | bool] = {
+        "kind": "overlay",
+        "catalogue": "interfaces",
+        "text": "Vehicle.Speed:\n  type: sensr\n",
+    }
+    page.set_content(page.request.post(f"{service}/try", form=form).text().replace('href="/', f'href="{service}/'))
+    expect(page.locator(".marked.error")).to_have_count(1)
+    _check(page)
+
+
+def test_axe_finds_nothing_while_the_service_is_busy(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    page.evaluate("document.getElementById('progress').hidden = false")
+    _check(page)
+
+
+def _check(page: Page) -> None:
     found = _violations(page)
     page.emulate_media(color_scheme="dark")
     found += _violations(page, {"runOnly": ["color-contrast"], "resultTypes": ["violations"]})
+    page.emulate_media(color_scheme="light")
     assert not found
 
 

@@ -1,10 +1,13 @@
 """Pages as the server writes them: they serve without JavaScript."""
 
 import re
+from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 
-from app.catalogue.hosting import Library
+from app.api.problems import KINDS
+from app.catalogue.hosting import Library, Source
 from app.web.headers import POLICY
 from app.web.site import create_site
 from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
@@ -79,6 +82,62 @@ def test_a_path_that_does_not_exist_proposes_links_to_near_ones(site: Ask) -> No
     page = site("/tree/small/Vehicle.Sped")
     assert page.status_code == 404
     assert '<a href="/tree/small/Vehicle.Speed">' in page.text
+
+
+def test_every_kind_of_problem_has_a_page(site: Ask) -> None:
+    for kind, title in KINDS.values():
+        page = site(f"/problems/{kind}")
+        assert page.status_code == 200
+        assert f"<h1>{title}</h1>" in page.text
+
+
+def test_a_catalogue_that_failed_to_load_shows_its_findings_where_the_tree_would_be(tmp_path: Path) -> None:
+    ask = asker(create_site(Library([Source("lost", "Lost", tmp_path / "lost.vspec")])))
+    page = ask("/tree/lost")
+    assert page.status_code == 200
+    assert "Lost has no tree" in page.text
+    assert re.search(r'class="error">.*lost\.vspec', page.text, re.DOTALL)
+
+
+@pytest.mark.parametrize(
+    ("facet", "value", "count"),
+    [
+        ("type", "actuator", 2), ("datatype", "boolean", 2), ("unit", "km/h", 2), ("category", "error", 1),
+        ("asil", "B", 2), ("overlay", "overlay", 5), ("deprecated", "yes", 1),
+    ],
+)  # fmt: skip
+def test_every_filter_has_counts_and_narrows(site: Ask, facet: str, value: str, count: int) -> None:
+    page = site("/search/small").text
+    (link, shown) = re.search(
+        rf'<a href="(/search/small\?{facet}={quote(value, safe="")})" data-filter>.*?<span class="number">(\d+)<', page
+    ).groups()  # type: ignore[union-attr]
+    assert int(shown) == count
+    assert re.search(rf">{count}\u00a0results?<", site(link).text)
+
+
+def test_a_filter_that_every_result_meets_is_not_offered(site: Ask) -> None:
+    assert "datatype=" not in site("/search/small?type=branch").text
+
+
+def test_a_near_miss_proposes_names(site: Ask) -> None:
+    assert re.search(r'Did you mean <a href="/search/small\?q=speed"', site("/search/small?q=sped").text)
+
+
+def test_a_range_is_drawn_and_allowed_values_are_listed(site: Ask) -> None:
+    assert 'aria-label="Range from 0 to 300 kilometer per hour"' in site("/tree/small/Vehicle.Speed").text
+    assert re.search(r'<ul class="chips"><li>.*<li>plain</li></ul>', site("/tree/small/Vehicle.Label").text)
+
+
+def test_an_address_of_a_page_that_is_data_is_offered(site: Ask) -> None:
+    for address in ("/tree/small/Vehicle.Speed", "/search/small?q=speed", "/units/small", "/rules", "/rules/I201",
+                    "/catalogues/small", "/changes?old=bare&new=small", "/functions"):  # fmt: skip
+        (link,) = re.findall(r'href="([^"]+)">JSON</a>', site(address).text)
+        assert site(link.replace("&amp;", "&")).headers["content-type"].startswith("application/json")
+
+
+def test_a_function_that_cannot_be_built_is_no_json(site: Ask) -> None:
+    answer = site("/functions/core_acc.json")
+    assert (answer.status_code, answer.headers["content-type"]) == (422, "application/problem+json")
 
 
 def test_errors_of_the_api_stay_problem_documents(site: Ask) -> None:

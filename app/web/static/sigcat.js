@@ -40,6 +40,45 @@ document.addEventListener("click", (event) => {
   }
 });
 
+// -- progress ---------------------------------------------------------------------------------------------------------
+
+const SOON = 200; // what is there sooner needs no bar
+const bar = document.getElementById("progress");
+let pending = 0;
+let announced = 0;
+
+const begin = () => {
+  pending += 1;
+  if (pending === 1) announced = setTimeout(() => { bar.hidden = false; }, SOON);
+};
+
+const end = () => {
+  pending = Math.max(0, pending - 1);
+  if (pending) return;
+  clearTimeout(announced);
+  bar.hidden = true;
+};
+
+/** Wait for something, with a bar if it takes long. */
+export const progress = async (work) => {
+  begin();
+  try {
+    return await work;
+  } finally {
+    end();
+  }
+};
+
+document.addEventListener("submit", (event) => {
+  if (!event.defaultPrevented && event.submitter?.name !== "download") begin();
+});
+document.addEventListener("click", (event) => {
+  const link = event.target.closest("a[href]");
+  const leaves = link && !link.hasAttribute("download") && link.origin === location.origin && link.pathname + link.search !== location.pathname + location.search;
+  if (leaves && !event.defaultPrevented && !event.ctrlKey && !event.metaKey && !event.shiftKey) begin();
+});
+addEventListener("pageshow", () => { pending = 0; end(); }); // also where the browser comes back to a page that left
+
 // -- parts of pages ---------------------------------------------------------------------------------------------------
 
 const withPart = (address) => {
@@ -56,7 +95,7 @@ export const fetchPart = async (address) => {
   under_way = new AbortController();
   const { signal } = under_way;
   try {
-    const response = await fetch(withPart(address), { signal });
+    const response = await progress(fetch(withPart(address), { signal }));
     return response.ok ? await response.text() : location.assign(address);
   } catch (error) {
     if (error.name !== "AbortError") throw error;
@@ -68,8 +107,8 @@ export const fetchPart = async (address) => {
 
 const field = document.querySelector("[data-search]");
 const main = document.getElementById("main");
-let leave = mountTree({ fetchPart, say });
-mountTry({ say });
+let leave = mountTree({ fetchPart, progress, say });
+mountTry({ progress, say });
 let timer = 0;
 
 const isSearch = () => location.pathname.startsWith(`${base}/search/`);

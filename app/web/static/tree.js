@@ -33,7 +33,7 @@ const fill = (parent, { kinds, rows }) => {
   }
 };
 
-export const mountTree = ({ fetchPart, say }) => {
+export const mountTree = ({ fetchPart, progress, say }) => {
   const section = document.querySelector("[data-tree]");
   if (!section) return null;
   const base = document.body.dataset.base;
@@ -57,7 +57,7 @@ export const mountTree = ({ fetchPart, say }) => {
 
   const load = async (entry, depth = 1) => {
     const query = new URLSearchParams({ path: entry.path, depth, v: state });
-    const response = await fetch(`${base}/rows/${encodeURIComponent(catalogue)}?${query}`, { signal });
+    const response = await progress(fetch(`${base}/rows/${encodeURIComponent(catalogue)}?${query}`, { signal }));
     if (!response.ok) throw new Error(`The rows below ${entry.path} did not come: ${response.status}`);
     fill(entry, await response.json());
   };

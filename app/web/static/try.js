@@ -2,7 +2,7 @@
 
 const PAUSE = 250;
 
-export const mountTry = ({ say }) => {
+export const mountTry = ({ progress, say }) => {
   const form = document.querySelector("[data-try]");
   if (!form) return;
   const text = form.querySelector("[data-lines]");
@@ -39,7 +39,9 @@ export const mountTry = ({ say }) => {
     const url = new URL(form.action);
     url.searchParams.set("part", "");
     try {
-      const response = await fetch(url, { method: "POST", body: new URLSearchParams(new FormData(form)), signal: under_way.signal });
+      const sent = new FormData(form);
+      sent.delete("file"); // what it holds stands in the field
+      const response = await progress(fetch(url, { method: "POST", body: new URLSearchParams(sent), signal: under_way.signal }));
       const page = await response.text();
       if (response.ok) {
         outcome.innerHTML = page;
@@ -49,6 +51,7 @@ export const mountTry = ({ say }) => {
       } else {
         const lead = new DOMParser().parseFromString(page, "text/html").querySelector(".lead");
         outcome.querySelector("[data-tally]").textContent = lead?.textContent ?? "The text could not be checked.";
+        if (response.status === 503) timer = setTimeout(check, 1000 * (Number(response.headers.get("Retry-After")) || 2));
       }
     } catch (error) {
       if (error.name === "AbortError") return;
@@ -60,7 +63,20 @@ export const mountTry = ({ say }) => {
 
   text.addEventListener("input", () => { number(); clearTimeout(timer); timer = setTimeout(check, PAUSE); });
   text.addEventListener("scroll", () => { gutter.scrollTop = text.scrollTop; }, { passive: true });
-  form.addEventListener("submit", (event) => { event.preventDefault(); clearTimeout(timer); check(); });
+  form.addEventListener("submit", (event) => {
+    if (event.submitter?.name === "download") return; // the browser keeps what comes back as a file
+    event.preventDefault();
+    clearTimeout(timer);
+    check();
+  });
+  form.querySelector("[data-file]").addEventListener("change", async (event) => {
+    const [file] = event.target.files;
+    if (!file) return;
+    text.value = await file.text();
+    event.target.value = ""; // the field holds it now, and may be edited
+    number();
+    check();
+  });
   outcome.addEventListener("click", (event) => {
     const link = event.target.closest("[data-line]");
     if (!link) return;

@@ -1,7 +1,7 @@
 """Hosted catalogues with overlays switched off or instances folded: `interfaces~without.error~folded`.
 
-A variant is named by the address like any other catalogue, so that a link to it shows the same. It is composed from
-the layers in memory when it is first asked for.
+A variant is named like any other catalogue, in addresses of pages and of the API, so that a link to it shows the same.
+It is composed from the layers in memory when it is first asked for.
 """
 
 from collections import Counter
@@ -19,7 +19,8 @@ from app.catalogue.trial import with_findings
 from app.errors import NotFound
 from app.names import parent_path
 
-_MARK, _FOLDED, _WITHOUT = "~", "folded", "without."
+MARK = "~"
+_FOLDED, _WITHOUT = "folded", "without."
 
 
 class Choice(NamedTuple):
@@ -33,7 +34,7 @@ class Choice(NamedTuple):
     def id(self) -> str:
         """The id that asks for this."""
         parts = [self.base, *(f"{_WITHOUT}{name}" for name in sorted(self.without))]
-        return _MARK.join([*parts, _FOLDED] if self.is_folded else parts)
+        return MARK.join([*parts, _FOLDED] if self.is_folded else parts)
 
     def toggled(self, overlay: str) -> "Choice":
         """With an overlay switched on or off."""
@@ -46,15 +47,15 @@ class Choice(NamedTuple):
 
 def choice_of(catalogue_id: str) -> Choice:
     """What an id asks for. Parts that mean nothing stay with the base, so that it is not found."""
-    base, *parts = catalogue_id.split(_MARK)
+    base, *parts = catalogue_id.split(MARK)
     unknown = [part for part in parts if part != _FOLDED and not part.startswith(_WITHOUT)]
     without = frozenset(part.removeprefix(_WITHOUT) for part in parts if part.startswith(_WITHOUT))
-    return Choice(_MARK.join([base, *unknown]), without, _FOLDED in parts)
+    return Choice(MARK.join([base, *unknown]), without, _FOLDED in parts)
 
 
 def find_hosted(library: Library, catalogue_id: str) -> Hosted:
     """The hosted catalogue or the variant of one with this id. Raises NotFound with the nearest ids."""
-    if _MARK not in catalogue_id:
+    if MARK not in catalogue_id:
         return library.get(catalogue_id)
     choice = choice_of(catalogue_id)
     base = library.get(choice.base)

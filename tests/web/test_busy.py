@@ -1,0 +1,58 @@
+"""Pages that cost much wait in the same queue as the API's heavy routes."""
+
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from app.api.settings import Settings
+from app.catalogue.hosting import Library
+from app.web.site import create_site
+from tests.api.conftest import SOURCES, Ask, asker
+
+
+@pytest.fixture
+def busy() -> Iterator[Ask]:
+    """A service all of whose heavy work is taken, and that lets nothing wait."""
+    app = create_site(Library(SOURCES), Settings(heavy_requests=1, heavy_waiting=0, heavy_seconds=20))
+    begun, done = threading.Event(), threading.Event()
+
+    def work() -> None:
+        begun.set()
+        done.wait(20)
+
+    ask = asker(app)
+    holder = threading.Thread(target=lambda: _hold(app, work))
+    holder.start()
+    begun.wait(10)
+    yield ask
+    done.set()
+    holder.join()
+
+
+def _hold(app: object, work: object) -> None:
+    import asyncio
+
+    asyncio.run(app.state.heavy.run(work))  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("address", "method"),
+    [
+        ("/try", "GET"), ("/try", "POST"), ("/wiring", "GET"), ("/wiring", "POST"), ("/wiring.json", "GET"),
+        ("/changes?old=bare&new=small", "GET"), ("/tree/small~folded", "GET"),
+        ("/api/v1/catalogues/small~folded/units", "GET"),
+    ],
+)  # fmt: skip
+def test_heavy_pages_are_refused_while_the_service_is_busy(busy: Ask, address: str, method: str) -> None:
+    answer = busy(address, method, **({"content": "kind=overlay&text=a"} if method == "POST" else {}))
+    assert answer.status_code == 503
+    assert answer.headers["retry-after"] == "2"
+    if not address.startswith("/api") and not address.endswith(".json"):
+        assert "The service is busy" in answer.text
+        assert "Come again in 2\u00a0seconds" in answer.text
+
+
+@pytest.mark.parametrize("address", ["/tree/small/Vehicle.Speed", "/search/small?q=speed", "/units/small", "/docs"])
+def test_other_pages_are_answered_all_the_same(busy: Ask, address: str) -> None:
+    assert busy(address).status_code == 200

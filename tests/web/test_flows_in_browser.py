@@ -1,0 +1,261 @@
+"""What people do on the pages, each by mouse and by keyboard."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+from tests.web.conftest import Opener, Use
+
+NODE = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationProposal"
+COPYING = {"permissions": ["clipboard-read", "clipboard-write"]}
+
+
+def test_another_catalogue_is_chosen(open_page: Opener, use: Use) -> None:
+    page = open_page("/search/interfaces?q=wheel")
+    menu = page.locator("details.menu").first
+    use(menu.locator("summary"))
+    use(menu.get_by_role("link", name="The small tree alone"))
+    page.wait_for_url("**/search/bare?q=wheel")
+    expect(menu.locator("summary")).to_have_text("The small tree alone")
+
+
+def test_a_menu_closes_by_escape_and_by_a_click_elsewhere(open_page: Opener) -> None:
+    page = open_page("/units/small")
+    menu = page.locator("details.menu").first
+    for close in (lambda: page.keyboard.press("Escape"), lambda: page.locator("h1").click()):
+        menu.locator("summary").click()
+        expect(menu).to_have_attribute("open", "")
+        close()
+        expect(menu).not_to_have_attribute("open", "")
+
+
+def test_overlays_are_switched_and_instances_folded(open_page: Opener, use: Use) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Speed")
+    for name, part in (("Instances one by one", "~folded"), ("error", "~without.error~folded")):
+        use(page.get_by_text("Show", exact=True))
+        use(page.get_by_role("switch", name=name))
+        page.wait_for_url(f"**/tree/interfaces{part}/Vehicle.Speed")
+        page.wait_for_selector("[data-ready]")
+
+
+def test_branches_are_opened_and_nodes_selected(open_page: Opener, use: Use) -> None:
+    page = open_page("/tree/small/Vehicle.Speed")
+    use(page.locator(".crumbs").get_by_role("link", name="Vehicle"))
+    expect(page.locator("h1")).to_have_text("Vehicle")
+    use(page.locator("article .nodes").get_by_role("link", name="Door"))
+    expect(page.locator("h1")).to_have_text("Door")
+    use(page.get_by_role("link", name="Next"))
+    expect(page.locator("h1")).to_have_text("Label")
+    use(page.get_by_role("link", name="Previous"))
+    expect(page.locator("h1")).to_have_text("Door")
+    use(page.get_by_text("Expand all"))
+    expect(page.get_by_role("treeitem", name="RangeError")).to_be_visible()
+    use(page.get_by_text("Collapse"))
+    expect(page.get_by_role("treeitem", name="RangeError")).to_have_count(0)
+
+
+def test_the_tree_is_made_wider(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    divider = page.get_by_role("separator", name="Width of the tree")
+    before = int(divider.get_attribute("aria-valuenow") or 0)
+    divider.press("ArrowRight")
+    wider = int(divider.get_attribute("aria-valuenow") or 0)
+    assert wider > before
+    box = divider.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 1, 300)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 101, 300)
+    page.mouse.up()
+    assert int(divider.get_attribute("aria-valuenow") or 0) > wider
+
+
+@pytest.mark.parametrize(
+    ("where", "name"),
+    [
+        ("C", "adas_eco_control_acceleration_proposal"),
+        ("C++ (ara::com)", "EcoControlMpcServiceProxy::ADAS_EcoControl_AccelerationProposal"),
+        ("Python", "adas_eco_control_acceleration_proposal"),
+        ("ROS 2 topic", "/vehicle/adas/eco_control/acceleration_proposal"),
+        ("ROS 2 field", "acceleration_proposal"),
+        ("SOME/IP event", "ADAS_EcoControl_AccelerationProposal"),
+        ("AUTOSAR", "EcoControlMpcService/ADAS_EcoControl_AccelerationProposal"),
+    ],
+)
+def test_each_name_of_a_node_is_copied(open_page: Opener, where: str, name: str) -> None:
+    page = open_page(NODE, **COPYING)
+    page.get_by_role("button", name=f"Copy name: {where}", exact=True).click()
+    expect(page.locator("#said")).to_have_text(f"Copied {name}")
+    assert page.evaluate("navigator.clipboard.readText()") == name
+
+
+def test_a_search_is_filtered_and_a_result_opened(open_page: Opener, use: Use) -> None:
+    page = open_page("/search/small?q=vehicle")
+    use(page.get_by_role("complementary", name="Filters").get_by_role("link", name="actuator"))
+    expect(page.locator("[data-tally]")).to_have_text("2\u00a0results")
+    use(page.locator("[data-hit]").first)
+    expect(page.locator("h1")).to_have_text("IsOpen")
+    page.go_back()
+    expect(page.locator("[data-tally]")).to_have_text("2\u00a0results")
+
+
+def test_filters_beyond_the_most_frequent_are_shown(open_page: Opener, use: Use) -> None:
+    page = open_page("/search/interfaces")
+    units = page.get_by_role("complementary", name="Filters").locator("section", has_text="Unit")
+    expect(units.locator("details a").last).to_be_hidden()
+    use(units.locator("summary"))
+    last = units.locator("details a").last
+    chosen = last.locator("span").first.inner_text()
+    use(last)
+    expect(units.locator(".chosen")).to_contain_text(chosen)
+
+
+def test_changes_are_filtered_and_followed(open_page: Opener, use: Use) -> None:
+    page = open_page("/changes?old=vss&new=interfaces")
+    use(page.get_by_role("complementary", name="Filters").get_by_role("link", name="risky"))
+    expect(page.locator(".change")).to_have_count(1)
+    use(page.get_by_role("link", name="Remove filter Class: risky"))
+    expect(page.locator(".change")).to_have_count(7)
+    use(page.locator("summary", has_text="Chassis"))
+    expect(page.get_by_role("link", name="CylP")).to_be_hidden()
+    use(page.get_by_role("link", name="Longitudinal"))
+    expect(page.locator("h1")).to_have_text("Longitudinal")
+
+
+def test_a_function_is_read_in_every_form(open_page: Opener, use: Use) -> None:
+    page = open_page("/functions?catalogue=interfaces")
+    use(page.locator(".cards").get_by_role("link", name="CoreAcc"))
+    expect(page.locator(".diagram").first).to_be_visible()
+    for name, text in (
+        ("Declaration", "function: CoreAcc"),
+        ("ROS 2", '"FunctionName": "CoreAcc"'),
+        ("ARXML", "<AUTOSAR"),
+    ):
+        use(page.get_by_role("navigation", name="Views").get_by_role("link", name=name))
+        expect(page.locator("main")).to_contain_text(text)
+    with page.expect_download() as kept:
+        use(page.get_by_role("link", name="Download").first)
+    assert kept.value.suggested_filename.endswith(".arxml")
+    expect(page.get_by_role("progressbar")).to_be_hidden()
+
+
+def test_a_signal_in_a_diagram_leads_to_its_node(open_page: Opener) -> None:
+    page = open_page("/functions/core_acc?catalogue=interfaces")
+    page.locator(".picture").get_by_role("link", name="Chassis.Brake.CylP").click()
+    expect(page.locator("h1")).to_have_text("CylP")
+
+
+def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_path: Path) -> None:
+    page = open_page("/wiring?catalogue=interfaces")
+    mine = tmp_path / "mine.json"
+    made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
+    mine.write_text(made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"'))
+    use(page.get_by_text("Functions of your own"))
+    page.get_by_label("Files").set_input_files([mine])
+    use(page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc"))
+    use(page.get_by_role("button", name="Connect these"))
+    expect(page.locator("h1")).to_have_text("Your functions")
+    expect(page.locator(".wire.flawed")).to_have_count(1)
+    expect(page.locator(".findings").first).to_contain_text("in km/h, and m/s^2 is expected")
+    with page.expect_download() as kept:
+        use(page.get_by_role("button", name="types.arxml"))
+    assert kept.value.suggested_filename == "types.arxml"
+
+
+def test_documents_are_pasted_and_edited(open_page: Opener, use: Use) -> None:
+    page = open_page("/functions?catalogue=interfaces")
+    use(page.get_by_role("link", name="Your own"))
+    page.get_by_role("textbox", name="Documents").fill("--- # a.yaml\nfunction: A\n--- # b.yaml\nfunction: B\n")
+    use(page.get_by_role("button", name="Connect these"))
+    field = page.get_by_role("textbox", name="Documents")
+    expect(field).to_be_visible()
+    assert field.input_value().startswith("--- # a.yaml\nfunction: A")
+    use(page.get_by_role("link", name="b.yaml:1").first)
+    assert page.url.endswith("#file-2-1")
+
+
+def test_a_text_is_tried_and_its_documents_kept(open_page: Opener, use: Use) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    use(page.get_by_role("link", name="Line 11").first)
+    expect(page.get_by_role("textbox", name="Overlay")).to_be_focused()
+    use(page.get_by_role("navigation", name="What to try").get_by_role("link", name="Function"))
+    use(page.locator("summary", has_text="Function JSON"))
+    with page.expect_download() as kept:
+        use(page.get_by_role("button", name="Download CoreAcc.json"))
+    assert kept.value.suggested_filename == "CoreAcc.json"
+    expect(page.get_by_role("progressbar")).to_be_hidden()
+
+
+def test_a_file_is_opened_and_checked(open_page: Opener, tmp_path: Path) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    overlay = tmp_path / "mine.vspec"
+    overlay.write_text("Vehicle.Speed:\n  type: sensr\n")
+    page.get_by_label("Open a file").set_input_files([overlay])
+    expect(page.locator("[data-gutter] .error")).to_have_text("2")
+    assert page.get_by_role("textbox", name="Overlay").input_value() == "Vehicle.Speed:\n  type: sensr\n"
+
+
+def test_a_rule_leads_to_its_findings_and_they_to_the_node(open_page: Opener, use: Use) -> None:
+    page = open_page("/tree/small")
+    use(page.get_by_role("navigation", name="Pages").get_by_role("link", name="Rules"))
+    expect(page.locator(".lead")).to_contain_text("A small tree")
+    use(page.get_by_role("navigation", name="Kinds of rules").get_by_role("link", name="vss"))
+    use(page.locator(".rules li", has_text="I201").get_by_role("link"))
+    expect(page.locator("h2", has_text="Findings in A small tree")).to_contain_text("4")
+    use(page.locator(".findings .where").get_by_role("link").first)
+    expect(page.locator("h1")).to_have_text("RangeError")
+
+
+def test_the_first_thing_that_tab_reaches_leads_past_the_bar(open_page: Opener) -> None:
+    page = open_page("/functions")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("link", name="Skip to content")).to_be_focused()
+    page.keyboard.press("Enter")
+    page.keyboard.press("Tab")
+    expect(page.locator(".cards a").first).to_be_focused()
+
+
+# -- what takes long --------------------------------------------------------------------------------------------------
+
+
+def _slow(page: Page, address: str) -> None:
+    def answer(route: Route) -> None:
+        page.wait_for_timeout(700)
+        route.continue_()
+
+    page.route(address, answer)
+
+
+def test_what_takes_long_shows_a_bar(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    bar = page.locator("#progress")
+    expect(bar).to_be_hidden()
+    page.evaluate("""() => {
+        window.seen = false;
+        new MutationObserver(() => { window.seen ||= !document.getElementById("progress").hidden; })
+            .observe(document.getElementById("progress"), { attributes: true });
+    }""")
+    _slow(page, "**/rows/small?path=Vehicle.Door*")
+    page.get_by_role("treeitem", name="Door").locator(".chevron").click()
+    expect(page.get_by_role("treeitem", name="Left")).to_be_visible()
+    assert page.evaluate("window.seen")
+    expect(bar).to_be_hidden()
+
+
+def test_a_busy_service_is_asked_again(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    asked: list[str] = []
+
+    def answer(route: Route) -> None:
+        asked.append(route.request.url)
+        if len(asked) == 1:
+            route.fulfill(status=503, headers={"Retry-After": "1"}, body='<p class="lead">The service is busy.</p>')
+        else:
+            route.continue_()
+
+    page.route("**/try?part*", answer)
+    page.get_by_role("textbox", name="Overlay").fill("Vehicle.Speed:\n  type: sensr\n")
+    expect(page.locator("[data-tally]")).to_have_text("The service is busy.")
+    expect(page.locator("#outcome")).to_contain_text("sensr")
+    assert len(asked) == 2

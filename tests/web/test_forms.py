@@ -1,0 +1,59 @@
+"""What a browser posts."""
+
+import pytest
+
+from app.errors import UsageError
+from app.web.forms import PostedFile, read_form
+
+TYPE = "multipart/form-data; boundary=----x1"
+
+
+def multipart(*parts: tuple[str, bytes]) -> bytes:
+    """The body of a form; each part with what stands behind `form-data` in its head."""
+    pieces = [f"------x1\r\nContent-Disposition: form-data{head}\r\n\r\n".encode() + data for head, data in parts]
+    return b"\r\n".join([*pieces, b"------x1--\r\n"])
+
+
+def test_fields_keep_their_order_and_the_last_one_counts() -> None:
+    form = read_form(b"f=a&f=b&text=one%0D%0Atwo", "application/x-www-form-urlencoded")
+    assert form.every("f") == ("a", "b")
+    assert (form.last("f"), form.last("g", "none"), form.text("text")) == ("b", "none", "one\ntwo")
+
+
+def test_files_come_with_their_names_and_as_they_are() -> None:
+    data = b"\xef\xbb\xbfa: 1\r\n\r\nb: \x00\xff\r\n"
+    form = read_form(
+        multipart(('; name="f"', b"core_acc"), ('; name="file"; filename="br\u00e4ke %22x%22.yaml"', data)), TYPE
+    )
+    assert form.fields == (("f", "core_acc"),)
+    assert form.files == (PostedFile("bräke %22x%22.yaml", data),)
+
+
+def test_a_field_for_files_in_which_none_was_chosen_is_no_file() -> None:
+    assert read_form(multipart(('; name="file"; filename=""', b"")), TYPE).files == ()
+
+
+def test_a_part_that_calls_itself_another_multipart_is_a_part() -> None:
+    inner = '; name="a"\r\nContent-Type: multipart/mixed; boundary=----x2'
+    assert read_form(multipart((inner, b"------x2\r\n\r\nb")), TYPE).fields == (("a", "------x2\r\n\r\nb"),)
+
+
+@pytest.mark.parametrize(
+    ("body", "content_type"),
+    [
+        (b"&".join(b"a=1" for _ in range(100)), "application/x-www-form-urlencoded"),
+        (multipart(*(('; name="a"', b"1") for _ in range(100))), TYPE),
+        (multipart(('; name="a"', b"1"))[:-6], TYPE),
+        (b"", TYPE),
+        (b"------x1", TYPE),
+    ],
+)
+def test_a_form_with_too_much_or_too_little_is_refused(body: bytes, content_type: str) -> None:
+    with pytest.raises(UsageError):
+        read_form(body, content_type)
+
+
+@pytest.mark.parametrize("content_type", ["", "multipart/form-data", "multipart/form-data; boundary=", "text/plain"])
+@pytest.mark.parametrize("body", [b"", b"\xff\x00", b"=&&=", b"--\r\n--"])
+def test_whatever_else_is_posted_is_a_form_with_odd_fields_or_none(body: bytes, content_type: str) -> None:
+    assert read_form(body, content_type).files == ()

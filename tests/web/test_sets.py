@@ -1,0 +1,122 @@
+"""Sets of functions: several posted documents, alone and with shipped ones."""
+
+import re
+from urllib.parse import urlencode
+
+import httpx
+import pytest
+
+from app.api.settings import Settings
+from app.catalogue.hosting import Library, shipped_sources
+from app.web.forms import PostedFile
+from app.web.function_sets import as_text, distinct, documents_in
+from app.web.site import create_site
+from tests.api.conftest import Ask, asker
+
+
+@pytest.fixture(scope="module")
+def site() -> Ask:
+    return asker(create_site(Library(shipped_sources())))
+
+
+@pytest.fixture(scope="module")
+def proposing(site: Ask) -> str:
+    """The declaration of the function that proposes an acceleration, as Function JSON."""
+    return site("/functions/eco_control_mpc.json").text
+
+
+def connected(site: Ask, *files: tuple[str, str], **form: object) -> httpx.Response:
+    posted = [("file", (name, text.encode(), "application/yaml")) for name, text in files]
+    return site("/wiring", "POST", data=form, files=posted or [("file", ("", b""))])
+
+
+def flawed(page: str) -> list[str]:
+    return re.findall(r'<g class="wire flawed"><title>(\S+)', page)
+
+
+def test_posted_files_are_connected_with_shipped_functions(site: Ask, proposing: str) -> None:
+    page = connected(site, ("mpc.json", proposing), f="core_acc").text
+    assert "Your functions" in page
+    assert "2\u00a0functions fit together" in page
+    assert len(re.findall(r'<g class="wire"', page)) == 1
+    assert "EcoControlMpc_Step" in page
+
+
+def test_pasted_documents_are_connected_and_stay_in_the_field(site: Ask) -> None:
+    texts = [site(f"/functions/{each}/files/source").text for each in ("core_acc", "eco_control_mpc")]
+    page = connected(site, text=f"--- # acc.yaml\n{texts[0]}\n---\n{texts[1]}").text
+    assert "2\u00a0functions fit together" in page
+    field = page[page.index("<textarea") : page.index("</textarea>")]
+    assert "--- # acc.yaml" in field
+    assert "--- # document 2" in field
+
+
+def test_a_mismatch_is_red_and_told_beside_its_line(site: Ask, proposing: str) -> None:
+    other = proposing.replace('"VssDatatype": "float",\n', '"VssDatatype": "uint8",\n')
+    page = connected(site, ("mpc.json", other), f="core_acc").text
+    assert flawed(page) == ["Vehicle.ADAS.EcoControl.AccelerationProposal"]
+    assert re.search(r'/rules/F100\?catalogue=interfaces">F100</a>', page)
+    assert "fit together" not in page
+
+
+def test_two_providers_of_one_signal_are_told(site: Ask, proposing: str) -> None:
+    twin = proposing.replace("EcoControlMpc", "Rival")
+    page = connected(site, ("mpc.json", proposing), ("rival.json", twin)).text
+    assert re.search(r"F104</a>\s*<p>Rival provides", page)
+
+
+def test_findings_stand_beside_the_lines_of_each_posted_file(site: Ask) -> None:
+    page = connected(site, ("a.yaml", "function: A\nversion: x\n"), ("b.yaml", "function: B\ncomponents: 3\n")).text
+    assert re.search(r"<h2>a\.yaml</h2>.*<h2>b\.yaml</h2>", page, re.DOTALL)
+    assert re.search(r'<li class="marked error" id="file-2-2">', page)
+
+
+def test_what_a_set_makes_is_kept_as_files(site: Ask, proposing: str) -> None:
+    made = connected(site, ("mpc.json", proposing), f="core_acc", download="ros2")
+    assert made.headers["content-disposition"].startswith("attachment")
+    assert made.json()["FunctionInfo"]
+    missing = connected(site, ("mpc.json", proposing), download="nope")
+    assert missing.status_code == 404
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "---\n---\n", "{", "a: [" * 50_000, "</textarea><script>alert(1)</script>", "\x00", "- 1",
+        '--- # </code><script>alert(1)</script>\nfunction: "<script>alert(1)</script>"\n',
+    ],
+)  # fmt: skip
+def test_whatever_is_posted_shows_as_text(site: Ask, text: str) -> None:
+    for page in (connected(site, text=text), connected(site, ("<img src=x>.yaml", text), f="core_acc")):
+        assert page.status_code == 200
+        assert "<script>alert" not in page.text
+        assert "<img" not in page.text
+
+
+def test_the_limits_of_the_service_hold_for_what_is_posted(site: Ask) -> None:
+    strict = asker(create_site(Library(shipped_sources()[:1]), Settings(nesting=4)))
+    deep = "function: A\ncomponents: [{runnables: [{data: [{values: {A: [1]}}]}]}]\n"
+    for ask, is_told in ((site, False), (strict, True)):
+        tried = ask("/try", "POST", content=urlencode({"kind": "function", "text": deep})).text
+        assert ("levels" in tried) is is_told
+        assert ("levels" in connected(ask, ("deep.yaml", deep)).text) is is_told
+
+
+def test_sets_are_bounded_and_named_functions_exist(site: Ask) -> None:
+    assert connected(site, *((f"{n}.yaml", "function: A\n") for n in range(21))).status_code == 400
+    assert connected(site, f="nope").status_code == 404
+    assert connected(site, catalogue="nope").status_code == 404
+    assert site("/wiring", "POST", content=urlencode({"f": "core_acc"})).status_code == 200
+
+
+def test_a_text_of_several_documents_is_taken_apart_and_put_together() -> None:
+    files = (PostedFile("a.yaml", b"function: A\n"), PostedFile("b b.json", b'{"a": "---"}\n'))
+    assert documents_in(as_text(files)) == (
+        PostedFile("a.yaml", b"function: A\n\n"),
+        PostedFile("b b.json", b'{"a": "---"}\n'),
+    )
+    assert [file.name for file in documents_in("function: A\n---\n\n---\nfunction: B")] == ["document 1", "document 2"]
+
+
+def test_files_of_one_name_are_told_apart() -> None:
+    assert [file.name for file in distinct([PostedFile("a", b"1"), PostedFile("a", b"2")])] == ["a", "a (2)"]

@@ -1,0 +1,50 @@
+"""Numbers, dates, units and paths as readers expect to see them."""
+
+import pytest
+from markupsafe import Markup
+
+from app.web.typesetting import breakable, count, date, marked, number, unit, with_code
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (-20, "−20"), (1673, "1673"), (12340, "12\u202f340"), (-1234567, "−1\u202f234\u202f567"), (0.1 + 0.2, "0.3"),
+        (20.94, "20.94"), (True, "True"), ("-1", "-1"), (1e300, "1e+300"),
+    ],
+)  # fmt: skip
+def test_numbers_have_a_real_minus_and_groups_from_five_digits_on(value: object, shown: str) -> None:
+    assert number(value) == shown
+
+
+def test_a_count_stays_with_its_noun() -> None:
+    assert [count(1, "node"), count(2, "branch", "branches")] == ["1\u00a0node", "2\u00a0branches"]
+
+
+@pytest.mark.parametrize(
+    ("key", "shown"), [("m/s^2", "m/s²"), ("cm^3", "cm³"), ("s^-1", "s⁻¹"), ("km/h", "km/h"), ("kg^10m", "kg¹⁰m")]
+)
+def test_exponents_of_units_are_raised(key: str, shown: str) -> None:
+    assert unit(key) == shown
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("12.09.2025", "12\u00a0September\u00a02025"), ("2025-03-01", "1\u00a0March\u00a02025"), ("31.02.2025", "31.02.2025"),
+        ("soon", "soon"), ("", ""),
+    ],
+)  # fmt: skip
+def test_dates_are_written_in_words(text: str, shown: str) -> None:
+    assert date(text) == shown
+
+
+def test_a_path_may_break_behind_its_dots_and_is_copied_as_it_is() -> None:
+    shown = breakable(marked("Vehicle.<b>.Speed", ["speed"]))
+    assert shown == Markup("Vehicle.&lt;b&gt;.<wbr><mark>Speed</mark>")
+    assert breakable("a/b.vspec", "/") == "a/<wbr>b.vspec"
+
+
+def test_what_stands_between_backticks_is_code_and_never_markup() -> None:
+    assert with_code("Add `<b>`.") == "Add <code>&lt;b&gt;</code>."
+    assert with_code("one ` only") == "one ` only"

@@ -1,0 +1,63 @@
+"""Every page serves without JavaScript: what it shows is there, and its links and buttons lead on."""
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.web.conftest import Opener
+
+PAGES = {
+    "/tree/interfaces/Vehicle.Speed": "Attributes", "/tree/lost": "has no tree", "/search/small?q=speed": "results",
+    "/search/small?q=sped": "Did you mean", "/functions?catalogue=interfaces": "CoreAcc", "/functions/core_acc?catalogue=interfaces": "Signals out",
+    "/functions/core_acc?view=source&catalogue=interfaces": "function: CoreAcc", "/functions/core_acc?view=arxml&catalogue=interfaces": "&lt;AUTOSAR",
+    "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
+    "/try?catalogue=interfaces": "errors", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
+    "/catalogues/small": "Layers", "/docs": "curl", "/problems/busy": "Retry-After", "/tree/small/Vehicle.Sped": "Did you mean",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("address", "text"), PAGES.items())
+def test_a_page_shows_what_it_has(open_page: Opener, address: str, text: str) -> None:
+    page = open_page(address, java_script_enabled=False)
+    assert text.lower() in page.content().lower()
+    for button in page.locator(".copy").all():
+        expect(button).to_be_hidden()
+
+
+def test_overlays_are_switched_by_links(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Speed", java_script_enabled=False)
+    page.get_by_text("Show", exact=True).click()
+    page.get_by_role("switch", name="Instances one by one").click()
+    page.wait_for_url("**/tree/interfaces~folded/Vehicle.Speed")
+
+
+def test_results_are_filtered_and_paged_by_links(open_page: Opener) -> None:
+    page = open_page("/search/interfaces?q=wheel", java_script_enabled=False)
+    page.get_by_role("link", name="More results").click()
+    expect(page.locator("[data-tally]")).to_contain_text("from 51 on")
+    page.get_by_role("complementary", name="Filters").get_by_role("link", name="attribute").click()
+    assert "type=attribute" in page.url
+
+
+def test_changes_are_compared_by_a_button(open_page: Opener) -> None:
+    page = open_page("/changes?old=vss&new=interfaces", java_script_enabled=False)
+    page.get_by_role("combobox", name="From").select_option("interfaces")
+    page.get_by_role("combobox", name="To").select_option("vss")
+    page.get_by_role("button", name="Compare").click()
+    expect(page.locator(".tally")).to_contain_text("breaking")
+
+
+def test_functions_of_ones_own_are_connected_by_a_button(open_page: Opener) -> None:
+    page = open_page("/wiring?catalogue=interfaces", java_script_enabled=False)
+    page.get_by_text("Functions of your own").click()
+    page.get_by_role("textbox", name="Documents").fill("function: A\n")
+    page.get_by_role("button", name="Connect these").click()
+    expect(page.locator(".findings").first).to_contain_text("is missing")
+
+
+def test_a_text_is_checked_and_its_documents_kept_by_buttons(open_page: Opener) -> None:
+    page = open_page("/try?kind=function&catalogue=interfaces", java_script_enabled=False)
+    page.get_by_role("button", name="Check").click()
+    page.locator("summary", has_text="ROS 2").click()
+    with page.expect_download() as kept:
+        page.get_by_role("button", name="Download CoreAcc.ros2.json").click()
+    assert kept.value.suggested_filename == "CoreAcc.ros2.json"
