@@ -5,6 +5,7 @@ import os
 import platform
 import sys
 import tempfile
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from bench import browser, lint, rows, service
@@ -17,27 +18,50 @@ SERVICE = {"service"}
 
 def main() -> int:
     """Measure what is asked for. No figure makes it fail: machines differ, and a table tells more than a verdict."""
+    arguments = _arguments()
+    lines = []
+    for line in _table(arguments.rows, arguments.runs):
+        print(line, flush=True)
+        lines.append(line)
+    if arguments.write is not None:
+        text = arguments.write.read_text(encoding="utf-8")
+        arguments.write.write_text(_with_table(text, "\n".join(lines)), encoding="utf-8")
+    return 0
+
+
+def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m bench", description=__doc__)
     parser.add_argument(
         "rows", nargs="*", metavar="ROW", help=f"what to measure (default: all of {', '.join(ROWS)}, service)"
     )
     parser.add_argument("--runs", type=int, default=5, help="how often each figure is taken (default: %(default)s)")
+    parser.add_argument("--write", type=Path, metavar="FILE", help="put the table between the bench marks of this file")
     arguments = parser.parse_args()
     unknown = set(arguments.rows) - set(ROWS) - SERVICE
     if unknown:
         parser.error(f"there is no row {', '.join(sorted(unknown))}; there are {', '.join(ROWS)}, service")
-    print(_line(Row("work", "sigcat", "reference", "ratio", "wanted")), "|---|---|---|---|---|", sep="\n", flush=True)
-    for name in arguments.rows or ROWS:
-        if name in SERVICE:
-            continue
+    return arguments
+
+
+def _table(wanted: Sequence[str], runs: int) -> Iterator[str]:
+    """The lines of the table, each as soon as it is measured, and below them what was measured on."""
+    yield _line(Row("work", "sigcat", "reference", "ratio", "wanted"))
+    yield "|---|---|---|---|---|"
+    for name in (name for name in wanted or ROWS if name not in SERVICE):
         with tempfile.TemporaryDirectory(prefix="sigcat-bench-") as folder:
-            print(_line(ROWS[name](Bench(Path(folder), max(arguments.runs, 1)))), flush=True)
-    if not arguments.rows or SERVICE & set(arguments.rows):
-        for row in service.rows(arguments.runs):
-            print(_line(Row(*row)), flush=True)
-    python = f"Python {platform.python_version()}"
-    print(f"\nMedians of {arguments.runs} runs in turn; {python}, {platform.machine()}, {os.cpu_count()} cores.")
-    return 0
+            yield _line(ROWS[name](Bench(Path(folder), max(runs, 1))))
+    if not wanted or SERVICE & set(wanted):
+        yield from (_line(Row(*row)) for row in service.rows(runs))
+    machine = f"Python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores"
+    yield f"\nMedians of {runs} runs in turn; {machine}."
+
+
+def _with_table(text: str, table: str) -> str:
+    before, begin, rest = text.partition("<!-- bench -->")
+    _, end, after = rest.partition("<!-- /bench -->")
+    if not (begin and end):
+        raise SystemExit("The file has no place for the table: <!-- bench --> and <!-- /bench -->.")
+    return f"{before}{begin}\n{table}\n{end}{after}"
 
 
 def _line(row: Row) -> str:

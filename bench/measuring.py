@@ -2,7 +2,7 @@
 
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -23,12 +23,15 @@ def probe(name: str, tree: Path) -> Measure:
     return lambda: float(subprocess.run(command, cwd=ROOT, capture_output=True, check=True).stdout)
 
 
-def command(*words: str) -> Measure:
-    """Seconds from the start of a command to its end."""
+def command(*words: str, status: Collection[int] = (0,)) -> Measure:
+    """Seconds from the start of a command to its end. Raises RuntimeError if it ends with another `status`."""
 
     def measure() -> float:
         start = perf_counter()
-        subprocess.run(words, cwd=ROOT, capture_output=True, check=True)
-        return perf_counter() - start
+        ended = subprocess.run(words, cwd=ROOT, capture_output=True, check=False)
+        seconds = perf_counter() - start
+        if ended.returncode not in status:
+            raise RuntimeError(f"{' '.join(words)} ended with {ended.returncode}: {ended.stderr.decode()[:500]}")
+        return seconds
 
     return measure

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from statistics import median
 from time import perf_counter
 from typing import NamedTuple
 
@@ -97,13 +98,17 @@ def recompose(bench: Bench) -> Row:
 def search(bench: Bench) -> Row:
     """A thousand searches for three words, ranked, with counts of every filter."""
     index = SearchIndex(read_catalogue(trees.flat(bench.folder / "search", HUNDRED_THOUSAND)))
+    p99 = median(_p99_of_searches(index) for _ in range(bench.runs))
+    return Row("search 100,000 signals for three words, p99", _time(p99), "", "", "at most 10 ms")
+
+
+def _p99_of_searches(index: SearchIndex) -> float:
     taken = []
     for query in trees.queries(1000):
         start = perf_counter()
         index.search(query)
         taken.append(perf_counter() - start)
-    p99 = sorted(taken)[989]
-    return Row("search 100,000 signals for three words, p99", _time(p99), "", "", "at most 10 ms")
+    return sorted(taken)[989]
 
 
 def memory(bench: Bench) -> Row:

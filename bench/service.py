@@ -7,10 +7,13 @@ import asyncio
 import contextlib
 import os
 import re
+import resource
 import subprocess
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import cycle, islice
+from pathlib import Path
+from random import Random
 from statistics import median
 from time import perf_counter
 from typing import NamedTuple
@@ -39,10 +42,25 @@ run(create_app(Library(shipped_sources()[1:]), settings), settings)
 """
 _VSS = "/api/v1/catalogues/vss"
 _CLIENTS = 10
+_LONGEST_ANSWER = 64 * 1024 * 1024
 _OVERLAY = "".join(
     f"Vehicle.Bench{n}:\n  type: sensor\n  datatype: float\n  unit: km/h\n  description: Signal number {n} of a test.\n\n"
     for n in range(20)
 )
+
+
+class Server(NamedTuple):
+    """A server in a process of its own."""
+
+    place: str
+    """Host and port."""
+    process: int
+
+    @property
+    def memory(self) -> int:
+        """Bytes that it holds."""
+        pages = int(Path(f"/proc/{self.process}/statm").read_text().split()[1])
+        return pages * resource.getpagesize()
 
 
 class Load(NamedTuple):
@@ -59,7 +77,31 @@ class Load(NamedTuple):
 
 def rows(runs: int, count: int = 3000) -> Iterator[tuple[str, str, str, str, str]]:
     """Work, figure, reference, ratio and what is wanted, for each row."""
-    with _server(_FLOOR) as floor, _server(_SERVICE) as service:
+    yield from _speed(runs, count)
+    yield memory()
+
+
+def memory(count: int = 20_000) -> tuple[str, str, str, str, str]:
+    """Mixed requests, as many as a busy hour has: what the process holds at their end, and what in their middle."""
+    with _server(_SERVICE) as service:
+        requests = _mixed(service.place)
+        held = []
+        for _ in range(2):
+            asyncio.run(_sent(service.place, islice(requests, count // 2)))
+            held.append(service.memory)
+        middle, end = held
+    work = f"memory after {count:,} mixed requests"
+    return (
+        work,
+        f"{end / 1e6:.0f} MB",
+        f"in the middle: {middle / 1e6:.0f} MB",
+        f"{end / middle:.2f} ×",
+        "at most 1.10 ×",
+    )
+
+
+def _speed(runs: int, count: int) -> Iterator[tuple[str, str, str, str, str]]:
+    with _server(_FLOOR) as (floor, _), _server(_SERVICE) as (service, _):
         paths = [f"{_VSS}/nodes/{path}" for path in _paths()]
         words = [f"{_VSS}/search?q={word}" for word in reversed(_words(paths))]
         tag = (("If-None-Match", _tag(service, paths[0])),)
@@ -93,8 +135,8 @@ def _medians(runs: int, count: int, *asked: tuple[str, Iterator[str], Sequence[t
 
 
 @contextlib.contextmanager
-def _server(code: str) -> Iterator[str]:
-    """Host and port of a server on the first core; this process moves to the last one."""
+def _server(code: str) -> Iterator[Server]:
+    """A server on the first core; this process moves to the last one."""
     cores = sorted(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else []
     pin = f"import os; os.sched_setaffinity(0, [{cores[0]}])\n" if len(cores) > 1 else ""
     if pin:
@@ -104,7 +146,7 @@ def _server(code: str) -> Iterator[str]:
         assert process.stdout is not None
         match = re.search(r"http://(\S+)", process.stdout.readline())
         assert match, "the service did not start"
-        yield match[1]
+        yield Server(match[1], process.pid)
         process.terminate()
     if pin:
         os.sched_setaffinity(0, cores)
@@ -113,12 +155,29 @@ def _server(code: str) -> Iterator[str]:
 async def _load(
     place: str, addresses: Iterator[str], headers: Sequence[tuple[str, str]], count: int, body: bytes
 ) -> Load:
+    """Ask the same of each address."""
+    return await _sent(place, [_request(place, address, headers, body) for address in islice(addresses, count)])
+
+
+async def _sent(place: str, requests: Iterable[bytes]) -> Load:
     """Ask from ten connections, each one request after the other."""
-    waiting = iter([_request(place, address, headers, body) for address in islice(addresses, count)])
+    waiting = iter(requests)
     seconds: list[float] = []
     start = perf_counter()
     await asyncio.gather(*(_client(place, waiting, seconds) for _ in range(_CLIENTS)))
-    return Load(count / (perf_counter() - start), seconds)
+    return Load(len(seconds) / (perf_counter() - start), seconds)
+
+
+def _mixed(place: str) -> Iterator[bytes]:
+    """Of a hundred requests 60 for nodes, 25 searches, ten overlays that are checked or tried, and five long answers."""
+    paths = _paths()
+    nodes = cycle([f"{_VSS}/nodes/{path}" for path in paths])
+    words = cycle([f"{_VSS}/search?q={word}" for word in _words(paths)])
+    long = cycle([f"{_VSS}/tree?depth=9", f"{_VSS}/export/json", f"{_VSS}/nodes?limit=200", f"{_VSS}/units", _VSS])
+    posts = cycle(["/api/v1/lint", f"{_VSS}/trial"])
+    kinds = Random(1).choices((nodes, words, posts, long), (60, 25, 10, 5), k=10_000)
+    for kind in cycle(kinds):
+        yield _request(place, next(kind), (), _OVERLAY.encode() if kind is posts else b"")
 
 
 def _request(place: str, address: str, headers: Sequence[tuple[str, str]], body: bytes) -> bytes:
@@ -131,7 +190,7 @@ def _request(place: str, address: str, headers: Sequence[tuple[str, str]], body:
 async def _client(place: str, waiting: Iterator[bytes], seconds: list[float]) -> None:
     """A client that costs as little as it can: it shares its core with the other nine."""
     host, port = place.split(":")
-    reader, writer = await asyncio.open_connection(host, int(port))
+    reader, writer = await asyncio.open_connection(host, int(port), limit=_LONGEST_ANSWER)
     for request in waiting:
         start = perf_counter()
         writer.write(request)
@@ -139,6 +198,8 @@ async def _client(place: str, waiting: Iterator[bytes], seconds: list[float]) ->
         length = re.search(rb"content-length: (\d+)", head, re.IGNORECASE)
         if length:
             await reader.readexactly(int(length[1]))
+        elif b"chunked" in head:
+            await reader.readuntil(b"}\r\n0\r\n\r\n")
         status = head[9:12]
         assert status in (b"200", b"304"), head
         seconds.append(perf_counter() - start)
