@@ -30,12 +30,28 @@ def merge(layers: Iterable[Layer], scope: Scope, known: Mapping[str, Definition]
     stacks: Stacks = {}
     findings: list[Finding] = []
     for layer in layers:
-        for statement in layer.statements:
-            for path in _paths(statement, stacks, findings):
-                stacks[path] = (*stacks[path], statement) if path in stacks else (statement,)
+        _pile(layer, stacks, findings)
     known = known or {}
     definitions = {path: _definition(path, stack, scope, known.get(path)) for path, stack in stacks.items()}
     return Merged(definitions, tuple(findings))
+
+
+def merge_over(below: Mapping[str, Definition], layer: Layer, scope: Scope) -> Merged:
+    """One more layer over definitions that are merged already: those of which it speaks, and no others."""
+    stacks: Stacks = {path: definition.statements for path, definition in below.items()}
+    findings: list[Finding] = []
+    touched = _pile(layer, stacks, findings)
+    return Merged({path: define(path, stacks[path], scope) for path in touched}, tuple(findings))
+
+
+def _pile(layer: Layer, stacks: Stacks, findings: list[Finding]) -> Iterable[str]:
+    """Put the statements of a layer on those below; the result are the paths of which it speaks, in its order."""
+    touched: dict[str, None] = {}
+    for statement in layer.statements:
+        for path in _paths(statement, stacks, findings):
+            stacks[path] = (*stacks[path], statement) if path in stacks else (statement,)
+            touched[path] = None
+    return touched
 
 
 def _definition(path: str, stack: tuple[Statement, ...], scope: Scope, known: Definition | None) -> Definition:
@@ -52,5 +68,6 @@ def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Ite
     paths = [path for path in stacks if matches(path)]
     if not paths:
         message = f"Pattern {statement.path!r} matches no node."
-        findings.append(Finding("O001", "warning", message, *statement.origin()[:3], statement.path))
+        fix = "Correct the pattern, or remove it."
+        findings.append(Finding("O001", "warning", message, *statement.origin()[:3], statement.path, fix=fix))
     return paths

@@ -1,6 +1,6 @@
 """The catalogue: a frozen tree of nodes, found by path."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -101,6 +101,14 @@ class Catalogue:
     def origin(self, node: Node, attribute: str = "") -> Origin:
         """Where an attribute of a node was last written, or the node itself."""
         return node.definition.origin(attribute)
+
+    def written_in(self, files: Collection[str]) -> Iterator[Definition]:
+        """Definitions of which at least one of the files speaks."""
+        for definition in self.definitions.values():
+            for statement in definition.statements:
+                if statement.file.name in files:
+                    yield definition
+                    break
 
     @cached_property
     def digest(self) -> str:

@@ -1,0 +1,67 @@
+"""An overlay judged alone is judged as it would be within the whole tree."""
+
+import json
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.catalogue.compose import compose, compose_part
+from app.catalogue.layers import layer_from_text
+from app.catalogue.vocabulary import EMPTY
+from tests.catalogue.diff.running import signal
+from tests.catalogue.trees import ROOT, catalogue_of
+
+PATHS = st.sampled_from(
+    ["Vehicle", "Vehicle.A", "Vehicle.A.B", "Vehicle.A.B.C", "Vehicle.A.Row1", "Vehicle.A.Row1.B", "Vehicle.*", "Vehicle.A.*",
+     "Vehicle..X", "Other", "Other.A", "Nowhere.B"]
+)  # fmt: skip
+ATTRIBUTES = st.fixed_dictionaries(
+    {},
+    optional={
+        "type": st.sampled_from(["branch", "sensor", "attribute", "struct", "property", "wheel"]),
+        "datatype": st.sampled_from(["uint8", "string", "float", "flaot"]),
+        "description": st.just("A thing."),
+        "instances": st.sampled_from(["Row[1,2]", ["Left", "Right"]]),
+        "delete": st.booleans(),
+        "min": st.integers(-1, 300),
+        "unit": st.just("km"),
+    },
+)
+OVERLAYS = st.dictionaries(PATHS, ATTRIBUTES, max_size=6)
+TREES = OVERLAYS.map(lambda nodes: {"Vehicle": {"type": "branch"}, **nodes})
+
+
+@given(TREES.map(json.dumps), OVERLAYS.map(json.dumps))
+@settings(max_examples=200, deadline=None)
+def test_the_findings_of_an_overlay_are_those_that_it_has_in_the_whole(tree, overlay):
+    base = catalogue_of(tree)
+    layer = layer_from_text(overlay.encode(), "posted")
+    whole = compose([*base.layers, layer], base.vocabulary, expanded=False)
+    part = compose_part(base, layer)
+    missing = base.nodes.keys() - base.definitions.keys()
+    in_part, in_whole = (
+        {finding for finding in found if finding.file == "posted" and finding.path not in missing}
+        for found in (part.findings, whole.findings)
+    )
+    assert in_part == in_whole
+    assert {p: d.values for p, d in part.definitions.items()} == {p: d.values for p, d in whole.definitions.items()}
+
+
+def test_only_what_the_overlay_reaches_is_in_the_tree_and_the_branches_beside():
+    names = "".join(f"Vehicle.{name}:\n  type: branch\n  description: A branch.\n" for name in ("A", "A.B", "C"))
+    part = compose_part(
+        catalogue_of(ROOT + names + signal("Vehicle.A.Mass")), layer_from_text(signal("Vehicle.C.D").encode(), "posted")
+    )
+    assert list(part.nodes) == ["Vehicle", "Vehicle.A", "Vehicle.C", "Vehicle.C.D"]
+    assert part.findings == ()
+
+
+def test_an_overlay_may_use_the_struct_types_of_the_catalogue():
+    types = (
+        "Types:\n  type: branch\n  description: Types.\nTypes.Place:\n  type: struct\n  description: A place.\n"
+        "Types.Place.X:\n  type: property\n  datatype: float\n  description: X.\n"
+    )
+    layers = [layer_from_text(text.encode(), "tree", is_overlay=False) for text in (ROOT, types)]
+    base = compose(layers[:1], EMPTY, layers[1:])
+    signal = "Vehicle.Place:\n  type: sensor\n  datatype: Types.Place\n  description: Where it is.\n"
+    assert compose_part(base, layer_from_text(signal.encode(), "posted")).findings == ()
