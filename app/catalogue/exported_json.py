@@ -3,6 +3,9 @@
 An export says which units and struct types its nodes have, not what these are, so neither is checked here. It has
 lost some attributes (`UNKNOWN`); of an expanded one, the instances are found again by what they share with the
 branch above them.
+
+Exports of releases before VSS 5.0 have a `uuid` at each node, by which they are known. They are read as the trees of
+that time are: older words as the present ones, and what was not checked then is a warning.
 """
 
 import hashlib
@@ -20,13 +23,16 @@ from app.catalogue.definition import BRANCH, Definition
 from app.catalogue.layers import Layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue, Node
+from app.catalogue.quirks import in_present_words, tolerant
 from app.catalogue.vspec_file import Origin, SourceFile, Statement
 from app.catalogue.yaml_document import Document, position, read_document
 from app.errors import InputRefused
 from app.findings import Finding
 
-UNKNOWN = frozenset(("arraysize", "aggregate"))
-"""Attributes that an export never has."""
+UNKNOWN = frozenset(("arraysize", "aggregate", "uuid"))
+"""Attributes that tell no change: an export may have lost them, or, `uuid`, have made them from the path."""
+_REPEATED = ("type", "description", "comment")
+"""What exports of before repeat of a branch in its instances; those of today repeat everything."""
 _REFERS_OUTSIDE = frozenset(("V003", "V006", "V007"))
 """Findings about units and struct types, which an export may not carry along."""
 _TYPES = "ComplexDataTypes"
@@ -57,14 +63,17 @@ def catalogue_from_export(
     pairs = _pairs(document.root)
     types = content.pop(_TYPES, None)
     reading.read_children("", content, document.root)
-    layers = [_layer(source, reading), *overlays]
+    base = _layer(source, reading)
+    is_older = any("uuid" in statement.values for statement in base.statements)
+    layers = [in_present_words(base) if is_older else base, *overlays]
     type_layers = []
     if types is not None:
         reading = _Reading(source)
         reading.read_children("", types, pairs[_TYPES][1])
         type_layers.append(_layer(source, reading))
     catalogue = compose(layers, types=type_layers, name=Path(name).stem, limits=limits)
-    return _with_instances_found(catalogue)
+    found = _with_instances_found(catalogue)
+    return tolerant(found) if is_older else found
 
 
 class _Exported(Statement):
@@ -193,4 +202,11 @@ def _found(node: Node, template: str, is_instance: bool, known: dict[tuple[int, 
 
 def _repeats(node: Node, child: Node) -> bool:
     """Whether a branch is an instance of the one above it: an expansion repeats all that a branch says in each."""
-    return node.type == child.type == BRANCH and bool(child.children) and child.values == node.values
+    if not (node.type == child.type == BRANCH and child.children):
+        return False
+    above, own = _without_uuid(node), _without_uuid(child)
+    return own in (above, {name: value for name, value in above.items() if name in _REPEATED})
+
+
+def _without_uuid(node: Node) -> Mapping[str, Any]:
+    return {name: value for name, value in node.values.items() if name != "uuid"}

@@ -4,7 +4,7 @@ What differs from the present form, by release:
 
 | release | units | words in trees |
 |---|---|---|
-| 3.0 | none: they stood in the tools | `enum` lists allowed values in trees of before, `rbranch` |
+| 3.0 | none: they stood in the tools | `enum` lists allowed values in trees of before, `rbranch`, `type: Actuator` |
 | 3.1, 4.0 | one mapping under `units:`, with `label`, `description`, `domain`; no quantities | – |
 | 4.1, 4.2 | present form, a few entries with words of before; a quantity need not be defined | – |
 | 5.0 on | present form | – |
@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app.catalogue.datatypes import DATATYPES, PRIMITIVES
+from app.catalogue.definition import TYPES
 from app.catalogue.digest import digest_of
 from app.catalogue.layers import Layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
@@ -42,6 +43,8 @@ _UNITS_OF_TOOLS = (
     ("MB/s", "Amount of data in each second, in units of one million bytes.", "data per time"),
 )
 """Units that the tools of 3.0 knew and that the shipped vocabulary has no longer."""
+_SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
+"""Keys of shipped units that were spelled otherwise then; a tree of 3.0 keeps its own spelling."""
 _ESSENTIAL = frozenset(("V021", "V022", "V024", "V025"))
 """Rules without which there is no tree: what breaks them is an error in a tree of any age."""
 
@@ -163,13 +166,18 @@ def _same_name(unit: Unit, other: Unit) -> Finding:
 def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
     """The shipped units, for any datatype, and those that only the tools of 3.0 knew."""
     shipped = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"], limits)
-    units = {name: unit._replace(allowed_datatypes=_ANY_DATATYPE) for name, unit in shipped.units.items()}
+    units = {name: _unit_of_tools(unit) for name, unit in shipped.units.items()}
     nowhere = Origin(str(spec), 0, 0)
     for key, definition, quantity in _UNITS_OF_TOOLS:
         units[key.lower()] = Unit(key, key, definition, quantity, _ANY_DATATYPE, "", nowhere)
     message = "No units stand beside the tree, as in VSS 3.0; it gets the units that sigcat ships."
     finding = Finding("U005", "warning", message, str(spec), fix="Name a file of units to choose others.")
     return Vocabulary(units, shipped.quantities, shipped.files, (*shipped.findings, finding))
+
+
+def _unit_of_tools(shipped: Unit) -> Unit:
+    key = _SPELLINGS_OF_TOOLS.get(shipped.key, shipped.key)
+    return shipped._replace(key=key, allowed_datatypes=_ANY_DATATYPE)
 
 
 # -- trees --------------------------------------------------------------------------------------------------------
@@ -181,7 +189,8 @@ def in_present_words(layer: Layer) -> Layer:
     statements = tuple(_in_present_words(statement, findings) for statement in layer.statements)
     if not findings:
         return layer
-    return Layer(layer.name, layer.is_overlay, layer.files, statements, layer.findings + tuple(findings))
+    once = {finding[3:6]: finding for finding in reversed(findings)}  # a file may be included several times
+    return Layer(layer.name, layer.is_overlay, layer.files, statements, (*layer.findings, *once.values()))
 
 
 def _in_present_words(statement: Statement, findings: list[Finding]) -> Statement:
@@ -209,6 +218,8 @@ def _present(name: str, value: Any, values: Mapping[str, Any]) -> tuple[str, Any
         return "default", value
     if name == "type" and value == "rbranch":
         return name, "branch"
+    if name == "type" and isinstance(value, str) and value.lower() in TYPES:
+        return name, value.lower()
     return name, value
 
 

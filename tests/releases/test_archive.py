@@ -5,6 +5,8 @@ import io
 import stat
 import struct
 import tarfile
+import time
+import tracemalloc
 import zipfile
 from contextlib import suppress
 from pathlib import Path
@@ -136,6 +138,26 @@ def test_what_grows_without_measure_is_refused(tmp_path, pack):
     zeros = b"\0" * 3_000_000
     data = tar_bytes([member(f"{TOP}/docs/zeros", zeros)]) if pack == "tar" else zip_bytes({f"{TOP}/docs/0": zeros})
     assert "20 times its size" in refusal(tmp_path, data, ArchiveLimits(ratio=20, free_bytes=100_000))
+
+
+@pytest.mark.parametrize("pack", ["tar", "zip"])
+def test_a_bomb_is_refused_in_under_a_second_and_little_memory(tmp_path, pack):
+    zeros = b"\0" * 200_000_000
+    data = tar_bytes([member(f"{TOP}/docs/0", zeros)]) if pack == "tar" else zip_bytes({f"{TOP}/docs/0": zeros})
+    del zeros
+    file = saved(tmp_path, data)
+    taken: list[float] = []
+    tracemalloc.start()
+    while len(taken) < 3 and not (taken and taken[-1] < 1):
+        start = time.perf_counter()
+        with pytest.raises(ArchiveRefused, match="200 times its size"):
+            unpack(file, tmp_path / "nowhere")
+        taken.append(time.perf_counter() - start)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert min(taken) < 1
+    assert peak < 5_000_000
+    assert not (tmp_path / "nowhere").exists()
 
 
 @pytest.mark.parametrize("pack", ["tar", "zip"])

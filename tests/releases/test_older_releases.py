@@ -52,6 +52,12 @@ def test_a_tree_of_3_0_gets_the_shipped_units_and_those_of_its_tools():
     assert catalogue.unit(catalogue.nodes["Vehicle.StartTime"]) is catalogue.vocabulary.units["unix timestamp"]
 
 
+def test_a_unit_in_a_tree_of_3_0_keeps_the_spelling_of_that_time():
+    catalogue = loaded("no_units_as_in_3.0")
+    assert catalogue.nodes["Vehicle.Heat"].values["unit"] == "celsius"
+    assert [unit.key for unit in catalogue.vocabulary.distinct_units if unit.key.lower() == "celsius"] == ["celsius"]
+
+
 def test_units_of_4_1_keep_what_is_written_as_today():
     vocabulary = loaded("units_of_4.1_and_4.2").vocabulary
     assert vocabulary.units["ml"].definition == "Volume, metric."
@@ -65,6 +71,29 @@ def test_words_of_before_are_read_as_the_present_ones():
     assert nodes["Vehicle.State"].values["allowed"] == ["OFF", "ON"]
     assert nodes["Vehicle.Doors"].values["default"] == 4
     assert nodes["Vehicle.Body"].type == "branch"
+
+
+def test_a_type_may_be_written_in_capitals():
+    nodes = loaded("as_written_between_3.0_and_4.0").nodes
+    assert nodes["Vehicle.IsLocked"].type == nodes["Vehicle.Spare.IsLocked"].type == "actuator"
+
+
+def test_values_of_the_time_are_what_they_are_today():
+    nodes = loaded("as_written_between_3.0_and_4.0").nodes
+    assert nodes["Vehicle.Plugs"].values["allowed"] == ["AC", "DC", "OTHER"]
+    assert nodes["Vehicle.Rows"].values["default"] == [2, 3]
+    assert nodes["Vehicle.Charge"].values["max"] == 100
+    assert nodes["Vehicle.IsLocked"].values["default"] is False
+    assert nodes["Vehicle.Brake.IsDefect"].values["datatype"] == "boolean"
+
+
+def test_values_of_another_kind_are_kept_as_written():
+    nodes = loaded("values_of_other_kinds").nodes
+    kept = {name: nodes[f"Vehicle.{name}"].values for name in ("Old", "Rows", "Mode", "Lowest")}
+    assert kept["Old"]["deprecation"] == 3.1
+    assert kept["Rows"]["default"] == "[2, 3]"
+    assert kept["Mode"]["allowed"] == 3
+    assert (kept["Lowest"]["min"], kept["Lowest"]["max"]) == ("none", 100)
 
 
 def test_a_renamed_attribute_keeps_its_place():
@@ -82,6 +111,19 @@ def test_instances_of_the_time_are_expanded():
         "Vehicle.Seat.Pos2.IsOccupied",
         "Vehicle.Mirror.Left.IsFolded",
         "Vehicle.Mirror.Right.IsFolded",
+    ]
+
+
+def test_an_instance_may_have_a_definition_of_its_own():
+    nodes = loaded("instances_with_definitions_of_their_own").nodes
+    assert [node.path for node in nodes.values() if node.is_leaf] == [
+        "Vehicle.Lights.Beam.Low.IsOn",
+        "Vehicle.Lights.Beam.High.IsOn",
+        "Vehicle.Lights.Fog.IsOn",
+        "Vehicle.Axle.Row1.Wheel.Left.Speed",
+        "Vehicle.Axle.Row1.Wheel.Right.Speed",
+        "Vehicle.Axle.Row2.Wheel.Left.Speed",
+        "Vehicle.Axle.Row2.Wheel.Right.Speed",
     ]
 
 

@@ -50,13 +50,20 @@ def write_catalogue(catalogue: Catalogue, folder: Path, *, copy_unit_files: bool
 
 def tree_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
     """The merged tree as one flat file, in the order in which its paths were first written."""
-    refused = {path: {problem.attribute for problem in refused_attributes(d)} for path, d in definitions.items()}
-    return {
-        path: {
-            name: value for name, value in d.values.items() if not _is_include(name, d) and name not in refused[path]
-        }
-        for path, d in definitions.items()
+    return {path: _statement(definition) for path, definition in definitions.items()}
+
+
+def _statement(definition: Definition) -> dict[str, Any]:
+    """What vss-tools takes of a definition. A description that is a number, as old trees have it, is its text."""
+    refused = {problem.attribute for problem in refused_attributes(definition)}
+    kept = {
+        name: value
+        for name, value in definition.values.items()
+        if name not in refused and not _is_include(name, definition)
     }
+    if isinstance(kept.get("description"), int | float):
+        kept["description"] = str(kept["description"])
+    return kept
 
 
 def refused_attributes(definition: Definition) -> tuple[Problem, ...]:

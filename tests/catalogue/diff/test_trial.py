@@ -147,3 +147,9 @@ def test_a_missing_overlay_is_one_line(files, capsys):
 def test_findings_are_findings():
     trial = try_overlay(catalogue_of(TREE), b"Nonsense", "posted")
     assert all(isinstance(finding, Finding) for finding in trial.findings)
+
+
+def test_a_node_that_does_not_exist_is_taken_for_a_slip_of_the_pen():
+    (finding,) = try_overlay(catalogue_of(TREE), b"Vehicle.Sped:\n  max: 90\n", "posted").findings
+    assert finding.rule == "V001"
+    assert finding.fix.startswith("Did you mean 'Vehicle.Speed'")

@@ -38,7 +38,15 @@ LEFT_OUT = {
         ("Vehicle.Level", "allowed"),
         ("Vehicle.Level", "default"),
         ("Vehicle.Level", "aggregate"),
-    }
+    },
+    "values_of_other_kinds": {
+        ("Vehicle.Old", "deprecation"),
+        ("Vehicle.Rows", "default"),
+        ("Vehicle.Mode", "allowed"),
+        ("Vehicle.Lowest", "min"),
+        ("Vehicle.Distance", "unit"),
+        ("Vehicle.Distance", "max"),
+    },
 }
 """What of a tree of before the checks of today vss-tools would refuse."""
 
