@@ -5,14 +5,14 @@ with problems is kept, so that everything wrong with a tree can be told at once.
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from app.catalogue.datatypes import DATATYPES, belongs_to, element_of, holds, is_array
 from app.catalogue.vocabulary import Vocabulary
 from app.catalogue.vspec_file import Origin, Statement
 from app.findings import Finding, Severity
-from app.names import did_you_mean, last_name, parent_path
+from app.names import did_you_mean, last_name, parent_path, screaming_snake_case
 
 BRANCH = "branch"
 STRUCT = "struct"
@@ -28,6 +28,7 @@ DATA_ATTRIBUTES = COMMON_ATTRIBUTES | {
 }  # fmt: skip
 CORE_ATTRIBUTES = BRANCH_ATTRIBUTES | DATA_ATTRIBUTES
 _EPSILON = 1e-6
+_INTO_RANGE = "Change the default, or the range."
 _QUOTE = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 
 
@@ -39,6 +40,8 @@ class Problem(NamedTuple):
     message: str
     fix: str = ""
     severity: Severity = "error"
+    within: tuple[int, ...] = ()
+    """Steps from the attribute to the item that the problem is about; of a mapping, to its key."""
 
 
 class Scope(NamedTuple):
@@ -85,6 +88,15 @@ class Definition:
                     return statement.origin(attribute)
         return self.statements[0].origin() if self.statements else Origin("", 0, 0)
 
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin:
+        """Where an item of a list or mapping was written last; where the attribute was, if that is not known."""
+        if steps:
+            for statement in reversed(self.statements):
+                place = statement.origin_within(attribute, steps, at_key=at_key)
+                if place is not None:
+                    return place
+        return self.origin(attribute)
+
     def history(self, attribute: str) -> tuple[tuple[Any, Origin], ...]:
         """Every value that the layers gave an attribute, first to last, with its origin."""
         return tuple(
@@ -100,7 +112,7 @@ class Definition:
 
     def finding(self, problem: Problem, path: str = "") -> Finding:
         """A problem as a finding at the place where it was written."""
-        place = self.origin(problem.attribute)[:3]
+        place = self.origin_within(problem.attribute, problem.within, at_key=True)[:3]
         return Finding(problem.rule, problem.severity, problem.message, *place, path or self.path, fix=problem.fix)
 
 
@@ -149,6 +161,16 @@ def instances_of(values: Mapping[str, Any]) -> list[Any]:
     if instances is None:
         return []
     return [instances] if isinstance(instances, str) else list(instances) if isinstance(instances, list) else []
+
+
+def labels_of(values: Mapping[str, Any]) -> Iterator[tuple[tuple[int, ...], Any]]:
+    """Every label of the instances, ranges unexpanded, with the steps that lead to it."""
+    is_list = isinstance(values.get("instances"), list)
+    for i, entry in enumerate(instances_of(values)):
+        if isinstance(entry, list):
+            yield from (((i, j), item) for j, item in enumerate(entry))
+        else:
+            yield (i,) if is_list else (), entry
 
 
 def resolved_datatype(datatype: str, path: str, structs: Mapping[str, Any]) -> str | None:
@@ -276,15 +298,12 @@ def _wrong_type(node_type: Any) -> Problem:
 
 
 def _check_branch(values: Mapping[str, Any], problems: list[Problem]) -> None:
-    for entry in _flat(instances_of(values)):
+    for steps, entry in labels_of(values):
         match = re.search(r"\[(\d+),(\d+)\](?!.*\[\d+,\d+\])", str(entry))
         if match and int(match[1]) > int(match[2]):
-            problems.append(Problem("V018", "instances", f"Range {match[0]} of {entry!r} runs backwards."))
-
-
-def _flat(instances: list[Any]) -> Iterator[Any]:
-    for entry in instances:
-        yield from entry if isinstance(entry, list) else (entry,)
+            message = f"Range {match[0]} of {entry!r} runs backwards."
+            fix = f"Write [{match[2]},{match[1]}]."
+            problems.append(Problem("V018", "instances", message, fix, within=steps))
 
 
 def _check_core_attributes(values: Mapping[str, Any], problems: list[Problem]) -> None:
@@ -305,7 +324,7 @@ def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: li
         return
     datatype = values.get("datatype")
     if not isinstance(datatype, str):
-        problems.append(Problem("V002", "", "The node has no `datatype`."))
+        problems.append(Problem("V002", "", "The node has no `datatype`.", "Add one, such as uint8, float or string."))
         return
     resolved = resolved_datatype(datatype, path, scope.structs)
     if resolved is None:
@@ -326,10 +345,12 @@ def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
         known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
         yield Problem("V006", "unit", f"{name!r} is no unit.", did_you_mean(name, known))
     elif datatype not in DATATYPES:
-        yield Problem("V007", "unit", f"A struct such as {datatype} has no unit.")
+        yield Problem("V007", "unit", f"A struct such as {datatype} has no unit.", "Remove it.")
     elif not any(belongs_to(element_of(datatype), allowed) for allowed in unit.allowed_datatypes):
         allowed = ", ".join(unit.allowed_datatypes) or "none"
-        yield Problem("V007", "unit", f"Unit {unit.key!r} is not for {datatype}; it allows {allowed}.")
+        yield Problem(
+            "V007", "unit", f"Unit {unit.key!r} is not for {datatype}; it allows {allowed}.", "Change one of the two."
+        )
 
 
 def _conflicts(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -341,7 +362,9 @@ def _conflicts(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterat
     if bounded and values.get("enum") is not None:
         yield Problem("V013", "enum", "`enum` and `min`/`max` exclude each other.", "Keep one of them.")
     if values.get("arraysize") is not None and not is_array(datatype):
-        yield Problem("V015", "arraysize", f"`arraysize` is for arrays; {datatype} is none.")
+        yield Problem(
+            "V015", "arraysize", f"`arraysize` is for arrays; {datatype} is none.", f"Remove it, or write {datatype}[]."
+        )
 
 
 def _range_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -350,9 +373,11 @@ def _range_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> I
         if bound is None:
             continue
         if datatype not in DATATYPES:
-            yield Problem("V008", name, f"A struct such as {datatype} has no `{name}`.")
+            yield Problem("V008", name, f"A struct such as {datatype} has no `{name}`.", "Remove it.")
         elif not holds(datatype, bound):
-            yield Problem("V008", name, f"`{name}` {bound} is no value of {datatype}.")
+            yield Problem(
+                "V008", name, f"`{name}` {bound} is no value of {datatype}.", "Change the limit, or the datatype."
+            )
 
 
 def _enum_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -360,19 +385,22 @@ def _enum_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if not enum:
         return
     if datatype not in DATATYPES or not belongs_to(element_of(datatype), "int"):
-        yield Problem("V014", "enum", f"`enum` needs an integer datatype, not {datatype}.")
+        yield Problem("V014", "enum", f"`enum` needs an integer datatype, not {datatype}.", "Use one such as uint8.")
         return
     if len(set(enum.values())) < len(enum):
-        yield Problem("V014", "enum", "Two names of the `enum` have the same number.")
-    for key, number in enum.items():
+        yield Problem("V014", "enum", "Two names of the `enum` have the same number.", "Give each its own.")
+    for i, (key, number) in enumerate(enum.items()):
         if not isinstance(key, str):
-            yield Problem(
-                "V014", "enum", f"Name {key!r} of the `enum` is no text.", _QUOTE if key in (True, False) else ""
-            )
+            fix = _QUOTE if isinstance(key, bool) else "Quote it."
+            yield Problem("V014", "enum", f"Name {key!r} of the `enum` is no text.", fix, within=(i,))
         elif not re.match(r"[A-Z]", key):
-            yield Problem("V014", "enum", f"Name {key!r} of the `enum` does not start with a capital letter.")
+            message = f"Name {key!r} of the `enum` does not start with a capital letter."
+            proposal = screaming_snake_case(key)
+            fix = f"Write {proposal!r}." if re.match(r"[A-Z]", proposal) else "Start it with a capital letter."
+            yield Problem("V014", "enum", message, fix, within=(i,))
         if not holds(element_of(datatype), number):
-            yield Problem("V014", "enum", f"Number {number} of the `enum` is no value of {datatype}.")
+            message = f"Number {number} of the `enum` is no value of {datatype}."
+            yield Problem("V014", "enum", message, within=(i,))
 
 
 def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -380,12 +408,13 @@ def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
     if not allowed:
         return
     if datatype not in DATATYPES:
-        yield Problem("V012", "allowed", f"A struct such as {datatype} has no `allowed` values.")
+        yield Problem("V012", "allowed", f"A struct such as {datatype} has no `allowed` values.", "Remove them.")
         return
-    for value in allowed:
+    for i, value in enumerate(allowed):
         if not holds(datatype, value):
-            fix = _QUOTE if value in (True, False) else ""
-            yield Problem("V012", "allowed", f"Allowed value {_shown(value)} is no value of {datatype}.", fix)
+            fix = _QUOTE if isinstance(value, bool) else ""
+            message = f"Allowed value {_shown(value)} is no value of {datatype}."
+            yield Problem("V012", "allowed", message, fix, within=(i,))
 
 
 def _default_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -402,7 +431,8 @@ def _default_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
     items = default if isinstance(default, list) else [default]
     wrong = next((item for item in items if not _fits(item, datatype, scope)), None)
     if wrong is not None or not _fits(default, datatype, scope):
-        yield Problem("V009", "default", f"Default {_shown(wrong or default)} is no value of {datatype}.")
+        shown = _shown(default if wrong is None else wrong)
+        yield Problem("V009", "default", f"Default {shown} is no value of {datatype}.", _number_of(wrong, values))
         return
     yield from _default_bounds(values, items)
 
@@ -413,14 +443,28 @@ def _default_bounds(values: Mapping[str, Any], items: list[Any]) -> Iterator[Pro
     for item in items:
         if isinstance(item, int | float):
             if low is not None and item < low - _EPSILON:
-                yield Problem("V010", "default", f"Default {item} is below `min` {low}.")
+                yield Problem("V010", "default", f"Default {item} is below `min` {low}.", _INTO_RANGE)
             if high is not None and item > high + _EPSILON:
-                yield Problem("V010", "default", f"Default {item} is above `max` {high}.")
+                yield Problem("V010", "default", f"Default {item} is above `max` {high}.", _INTO_RANGE)
         if values["default"] and allowed and item not in allowed:
-            fix = did_you_mean(str(item), [str(value) for value in allowed])
+            fix = did_you_mean(str(item), [str(value) for value in allowed]) or f"Use one of {_shown(allowed)[1:-1]}."
             yield Problem("V011", "default", f"Default {_shown(item)} is not among the `allowed` values.", fix)
         if values["default"] and enum and item not in enum.values():
-            yield Problem("V011", "default", f"Default {_shown(item)} is no number of the `enum`.")
+            yield Problem(
+                "V011", "default", f"Default {_shown(item)} is no number of the `enum`.", _number_of(item, values)
+            )
+
+
+def _number_of(default: Any, values: Mapping[str, Any]) -> str:
+    """What to write in place of a default that is a name of the enumeration, or none of its numbers."""
+    enum = values.get("enum")
+    if not isinstance(enum, Mapping) or not enum:
+        return ""
+    return (
+        f"Write the number, {enum[default]}."
+        if default in enum
+        else f"Use one of {_shown(list(dict.fromkeys(enum.values())))[1:-1]}."
+    )
 
 
 def _fits(value: Any, datatype: str, scope: Scope) -> bool:
@@ -452,16 +496,16 @@ def _pattern_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
     if not pattern:
         return
     if datatype not in ("string", "string[]"):
-        yield Problem("V016", "pattern", f"`pattern` is for strings, not for {datatype}.")
+        yield Problem("V016", "pattern", f"`pattern` is for strings, not for {datatype}.", "Remove it.")
         return
     if values.get("enum") is not None:
-        yield Problem("V016", "pattern", "`pattern` and `enum` exclude each other.")
+        yield Problem("V016", "pattern", "`pattern` and `enum` exclude each other.", "Keep one of them.")
     for name in ("default", "allowed"):
         given = values.get(name)
         for item in given if isinstance(given, list) else [given] if given else []:
             reason = _mismatch(pattern, item) if isinstance(item, str) else ""
             if reason:
-                yield Problem("V016", name, f"{_shown(item)} {reason} `pattern` {pattern!r}.")
+                yield Problem("V016", name, f"{_shown(item)} {reason} `pattern` {pattern!r}.", "Change one of the two.")
 
 
 def _mismatch(pattern: str, text: str) -> str:

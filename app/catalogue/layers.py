@@ -1,5 +1,8 @@
 """Layers: a base tree or an overlay with everything that it includes, in the order in which it applies."""
 
+import errno
+import os
+import stat
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -81,11 +84,17 @@ def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: 
     """A layer from text that stands in no file, such as a posted overlay. It cannot include files."""
     source = SourceFile(name, name if is_overlay else "", digest_of(text))
     file = parse_vspec(text, source, limits)
-    refused = tuple(
+    refused = [
         Finding("R010", "error", f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
-        for include in file.includes
-    )
-    return Layer(name, is_overlay, (source,), file.statements, file.findings + refused)
+        for include in file.includes[:_MOST_REFUSED]
+    ]
+    if (more := len(file.includes) - _MOST_REFUSED) > 0:
+        refused.append(Finding("R010", "error", f"{more:,} more includes are not read.", name))
+    return Layer(name, is_overlay, (source,), file.statements, (*file.findings, *refused))
+
+
+_MOST_REFUSED = 100
+"""Includes of a text that are refused one by one."""
 
 
 def _finished(reading: _Reading) -> Layer:
@@ -148,17 +157,26 @@ def _find(target: str, folders: Sequence[Path]) -> Path | None:
             candidate = folder / name
             try:
                 if candidate.exists():
-                    return candidate
+                    return _plain(candidate) if ".." in target else candidate
             except (OSError, ValueError):  # a name too long or with a zero byte
                 return None
     return None
+
+
+def _plain(path: Path) -> Path:
+    """The path without `..`, so that a file has one name; as it is where links make that another file."""
+    plain = Path(os.path.normpath(path))
+    return plain if plain.exists() and plain.samefile(path) else path
 
 
 def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None) -> VspecFile | None:
     if path in reading.files:
         return reading.files[path]
     try:
-        size = path.stat().st_size
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise OSError(errno.EINVAL, "it is no file")  # a pipe would be waited for
+        size = status.st_size
         data = path.read_bytes() if size <= reading.limits.file_bytes else None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)

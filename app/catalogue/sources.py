@@ -81,6 +81,8 @@ def source_of_tree(tree: str) -> Source:
 
     path = Path(tree)
     if path.is_file():
+        if path.suffix.lower() == ".json":
+            raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
         return Source(path.stem, path.stem, path)
     if path.is_dir():
         return Source(path.name, path.name, root_file(path))

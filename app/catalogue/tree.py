@@ -7,7 +7,7 @@ from app.catalogue.instances import Draft
 from app.catalogue.limits import Limits
 from app.catalogue.model import Node
 from app.findings import Finding
-from app.names import last_name, parent_path
+from app.names import did_you_mean, last_name, parent_path
 
 
 def draft_tree(definitions: Mapping[str, Definition], limits: Limits, findings: list[Finding]) -> Draft | None:
@@ -60,7 +60,8 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
         findings.append(Finding("V022", "error", message, *definitions[paths[0]].origin()[:3], paths[0]))
     for extra in roots[1:]:
         message = f"The tree has a second root {extra!r} beside {roots[0]!r}."
-        findings.append(Finding("V021", "error", message, *definitions[extra].origin()[:3], extra))
+        fix = f"Place it below {roots[0]!r}, or remove it."
+        findings.append(Finding("V021", "error", message, *definitions[extra].origin()[:3], extra, fix=fix))
     return roots[0] if roots else ""
 
 
@@ -69,18 +70,21 @@ def _connect(path: str, placed: dict[str, Draft], root: str, findings: list[Find
     definition = placed[path].definition
     child, parent = placed[path], parent_path(path)
     while parent and parent not in placed:
-        placed[parent] = Draft(last_name(parent), _made_branch(parent, path, definition), {child.name: child})
+        made = _made_branch(parent, path, definition, placed.get(parent_path(parent)))
+        placed[parent] = Draft(last_name(parent), made, {child.name: child})
         child, parent = placed[parent], parent_path(parent)
     if parent:
         _children(placed[parent])[child.name] = child
     elif root:
         message = f"{path!r} stands under no root of the tree."
-        findings.append(Finding("V022", "error", message, *definition.origin()[:3], path))
+        fix = f"Place it below {root!r}."
+        findings.append(Finding("V022", "error", message, *definition.origin()[:3], path, fix=fix))
 
 
-def _made_branch(path: str, below: str, definition: Definition) -> Definition:
+def _made_branch(path: str, below: str, definition: Definition, above: Draft | None) -> Definition:
     message = f"Branch {path!r} is not defined; it is made because {below!r} stands below it."
-    fix = f"Define {path!r} with `type: branch` and a description."
+    beside = [child.name for child in above.children.values() if child.definition.type == BRANCH] if above else []
+    fix = f"{did_you_mean(last_name(path), beside)} Define {path!r} with `type: branch` and a description.".lstrip()
     problem = Problem("V020", "", message, fix, "warning")
     return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,))
 

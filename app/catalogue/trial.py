@@ -10,6 +10,7 @@ from app.catalogue.layers import Layer, layer_from_text
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue, Node
 from app.findings import Finding
+from app.names import did_you_mean
 
 
 class Trial(NamedTuple):
@@ -33,8 +34,16 @@ def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) 
     catalogue = with_overlays(base, (overlay,), limits)
     nodes = tuple(node for path, node in catalogue.nodes.items() if _is_changed(base.nodes.get(path), node))
     known = frozenset(base.findings)
-    findings = tuple(finding for finding in catalogue.findings if finding not in known)
+    findings = tuple(_with_near_path(finding, base) for finding in catalogue.findings if finding not in known)
     return Trial(catalogue, nodes, findings, compare(base, catalogue))
+
+
+def _with_near_path(finding: Finding, base: Catalogue) -> Finding:
+    """A node without a type that the base does not have is a slip of the pen more often than a new node."""
+    if finding.rule != "V001" or finding.path in base.definitions:
+        return finding
+    near = did_you_mean(finding.path, base.nodes)
+    return finding._replace(fix=f"{near} {finding.fix}") if near else finding
 
 
 def with_overlays(base: Catalogue, overlays: Sequence[Layer], limits: Limits = DEFAULT_LIMITS) -> Catalogue:

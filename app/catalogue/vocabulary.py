@@ -3,7 +3,7 @@
 A vocabulary is a value: two catalogues with different units live in one process.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -54,6 +54,10 @@ class Vocabulary(NamedTuple):
         return tuple(dict.fromkeys(self.units.values()))
 
 
+_UNIT_FIELDS = frozenset(
+    ("definition", "unit", "label", "quantity", "domain", "qudt", "allowed-datatypes", "deprecation", "comment")
+)
+"""What a unit may say, older releases included."""
 EMPTY = Vocabulary({}, {}, (), ())
 
 
@@ -122,6 +126,7 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
         message = f"Unit {entry.path!r} needs a `definition` and a `unit`."
         findings.append(_about(entry, "U003", "error", message))
         return None
+    findings.extend(_unknown_fields(entry))
     quantity = _quantity_of(values)
     if quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
@@ -143,6 +148,16 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
         str(values.get("deprecation") or ""),
         entry.origin(),
     )
+
+
+def _unknown_fields(entry: Statement) -> Iterator[Finding]:
+    """Fields that other tools drop without a word, and with them what they were to say."""
+    for name in entry.values:
+        if name not in _UNIT_FIELDS:
+            message = f"Unit {entry.path!r} has the unknown field {name!r}, which is left out."
+            fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
+            place = entry.origin_of_key(name)[:3]
+            yield Finding("U006", "warning", message, *place, entry.path, fix=fix)
 
 
 def _quantity_of(values: Mapping[str, Any]) -> str:

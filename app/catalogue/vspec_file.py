@@ -8,9 +8,10 @@ import re
 import sys
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from yaml.nodes import MappingNode, Node, ScalarNode
+from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.yaml_document import (
@@ -49,6 +50,9 @@ class SourceFile(NamedTuple):
     """SHA-256 of the bytes, in hexadecimal."""
 
 
+_NO_COLLECTIONS: Mapping[str, Node] = MappingProxyType({})
+
+
 class Statement:
     """What one file says of one node: its key and the attributes under it, in the order of the file.
 
@@ -56,16 +60,23 @@ class Statement:
     has half a million attributes, and a position is asked for only when something is shown.
     """
 
-    __slots__ = ("_key_mark", "_marks", "file", "path", "values")
+    __slots__ = ("_collections", "_key_mark", "_marks", "file", "path", "values")
 
     def __init__(
-        self, path: str, file: SourceFile, values: Mapping[str, Any], key_mark: int, marks: Sequence[int]
+        self,
+        path: str,
+        file: SourceFile,
+        values: Mapping[str, Any],
+        key_mark: int,
+        marks: Sequence[int],
+        collections: Mapping[str, Node] = _NO_COLLECTIONS,
     ) -> None:
         self.path = path
         self.file = file
         self.values = values
         self._key_mark = key_mark
         self._marks = marks
+        self._collections = collections
 
     def __repr__(self) -> str:
         origin = self.origin()
@@ -82,9 +93,24 @@ class Statement:
         line, column, _, _ = _unpack(self._mark(attribute))
         return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
 
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
+        """Position of an item of a list (by index) or of a mapping (by key, or by index), or of its key.
+
+        None if nothing is written there, as where a list is merged from elsewhere.
+        """
+        node, line, column = self._collections.get(attribute), 0, 0
+        for step in steps:
+            pair = _pair(node, step)
+            if pair is None:
+                return None
+            node = pair[1]
+            line, column = position(pair[0] if at_key else node)
+        return Origin(self.file.name, line, column, self.file.overlay) if line else None
+
     def placed(self, prefix: str) -> "Statement":
         """The same statement below `prefix`, as an include with a prefix places it."""
-        return Statement(f"{prefix}.{self.path}", self.file, self.values, self._key_mark, self._marks)
+        path = f"{prefix}.{self.path}"
+        return Statement(path, self.file, self.values, self._key_mark, self._marks, self._collections)
 
     def _mark(self, attribute: str) -> int:
         if attribute in self.values:
@@ -161,7 +187,7 @@ def _read_statement(
             raise Unbuildable(f"{path!r} is not the path of a node.", key)
         if not isinstance(node, MappingNode):
             raise _NotAttributes(f"{path!r} has no attributes: a mapping belongs here.", node)
-        values, marks = _attributes(node, builder)
+        values, marks, collections = _attributes(node, builder)
     except Unbuildable as error:
         findings.append(_unbuildable(error, source.name, key.value if isinstance(key, ScalarNode) else ""))
         return None
@@ -171,7 +197,8 @@ def _read_statement(
     if "includes" in values and values.get("type") == "branch":
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
-    statement = Statement(path, source, values, _mark(key.start_mark, key.start_mark), array("Q", marks))
+    mark = _mark(key.start_mark, key.start_mark)
+    statement = Statement(path, source, values, mark, array("Q", marks), collections or _NO_COLLECTIONS)
     if includes_at is not None:
         includes.extend(_include_list(statement, *includes_at, findings))
     return statement
@@ -181,10 +208,11 @@ class _NotAttributes(Unbuildable):
     """The value of a node's key is not a mapping."""
 
 
-def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int]]:
-    """Values by name, and the packed position of each in the same order."""
+def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int], dict[str, Node]]:
+    """Values by name, the packed position of each in the same order, and the nodes of those that hold others."""
     values: dict[str, Any] = {}
     marks: list[int] = []
+    collections: dict[str, Node] = {}
     for key, value in merged_pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
@@ -194,8 +222,22 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
             marks[list(values).index(name)] = _mark(start, end)
         else:
             marks.append(_mark(start, end))
-        values[name] = builder.scalar(value) if isinstance(value, ScalarNode) else builder.value(value)
-    return values, marks
+        if isinstance(value, ScalarNode):
+            values[name] = builder.scalar(value)
+        else:
+            values[name] = builder.value(value)
+            collections[name] = value
+    return values, marks, collections
+
+
+def _pair(node: Node | None, step: int | str) -> tuple[Node, Node] | None:
+    """The key and the value of an item of a mapping; of a list, the item as both."""
+    if isinstance(node, SequenceNode) and isinstance(step, int):
+        return (node.value[step], node.value[step]) if step < len(node.value) else None
+    pairs: list[tuple[Node, Node]] = node.value if isinstance(node, MappingNode) else []
+    if isinstance(step, int):
+        return pairs[step] if step < len(pairs) else None
+    return next((pair for pair in pairs if isinstance(pair[0], ScalarNode) and pair[0].value == step), None)
 
 
 def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findings: list[Finding]) -> None:
@@ -231,8 +273,9 @@ def _include_list(statement: Statement, listed: Any, mark: int, findings: list[F
 def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[Include]:
     if "#include" not in text:
         return
+    line, counted = 1, 0
     for match in _INCLUDE_LINE.finditer(text):
-        line = text.count("\n", 0, match.start()) + 1
+        line, counted = line + text.count("\n", counted, match.start()), match.start()
         column = match.group().index("#") + 1
         _, *parts = match.group().split()
         if not parts:

@@ -42,7 +42,14 @@ _BOOLEANS = {"yes": True, "true": True, "on": True, "no": False, "false": False,
 
 
 class _Loader(_LIBYAML):  # type: ignore[misc]
-    """libyaml's loader; asks for the tag of a plain scalar once for each spelling (a third of the time of a file)."""
+    """libyaml's loader; asks for the tag of a plain scalar once for each spelling (a third of the time of a file).
+
+    It counts nodes while they are made: what has too many is given up before it takes time and memory.
+    """
+
+    def __init__(self, text: str, values: int) -> None:
+        super().__init__(text)
+        self._values = self._left = values
 
     def descend_resolver(self, current_node: Any, current_index: Any) -> None:
         """No tag depends on the path of a node."""
@@ -52,6 +59,9 @@ class _Loader(_LIBYAML):  # type: ignore[misc]
 
     def resolve(self, kind: Any, value: Any, implicit: Any) -> Any:
         """Tag of a node that has none of its own."""
+        self._left -= 1
+        if self._left < 0:
+            raise _too_many(self._values)
         if kind is not ScalarNode:
             return _SEQUENCE if kind is SequenceNode else _MAPPING
         if not implicit[0]:
@@ -114,12 +124,11 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
         message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
         return _refused("", name, "R002", message, line, column, "Save the file as UTF-8.")
     try:
-        _refuse_deep_nesting(text, limits.nesting)
+        _refuse_deep_nesting(text, limits)
         with collector_paused():
-            root = yaml.compose(text, Loader=_Loader)
-    except _TooDeep as error:
-        message = f"Collections nest deeper than {limits.nesting} levels."
-        return _refused(text, name, "R004", message, error.line, error.column)
+            root = _Loader(text, limits.values).get_single_node()
+    except _BeyondLimit as error:
+        return _refused(text, name, *error.args)
     except yaml.MarkedYAMLError as error:
         return _syntax_error(text, name, error)
     except yaml.reader.ReaderError as error:
@@ -225,15 +234,29 @@ _CONSTRUCTOR = SafeConstructor()
 
 
 def _integer(node: ScalarNode) -> int:
-    text: str = node.value
+    text = _readable(node)
     if text.isdecimal() and text.isascii() and (text[0] != "0" or text == "0"):
         return int(text)
     return int(_CONSTRUCTOR.construct_yaml_int(node))
 
 
+def _number(node: ScalarNode) -> float:
+    _readable(node)
+    return float(_CONSTRUCTOR.construct_yaml_float(node))
+
+
+def _readable(node: ScalarNode) -> str:
+    """The text of a number. Raises ValueError for one so long that reading it takes the square of its length."""
+    text: str = node.value
+    if len(text) > _LONGEST_NUMBER:
+        raise ValueError(f"a number has at most {_LONGEST_NUMBER:,} characters")
+    return text
+
+
+_LONGEST_NUMBER = 1_000
 _SCALARS: dict[str, Callable[[ScalarNode], Any]] = {
     _STANDARD + "int": _integer,
-    _STANDARD + "float": _CONSTRUCTOR.construct_yaml_float,
+    _STANDARD + "float": _number,
     _STANDARD + "bool": lambda node: _BOOLEANS[node.value.lower()],
     _STANDARD + "null": lambda _: None,
     _STANDARD + "value": lambda node: node.value,
@@ -251,25 +274,31 @@ _ADVICE = {
 }
 
 
-class _TooDeep(Exception):
-    def __init__(self, line: int, column: int) -> None:
-        self.line = line
-        self.column = column
+class _BeyondLimit(Exception):
+    """The document is larger than it may be: the rule, the message and, if known, line and column."""
 
 
-def _refuse_deep_nesting(text: str, limit: int) -> None:
+def _too_many(values: int) -> _BeyondLimit:
+    return _BeyondLimit("R014", f"The file has more than {values:,} values, which is the limit.")
+
+
+def _refuse_deep_nesting(text: str, limits: Limits) -> None:
     openers = sum(map(text.count, _OPENERS))
     if openers > _SHALLOW_OPENERS:
         openers -= sum(1 for line in text.split("\n") if "[" in line and _LIST_ON_A_LINE.fullmatch(line))
     if openers <= _SHALLOW_OPENERS and _INDENTATION not in text:
         return
-    depth = 0
+    depth = count = 0
     for event in yaml.parse(text, Loader=_LIBYAML):
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
-            if depth > limit:
+            count += 1
+            if count > limits.values:
+                raise _too_many(limits.values)
+            if depth > limits.nesting:
                 mark: Any = event.start_mark
-                raise _TooDeep(mark.line + 1, mark.column + 1)
+                message = f"Collections nest deeper than {limits.nesting} levels."
+                raise _BeyondLimit("R004", message, mark.line + 1, mark.column + 1)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 

@@ -26,9 +26,24 @@ def rules_for(options: LintOptions) -> tuple[Rule, ...]:
     for code, given in options.rule_options.items():
         if code not in rules:
             raise UsageError(f"There is no rule {code!r}. {did_you_mean(code, rules)}".strip())
-        rule = rules[code]
-        rules[code] = rule._replace(options={**rule.options, **given}, trusted=False)
+        rules[code] = _with_options(rules[code], given)
     return tuple(rules.values())
+
+
+def _with_options(rule: Rule, given: Mapping[str, Any]) -> Rule:
+    """The rule with the options that a configuration gives it. Raises UsageError."""
+    from app.rules.checks import CHECKS
+    from app.rules.checks.kind import BadOption, check_options
+
+    changed = rule._replace(options={**rule.options, **given}, trusted=False)
+    check = CHECKS.get(rule.check)
+    if check is None:
+        raise UsageError(f"Rule {rule.id} has no options.")
+    try:
+        check_options(changed, check)
+    except BadOption as error:
+        raise UsageError(f"{error} {error.fix}".strip()) from None
+    return changed
 
 
 def chosen(rules: Sequence[Rule], options: LintOptions) -> tuple[Rule, ...]:
@@ -96,7 +111,8 @@ def as_severity(text: str) -> Severity:
 
 def _refuse_unknown(rules: Sequence[Rule], options: LintOptions) -> None:
     codes = [rule.id for rule in rules]
-    for named in (*options.select, *options.ignore, *options.extend_select, *options.severities):
+    by_file = [code for entry in options.per_file for code in entry.severities]
+    for named in (*options.select, *options.ignore, *options.extend_select, *options.severities, *by_file):
         if not named or not any(code.startswith(named) for code in codes):
             raise UsageError(f"No rule has the code {named!r}. {did_you_mean(named, codes)}".strip())
     for severity in options.severities.values():

@@ -36,7 +36,7 @@ def read_configuration(path: Path) -> LintOptions:
         raise InputRefused(f"The configuration {str(path)!r} cannot be read: {error.strerror}.") from None
     except (ValueError, RecursionError) as error:
         raise InputRefused(f"The configuration {str(path)!r} is not valid TOML: {error}") from None
-    table = data.get("lint", {}) if path.name == FILES[0] else _table_in(data)
+    table = _table_in(data) if path.name == FILES[1] else data.get("lint", {})
     if not isinstance(table, dict):
         raise InputRefused(f"`lint` in {str(path)!r} takes a table.")
     return _options(table, path)

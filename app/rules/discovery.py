@@ -59,10 +59,10 @@ def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterab
         if path.is_dir():
             for file in walk(path):
                 found.setdefault(file, False)
-        elif path.exists():
+        elif path.is_file():
             found[path] = True
         else:
-            raise NotFound(f"{str(path)!r} does not exist.")
+            raise NotFound(f"{str(path)!r} {'is no file.' if path.exists() else 'does not exist.'}")
     includes = {path: includes_of(path) for path in found if path.suffix == ".vspec"}
     parts = _parts(includes)
     known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
@@ -80,7 +80,9 @@ def walk(folder: Path) -> Iterator[Path]:
         folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _SKIPPED)
         for name in sorted(files):
             if not name.startswith(".") and os.path.splitext(name)[1] in _SUFFIXES:  # noqa: PTH122 — many files
-                yield Path(here, name)
+                path = Path(here, name)
+                if path.is_file():
+                    yield path
 
 
 def includes_of(path: Path) -> tuple[tuple[str, str], ...]:
@@ -115,7 +117,12 @@ def _listed_includes(data: bytes) -> Iterator[tuple[bytes, bytes]]:
 
 
 def first_bytes(path: Path) -> bytes:
-    """The bytes of a file, as far as they are needed to tell what it is; nothing if it cannot be read."""
+    """The bytes of a file, as far as they are needed to tell what it is; nothing if it cannot be read.
+
+    A pipe is not opened: it would be waited for.
+    """
+    if not path.is_file():
+        return b""
     try:
         with path.open("rb") as file:
             return file.read(_MOST_BYTES)

@@ -24,12 +24,6 @@ _FIELD = re.compile(r"\{(\w+)(!r)?\}")
 
 Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
-Wanted = Callable[[Definition], bool]
-
-
-def everything(_definition: Definition) -> bool:
-    """The choice of a lint that leaves nothing out."""
-    return True
 
 
 def lint_catalogue(catalogue: Catalogue, rules: Sequence[Rule]) -> tuple[Finding, ...]:
@@ -38,9 +32,12 @@ def lint_catalogue(catalogue: Catalogue, rules: Sequence[Rule]) -> tuple[Finding
 
 
 def found_in(
-    catalogue: Catalogue, rules: Sequence[Rule], wanted: Wanted = everything, attributes: Iterable[str] = ()
+    catalogue: Catalogue,
+    rules: Sequence[Rule],
+    among: Iterable[Definition] | None = None,
+    attributes: Iterable[str] = (),
 ) -> Iterator[Found]:
-    """Findings with their repairs. `wanted` chooses the definitions that are looked at one by one.
+    """Findings with their repairs. `among` are the definitions that are looked at one by one; all without it.
 
     `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
     """
@@ -49,7 +46,7 @@ def found_in(
     bound = bind(rules, tree)
     for finding in bound.findings:
         yield finding, None
-    yield from _node_findings(bound.node_rules, tree, wanted)
+    yield from _node_findings(bound.node_rules, tree, tree.definitions.values() if among is None else among)
     for rule, test in bound.tree_rules:
         yield from _guarded(rule, test())
 
@@ -136,13 +133,12 @@ def _node_rule(rule: Rule, check: NodeCheck, tree: Tree) -> NodeRule:
     return NodeRule(rule, check.prepare(rule, tree), needs.partition(".")[0], glob, check.of_overlays)
 
 
-def _node_findings(rules: Sequence[NodeRule], tree: Tree, wanted: Wanted) -> Iterator[Found]:
+def _node_findings(rules: Sequence[NodeRule], tree: Tree, among: Iterable[Definition]) -> Iterator[Found]:
     usable = rules if tree.overlays else [rule for rule in rules if not rule.of_overlays]
     choices: dict[tuple[str, str], _Choice] = {}
-    for path, definition in tree.definitions.items():
-        if not wanted(definition):
-            continue
-        key = (definition.type, category_of(path) or "")
+    ended: set[str] = set()
+    for definition in among:
+        key = (definition.type, category_of(definition.path) or "")
         if key not in choices:
             choices[key] = _choice([rule for rule in usable if _concerns(rule.rule, *key)])
         for node_rule in _for_values(choices[key], definition.values):
@@ -150,10 +146,19 @@ def _node_findings(rules: Sequence[NodeRule], tree: Tree, wanted: Wanted) -> Ite
                 continue
             flaws = node_rule.test(definition)
             if not node_rule.rule.trusted:
-                yield from _guarded(node_rule.rule, flaws)
+                yield from _until_slow(node_rule.rule, flaws, ended)
                 continue
             for flaw in flaws:
                 yield _finding(node_rule.rule, flaw), flaw.repair
+
+
+def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[Found]:
+    """What a rule of others finds in one node; nothing more after the first match that took too long."""
+    if rule.id not in ended:
+        for found in _guarded(rule, flaws):
+            if found[0].rule == "L011":
+                ended.add(rule.id)
+            yield found
 
 
 def _choice(rules: Sequence[NodeRule]) -> _Choice:
@@ -187,12 +192,18 @@ def _guarded(rule: Rule, flaws: Iterable[Flaw]) -> Iterator[Found]:
 
 
 def _finding(rule: Rule, flaw: Flaw) -> Finding:
-    subject, attribute = flaw.subject, flaw.attribute
-    place = _name_origin(subject, attribute) if flaw.at_name else subject.origin(attribute)
-    facts = {"path": subject.path, "name": subject.path.rpartition(".")[2], **flaw.facts}
+    place, path = _place(flaw), flaw.subject.path
+    facts = {"path": path, "name": path.rpartition(".")[2], **flaw.facts}
     message = filled(rule.message, facts) if rule.message else flaw.message
     fix = filled(rule.fix, facts) if rule.fix else flaw.fix
-    return Finding(rule.id, rule.severity, message, place[0], place[1], place[2], subject.path, fix=fix)
+    return Finding(rule.id, rule.severity, message, place[0], place[1], place[2], path, fix=fix)
+
+
+def _place(flaw: Flaw) -> tuple[Any, ...]:
+    subject, attribute = flaw.subject, flaw.attribute
+    if flaw.within:
+        return subject.origin_within(attribute, flaw.within, at_key=flaw.at_name) or subject.origin(attribute)
+    return _name_origin(subject, attribute) if flaw.at_name else subject.origin(attribute)
 
 
 def _name_origin(subject: Any, attribute: str) -> tuple[Any, ...]:

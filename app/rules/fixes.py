@@ -125,12 +125,21 @@ def _edit(text: str, repair: Repair, node: ScalarNode, above: MappingNode | None
             else _quoted(node, repair, start, end)
         )
     if node.style in ("|", ">"):
-        return None
-    if node.style in _PLAIN_ENDINGS:
+        start, end = _within_block(text, start, end)
+    elif node.style in _PLAIN_ENDINGS:
         start, end = start + 1, end - 1
+    if start >= end:
+        return None
     if repair.kind == "capitalize":
         return Edit(start, start + 1, text[start].upper())
     return Edit(end, end, repair.text)
+
+
+def _within_block(text: str, start: int, end: int) -> tuple[int, int]:
+    """Where the text of a block scalar starts and ends: its first line says only how it is to be read."""
+    body = text.find("\n", start, end) + 1 or end
+    content = text[body:end]
+    return body + len(content) - len(content.lstrip()), body + len(content.rstrip())
 
 
 def _quoted(node: ScalarNode, repair: Repair, start: int, end: int) -> Edit | None:

@@ -1,6 +1,6 @@
 """What a check yields: one thing wrong with one node, not yet a finding of a rule."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Protocol
 
 from app.catalogue.vspec_file import Origin
@@ -15,6 +15,9 @@ class Subject(Protocol):
 
     def origin(self, attribute: str = "") -> Origin:
         """Where an attribute was written, or the node."""
+
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
+        """Where an item of a list or mapping was written."""
 
 
 class Repair(NamedTuple):
@@ -39,3 +42,5 @@ class Flaw(NamedTuple):
     repair: Repair | None = None
     at_name: bool = False
     """Whether the finding stands at the attribute's name, not at its value."""
+    within: tuple[int | str, ...] = ()
+    """Steps from the attribute to the item that is wrong: the index in a list, the key or index in a mapping."""

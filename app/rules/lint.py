@@ -5,15 +5,16 @@ that it is made for, together with the overlays beside it; a part of a tree that
 changed files, is checked by itself, at the place that its tree gives it. Findings are told for named files only.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from app.catalogue.compose import compose
+from app.catalogue.compose import compose, compose_part
 from app.catalogue.definition import Definition
 from app.catalogue.layers import Layer, layer_from_text, read_layer
-from app.catalogue.limits import DEFAULT_LIMITS
+from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
+from app.catalogue.quirks import Units, in_present_words, read_units
 from app.catalogue.vocabulary import EMPTY, Vocabulary, default_files, read_vocabulary
 from app.catalogue.yaml_document import collector_paused
 from app.data import ROOT_FILE
@@ -37,6 +38,11 @@ from app.rules.suppression import MARK, apply_suppressions, read_suppressions
 _WHOLE_TREE_CHECKS = frozenset(("reference", "reference-cycle", "companions", "asil-of-step", "deprecation-target"))
 _WHOLE_TREE_CODES = frozenset(("V020", "V021", "V022", "R010"))
 """What composing says of a part alone only because the rest of its tree is not there."""
+
+_ABOUT_RULES = frozenset(("L010", "L011"))
+"""What is wrong with a rule is told wherever it was to be used."""
+_UNREADABLE = frozenset(("R002", "R003"))
+"""A file that is no text has no lines to judge."""
 
 Texts = Literal["vspec", "comments", "nothing"]
 """What is looked at in the text of a file beside its values: lines and comments, comments, or nothing."""
@@ -79,15 +85,21 @@ def _linted(paths: Sequence[Path], options: LintOptions) -> LintResult:
 
 
 def lint_text(
-    text: bytes, name: str, base: Catalogue | None, rules: Sequence[Rule], *, is_tree: bool = False
+    text: bytes,
+    name: str,
+    base: Catalogue | None,
+    rules: Sequence[Rule],
+    *,
+    is_tree: bool = False,
+    limits: Limits = DEFAULT_LIMITS,
 ) -> tuple[Finding, ...]:
     """Findings in a text that stands in no file: an overlay over `base`, or a tree by itself."""
-    layer = layer_from_text(text, name, is_overlay=not is_tree)
+    layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
-        catalogue = compose([layer], base.vocabulary if base else EMPTY, expanded=False)
+        catalogue = compose([layer], base.vocabulary if base else EMPTY, expanded=False, limits=limits)
     else:
-        catalogue = compose([*_tree_layers(base), layer], base.vocabulary, expanded=False, earlier=base)
-    found = found_in(catalogue, rules, _written_in({name}))
+        catalogue = compose_part(base, layer)
+    found = found_in(catalogue, rules, catalogue.written_in({name}))
     content = text.decode("utf-8-sig", "replace")
     findings = [f for f, _ in found if f.file == name]
     findings.extend(lint_lines(content, name, rules))
@@ -95,10 +107,6 @@ def lint_text(
     grade = _Grade({rule.id: rule.severity for rule in rules}, frozenset(), LintOptions())
     kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, [rule.id for rule in rules])
     return in_order((*kept.findings, *grade.all(kept.about_comments)))
-
-
-def _tree_layers(base: Catalogue) -> list[Layer]:
-    return [layer for layer in base.layers if layer.is_overlay or layer is base.layers[0]]
 
 
 def _lint_trees(roots: Sequence[Path], lint: _Lint) -> dict[Path, Catalogue]:
@@ -114,21 +122,31 @@ def _lint_trees(roots: Sequence[Path], lint: _Lint) -> dict[Path, Catalogue]:
 
 
 def _compose_tree(root: Path, overlays: Sequence[Path], options: LintOptions) -> Catalogue:
-    layers = [read_layer(root, options.include_dirs)]
+    tree = read_layer(root, options.include_dirs)
+    vocabulary, is_older = _units(root, tree, overlays, options)
     types = [read_layer(path, options.include_dirs) for path in options.types]
-    return compose(layers, _vocabulary(root, overlays, options), types, expanded=False, name=root.stem)
+    return compose([_as_of_its_time(tree, is_older)], vocabulary, types, expanded=False, name=root.stem)
 
 
-def _vocabulary(root: Path, overlays: Sequence[Path], options: LintOptions) -> Vocabulary:
-    """Units beside the tree, then those beside its overlays, then those of the options."""
+def _as_of_its_time(layer: Layer, is_older: bool) -> Layer:
+    """The tree of an older release in the words of today; what it breaks is graded as in any tree."""
+    return in_present_words(layer) if is_older else layer
+
+
+def _units(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOptions) -> Units:
+    """Units beside the tree, then those beside its overlays, then those of the options; of a release of any age.
+
+    Where there are none, an official tree that uses units is one of 3.0; one that uses none tells nothing of its age.
+    """
     units = default_files(root, (), UNIT_FILES[0])
     quantities = default_files(root, (), QUANTITY_FILES[0])
     for folder in dict.fromkeys(path.parent for path in overlays):
         units += tuple(folder / name for name in UNIT_FILES if (folder / name).is_file())
         quantities += tuple(folder / name for name in QUANTITY_FILES if (folder / name).is_file())
-    return read_vocabulary(
-        tuple(dict.fromkeys((*units, *options.units))), tuple(dict.fromkeys((*quantities, *options.quantities)))
-    )
+    units, quantities = (*units, *options.units), (*quantities, *options.quantities)
+    if not units and not any("unit" in statement.values for statement in tree.statements):
+        return Units(read_vocabulary((), tuple(dict.fromkeys(quantities))), is_older=False)
+    return read_units(root, tuple(dict.fromkeys(units)), tuple(dict.fromkeys(quantities)))
 
 
 def _lint_overlays(overlays: Sequence[Path], bases: dict[Path, Catalogue], lint: _Lint) -> None:
@@ -152,16 +170,17 @@ def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
     """Overlays over one tree, with those that belong to them; findings in the named ones only."""
     options = lint.options
     order = _in_order_of_application(group, options)
-    vocabulary = _vocabulary(base, order, options)
+    tree = read_layer(base, options.include_dirs)
+    vocabulary, is_older = _units(base, tree, order, options)
     overlays = [read_layer(path, options.include_dirs, is_overlay=True) for path in order]
     types = [read_layer(path, options.include_dirs) for path in options.types]
-    tree = read_layer(base, options.include_dirs)
+    tree = _as_of_its_time(tree, is_older)
     earlier = _unchecked(tree, vocabulary)
     catalogue = compose([tree, *overlays], vocabulary, types, expanded=False, name=base.stem, earlier=earlier)
     named = {str(path) for path in group}
     files = {file.name for layer in overlays if layer.name in named for file in layer.files} | named
     beside = {file.name for file in vocabulary.files if Path(file.name).parent in {path.parent for path in group}}
-    found = found_in(catalogue, lint.rules, _written_in(files), options.attributes)
+    found = found_in(catalogue, lint.rules, catalogue.written_in(files), options.attributes)
     _add(found, files | (beside - set(lint.files)), lint)
     _look_at([*files, *beside], lint)
 
@@ -186,17 +205,10 @@ def _in_order_of_application(group: Sequence[Path], options: LintOptions) -> lis
 def _beside(group: Sequence[Path]) -> list[Path]:
     """The other overlays of the folders: one may refer to what another defines."""
     folders = dict.fromkeys(path.parent for path in group)
-    near = [path for folder in folders for path in sorted(folder.glob("*.vspec"))]
+    near = [path for folder in folders for path in sorted(folder.glob("*.vspec")) if path.is_file()]
     named = {path.resolve(): path for path in group}
     found = discover(near, group) if near else ()
     return [named.get(s.path.resolve(), s.path) for s in found if s.kind == "overlay"]
-
-
-def _written_in(files: set[str]) -> Callable[[Definition], bool]:
-    def wanted(definition: Definition) -> bool:
-        return any(statement.file.name in files for statement in definition.statements)
-
-    return wanted
 
 
 def _types(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
@@ -210,7 +222,7 @@ def _lint_types(path: Path, bases: dict[Path, Catalogue], lint: _Lint) -> None:
     """A tree of struct types by itself, with the units of the tree that uses them."""
     options = lint.options
     layer = read_layer(path, options.include_dirs)
-    vocabulary = _vocabulary(_base_for(path, list(bases), options), [path], options)
+    vocabulary, _ = _units(_base_for(path, list(bases), options), layer, [path], options)
     types = [layer if other == path else read_layer(other, options.include_dirs) for other in options.types]
     catalogue = compose([layer], vocabulary, types, expanded=False, name=path.stem)
     files = {file.name for file in layer.files} | {str(path)}
@@ -225,7 +237,8 @@ def _lint_part(source: Source, lint: _Lint) -> None:
     if source.prefix:
         statements = tuple(statement.placed(source.prefix) for statement in layer.statements)
         layer = Layer(layer.name, False, layer.files, statements, layer.findings)
-    catalogue = compose([layer], _vocabulary(source.tree, (), lint.options), expanded=False)
+    vocabulary, is_older = _units(source.tree, layer, (), lint.options)
+    catalogue = compose([_as_of_its_time(layer, is_older)], vocabulary, expanded=False)
     rules = [rule for rule in lint.rules if rule.check not in _WHOLE_TREE_CHECKS]
     found = found_in(catalogue, rules, attributes=lint.options.attributes)
     _add(((f, r) for f, r in found if f.rule not in _WHOLE_TREE_CODES), {str(source.path)}, lint)
@@ -266,14 +279,14 @@ def _lint_rules(path: Path, lint: _Lint) -> None:
 def _lint_vocabulary(path: Path, lint: _Lint) -> None:
     is_units = path.name in UNIT_FILES
     beside = tuple(path.parent / name for name in QUANTITY_FILES if (path.parent / name).is_file())
-    vocabulary = read_vocabulary((path,) if is_units else (), beside if is_units else (path,))
+    vocabulary = read_units(path, (path,), beside).vocabulary if is_units else read_vocabulary((), (path,))
     _add(((f, None) for f in vocabulary.findings), {str(path)}, lint)
     _look_at([str(path)], lint)
 
 
 def _add(found: Iterable[Found], files: set[str] | None, lint: _Lint) -> None:
     for finding, repair in found:
-        if files is None or finding.file in files:
+        if files is None or finding.file in files or finding.rule in _ABOUT_RULES:
             lint.found.setdefault(finding, repair)
 
 
@@ -291,8 +304,9 @@ def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> Lin
     codes = [rule.id for rule in every_rule]
     suppressions = []
     findings = list(lint.found)
+    no_texts = {finding.file for finding in findings if finding.rule in _UNREADABLE}
     for name, texts in lint.files.items():
-        if texts == "nothing":
+        if texts == "nothing" or name in no_texts:
             continue
         data = first_bytes(Path(name))
         content = data.decode("utf-8-sig", "replace")

@@ -43,6 +43,15 @@ class Tree:
         return children
 
     @cached_property
+    def whole(self) -> Mapping[str, Mapping[str, str]]:
+        """Paths of the nodes that have a type, below each branch by their last names: what a wrong path may have meant."""
+        whole: dict[str, dict[str, str]] = {}
+        for path, definition in self.definitions.items():
+            if definition.type:
+                whole.setdefault(parent_path(path), {})[last_name(path)] = path
+        return whole
+
+    @cached_property
     def interfaces(self) -> Mapping[str, Definition]:
         """Definitions of error, safety reaction, mode and scheduling interfaces by interface name."""
         found = {}

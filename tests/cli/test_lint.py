@@ -15,6 +15,17 @@ from tests.catalogue.trees import ROOT
 
 PROJECT = Path(__file__).parents[2]
 BAD = "".join(f"Vehicle.bad{n}: {{type: sensor, datatype: float, description: no}}\n" for n in range(400))
+OWN = """\
+ACME001:
+  name: without-prefix
+  title: Names start with Acme.
+  severity: warning
+  why: They are told from others.
+  check: name
+  nodes: {types: [signals]}
+  options: {pattern: 'Acme.*'}
+  source: Naming guide
+"""
 COMMAND = [sys.executable, "-m", "app.cli", "lint"]
 
 
@@ -106,6 +117,123 @@ def test_the_status_is_0_when_clean_1_with_findings_and_2_when_it_could_not_run(
     assert bool(output.err) == (status == 2)
 
 
+@pytest.mark.parametrize(
+    ("file", "text", "reason"),
+    [
+        ("sigcat.toml", "[lint", "not valid TOML"),
+        ("sigcat.toml", "[lint]\nselct = []\n", "Did you mean 'select'?"),
+        ("sigcat.toml", "[lint.severity]\nV101 = 'eror'\n", "Did you mean 'error'?"),
+        ("sigcat.toml", "[lint.per-file.here]\nX1 = 'off'\n", "No rule has the code 'X1'."),
+        ("sigcat.toml", "[lint.options.V102]\nprefxes = ['Is']\n", "Did you mean 'prefixes'?"),
+        ("sigcat.toml", "[lint.options.V102]\nprefixes = 3\n", "has the wrong type"),
+        ("sigcat.toml", "[lint.options.R001]\nmost = 3\n", "Rule R001 has no options."),
+        ("pyproject.toml", "[tool.sigcat.lint]\nrules = ['own.yaml']\n", "ACME1"),
+        ("own.toml", "[lint]\nbaseline = 'own.yaml'\n", "is no baseline"),
+    ],
+)
+def test_a_configuration_that_cannot_be_used_is_status_2_and_the_reason_is_told(file, text, reason, capsys):
+    Path("own.yaml").write_text("ACME1: {}\n")
+    Path("good.vspec").write_text(ROOT)
+    Path(file).write_text(text)
+    given = ["--config", file] if file == "own.toml" else []
+    assert status_of(["lint", "good.vspec", *given]) == 2
+    assert reason in capsys.readouterr().err
+
+
+def test_what_is_wrong_with_a_rule_is_told_when_an_overlay_alone_is_linted(capsys):
+    Path("own.yaml").write_text(OWN.replace("check: name", "check: nmae"))
+    Path("sigcat.toml").write_text("[lint]\nrules = ['own.yaml']\n")
+    Path("more.vspec").write_text("Vehicle.Speed: {max: 5}\n")
+    assert main(["lint", "more.vspec"]) == 1
+    assert "own.yaml:1:1: error L010 Rule ACME001 names the unknown check 'nmae'" in capsys.readouterr().out
+
+
+def test_a_rule_that_is_too_slow_is_tried_on_one_node_only(capsys):
+    Path("own.yaml").write_text(OWN.replace("Acme.*", "(a|a)+b"))
+    Path("sigcat.toml").write_text("[lint]\nrules = ['own.yaml']\n")
+    names = [f"{'a' * 60}{n}" for n in range(100)]
+    Path("tree.vspec").write_text(ROOT + "".join(BAD.splitlines()[0].replace("bad0", n) + "\n" for n in names))
+    started_at = time.monotonic()
+    assert main(["lint", "tree.vspec", "--select", "ACME", "--extend-select", "L"]) == 1
+    assert time.monotonic() - started_at < 5  # a hundred names at a tenth of a second would take ten
+    assert [line.split()[2] for line in capsys.readouterr().out.splitlines() if ": error" in line] == ["L011"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"),
+    [
+        (["lint", "--selct", "V1"], "--select"),
+        (["lint", "--colr=always"], "--color"),
+        (["lint", "--format", "jsn"], "json"),
+        (["lnt"], "lint"),
+        (["lint", ".", "--select", "V10l"], "V101"),
+        (["rule", "V1O1"], "V101"),
+    ],
+    ids=" ".join,
+)
+def test_a_mistyped_option_or_code_is_told_with_the_one_that_was_meant(arguments, name, capsys):
+    assert status_of(arguments) == 2
+    error = capsys.readouterr().err
+    assert "Did you mean" in error
+    assert name in error.rpartition("Did you mean")[2]
+
+
+@pytest.mark.parametrize("name", ["pipe.vspec", "gone.vspec"])
+def test_what_is_no_file_is_refused_by_name_and_passed_over_beside_others(name, capsys):
+    os.mkfifo("pipe.vspec")
+    Path("gone.vspec").symlink_to("nowhere")
+    Path("more.vspec").write_text("Vehicle.Speed: {max: 5}\n")
+    assert main(["lint", "more.vspec"]) == 0
+    assert main(["lint", "."]) == 0
+    assert main(["lint", name]) == 2
+    assert f"{name!r}" in capsys.readouterr().err
+
+
+def test_an_included_pipe_is_not_waited_for(capsys):
+    os.mkfifo("pipe.vspec")
+    Path("more.vspec").write_text("#include pipe.vspec\nVehicle.Speed: {max: 5}\n")
+    assert main(["lint", "more.vspec"]) == 1
+    assert "R012" in capsys.readouterr().out
+
+
+def test_output_that_is_closed_leaves_the_verdict():
+    Path("tree.vspec").write_text(ROOT + BAD)
+    done = subprocess.run(f"{' '.join(COMMAND)} tree.vspec >&-", shell=True, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (1, b"")
+
+
+def test_a_full_disk_is_told():
+    Path("tree.vspec").write_text(ROOT + BAD)
+    done = subprocess.run(f"{' '.join(COMMAND)} tree.vspec >/dev/full", shell=True, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (2, b"sigcat: No space left on device\n")
+
+
+# -- colour --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "is_coloured"),
+    [
+        ([], {}, True),
+        ([], {"NO_COLOR": "1"}, False),
+        ([], {"TERM": "dumb"}, False),
+        (["--color", "never"], {}, False),
+        (["--color", "always"], {"NO_COLOR": "1"}, True),
+        (["--colour", "never"], {}, False),
+        (["--format", "json"], {}, False),
+    ],
+)
+def test_a_terminal_gets_colours_unless_somebody_objects(arguments, environment, is_coloured, capsys, monkeypatch):
+    Path("tree.vspec").write_text(ROOT + BAD)
+    for name in ("NO_COLOR", "TERM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    assert main(["lint", "tree.vspec", *arguments]) == 1
+    assert ("\x1b[" in capsys.readouterr().out) == is_coloured
+
+
 def test_a_note_alone_is_no_failure(capsys):
     Path("tree.vspec").write_text(ROOT + BAD)
     Path("sigcat.toml").write_text('[lint.severity]\nV = "info"\n')
@@ -150,6 +278,37 @@ def test_unsafe_repairs_are_made_when_they_are_asked_for():
     assert Path("tree.vspec").read_text() == text
     assert main(["lint", "tree.vspec", "--fix", "--unsafe-fixes"]) == 0
     assert Path("tree.vspec").read_text() == text.replace("maxx", "max")
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("description: >-  # folded\n    lower text\n    goes on\n", "description: >-  # folded\n    Lower text\n    goes on.\n"),
+        ("description: |+\n    lower text\n\n# the end\n", "description: |+\n    Lower text.\n\n# the end\n"),
+        ("description: 'it''s'", "description: 'It''s.'"),
+        ("description: über alles.", "description: über alles."),
+        ("unit: KM/H\t\n  description: a", "unit: km/h\t\n  description: A."),
+        ("description: plain\n    on two lines  # why\n", "description: Plain\n    on two lines.  # why\n"),
+        ("description: A.\n  deprecation: v6.0 removed\n", "description: A.\n  deprecation: V6.0 removed\n"),
+    ],
+)  # fmt: skip
+def test_a_text_is_repaired_in_whatever_style_it_is_written_and_once(before, after, capsys):
+    node = "Vehicle.A:\n  type: sensor\n  datatype: float\n  "
+    Path("tree.vspec").write_text(ROOT + node + before, encoding="utf-8", newline="")
+    main(["lint", "tree.vspec", "--fix"])
+    assert Path("tree.vspec").read_bytes() == (ROOT + node + after).encode()
+    capsys.readouterr()
+    main(["lint", "tree.vspec", "--fix", "--unsafe-fixes"])
+    assert "sigcat: 0 of " in capsys.readouterr().err
+    assert Path("tree.vspec").read_bytes() == (ROOT + node + after).encode()
+
+
+def test_an_attribute_is_not_renamed_to_one_that_is_there(capsys):
+    text = ROOT + "Vehicle.A: {type: sensor, datatype: float, descripton: Yes., description: Yes.}\n"
+    Path("tree.vspec").write_text(text)
+    assert main(["lint", "tree.vspec", "--fix", "--unsafe-fixes"]) == 1
+    assert Path("tree.vspec").read_text() == text
+    assert "V117" in capsys.readouterr().out
 
 
 def test_the_report_of_a_format_goes_to_a_file_as_utf8():

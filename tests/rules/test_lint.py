@@ -76,6 +76,19 @@ def test_a_part_that_is_named_alone_knows_its_place_in_the_tree(tree):
     assert result.findings[0].path == "Vehicle.Cabin.Noise"
 
 
+def test_a_file_that_is_included_from_several_folders_has_one_name(tree):
+    (tree / "vspec" / "include").mkdir()
+    (tree / "vspec" / "include" / "part.vspec").write_text("Part: {type: branch, description: a part.}\n")
+    (tree / "vspec" / "Body").mkdir()
+    (tree / "vspec" / "Body" / "Body.vspec").write_text(
+        "Body: {type: branch, description: Body.}\n#include ../include/part.vspec Body\n"
+    )
+    root = tree / "vspec" / "VehicleSignalSpecification.vspec"
+    root.write_text(TREE + "#include Body/Body.vspec Vehicle\n#include include/part.vspec Vehicle\n")
+    result = lint_paths([root], LintOptions(select=("V105",)))
+    assert {f.file for f in result.findings if f.rule == "V105"} == {str(root.parent / "include" / "part.vspec"), str(root.parent / "Cabin.vspec")}  # fmt: skip
+
+
 def test_a_part_is_linted_once_when_its_tree_is_named_too(tree):
     both = [tree / "vspec" / "Cabin.vspec", tree / "vspec" / "VehicleSignalSpecification.vspec"]
     assert len(lint_paths(both).findings) == 2

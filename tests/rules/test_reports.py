@@ -77,3 +77,12 @@ def test_junit_is_xml_whatever_the_files_hold():
 @pytest.mark.parametrize("form", FORMATS)
 def test_every_format_can_be_written_as_utf8(form):
     assert report([*ONE_OF_EACH, *ODD], form, rules=RULES).encode("utf-8")
+
+
+@pytest.mark.parametrize("form", ["github", "gitlab", "sarif"])
+def test_a_build_server_gets_one_name_and_one_fingerprint_however_the_file_was_named(form, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = ("here/a.vspec", str(tmp_path / "here" / "a.vspec"), "here/../here/a.vspec")
+    told = {report([Finding("V118", "info", "Long.", name, 1, 121)], form) for name in names}
+    assert len(told) == 1
+    assert str(tmp_path) not in told.pop()

@@ -8,13 +8,13 @@ from app.rules.checks.kind import Check, LineCheck, NodeCheck, TreeCheck
 _PORTABLE = {"case": str, "target": str}
 
 CHECKS: Mapping[str, Check] = {
-    "name": NodeCheck(naming.name, {"pattern": str, "prefixes": list, "exempt": list, "case": str}),
+    "name": NodeCheck(naming.name, {"pattern": str, "prefixes": list, "exempt": list, "endings": list, "case": str}),
     "instance-name": NodeCheck(naming.instance_name, {"pattern": str}, ("pattern",), "=instances"),
     "path": NodeCheck(signals.path, {"pattern": str}, ("pattern",)),
     "path-depth": NodeCheck(signals.path_depth, {"most": int}, ("most",)),
     "text": NodeCheck(
         text.text,
-        {"attribute": str, "pattern": str, "forbidden": str, "each": str, "repair": str},
+        {"attribute": str, "pattern": str, "forbidden": str, "each": str, "case": str, "repair": str},
         ("attribute",),
         "attribute",
     ),
@@ -39,7 +39,7 @@ CHECKS: Mapping[str, Check] = {
         references.reference, {"attribute": str, "to": str, "external": str}, ("attribute", "to"), "attribute"
     ),
     "reference-cycle": TreeCheck(references.cycle, {"attribute": str}, ("attribute",)),
-    "companions": NodeCheck(groups.companions, {"required": list, "known": list}),
+    "companions": NodeCheck(groups.companions, {"required": list}, ("required",)),
     "node-type": NodeCheck(groups.type_of, {"types": list}, ("types",)),
     "asil-of-step": NodeCheck(groups.asil_of_step, {"provides": list}, ("provides",)),
     "deprecated-unit": NodeCheck(signals.deprecated_unit, {}, (), "=unit"),

@@ -62,19 +62,22 @@ def implied(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Flaw]:
         given = definition.values[attribute]
         items = given if isinstance(given, list) else [given]
-        matching = [item for item in items if item in values] if values is not None else items
-        if given is None or not matching:
+        first = next((i for i, item in enumerate(items) if values is None or item in values), None)
+        if given is None or first is None:
             return
-        because = f"`{attribute}: {matching[0]}`" if values is not None else f"`{attribute}`"
-        facts = {"attribute": attribute, "value": matching[0]}
+        within = (first,) if isinstance(given, list) else ()
+        because = f"`{attribute}: {items[first]}`" if values is not None else f"`{attribute}`"
+        facts = {"attribute": attribute, "value": items[first]}
         for name in then:
             if is_empty(nested(definition.values, name)):
                 message = f"{because} needs `{name}`, which is not there."
-                yield Flaw(definition, message, attribute, f"Add `{name}`.", {**facts, "missing": name})
+                missing = {**facts, "missing": name}
+                yield Flaw(definition, message, attribute, f"Add `{name}`.", missing, within=within)
         for name in never:
             if nested(definition.values, name) is not None:
                 message = f"{because} goes without `{name}`."
-                yield Flaw(definition, message, name.partition(".")[0], f"Remove `{name}`.", facts)
+                top, *within = name.split(".")
+                yield Flaw(definition, message, top, f"Remove `{name}`.", facts, at_name=True, within=tuple(within))
 
     return test
 
@@ -105,7 +108,9 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
             if before and value < nested(definition.values, before):
                 least = nested(definition.values, before)
                 message = f"`{name}` {value} is below `{before}` {least}."
-                yield Flaw(definition, message, name.partition(".")[0])
+                top, *within = name.split(".")
+                fix = f"Raise `{name}`, or lower `{before}`."
+                yield Flaw(definition, message, top, fix, within=tuple(within))
             before = name
 
     return test
@@ -130,7 +135,8 @@ def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> F
     fix = (
         did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
     )
-    repair = Repair("rename attribute", near[0], safe=False) if near else None
+    is_free = bool(near) and near[0] not in definition.values
+    repair = Repair("rename attribute", near[0], safe=False) if is_free else None
     message = f"`{attribute}` is no attribute that VSS or a rule knows."
     return Flaw(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
 

@@ -5,14 +5,14 @@ list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, `f
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.catalogue.definition import CORE_ATTRIBUTES, Definition
 from app.names import did_you_mean
 from app.rules.checks.attributes import is_empty
 from app.rules.checks.kind import BadOption, NodeTest, is_number, shown
 from app.rules.flaw import Flaw, Repair
-from app.rules.patterns import compile_pattern
+from app.rules.patterns import Pattern, compile_pattern
 from app.rules.record import Rule
 from app.rules.tree import Tree
 
@@ -60,13 +60,23 @@ def field_values(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Flaw]:
         for name, value in definition.values.items():
             if name in tests and value is not None:
-                for message, fix, repair in tests[name](value):
-                    yield Flaw(definition, message, name, fix, {"attribute": name, "value": value}, repair)
+                facts = {"attribute": name, "value": value}
+                for wrong in tests[name](value):
+                    yield Flaw(
+                        definition, wrong.message, name, wrong.fix, facts, wrong.repair, wrong.at_key, wrong.within
+                    )
 
     return test
 
 
-_Wrong = Iterator[tuple[str, str, Repair | None]]
+class _Wrong(NamedTuple):
+    """What is wrong with a value, and the steps that lead to the part of it that is."""
+
+    message: str
+    fix: str = ""
+    repair: Repair | None = None
+    within: tuple[int | str, ...] = ()
+    at_key: bool = False
 
 
 def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
@@ -93,55 +103,63 @@ def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterato
                 yield Flaw(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
 
 
-def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], _Wrong]:
+def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], Iterator[_Wrong]]:
     datatype = field.get("datatype", "value")
     fits = _DATATYPES[datatype]
     pattern = compile_pattern(field["pattern"], trusted=rule.trusted) if "pattern" in field else None
     inner = {key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()}
 
-    def test(value: Any) -> _Wrong:
+    def test(value: Any) -> Iterator[_Wrong]:
         if not fits(value):
-            yield f"`{name}` {shown(value)} is no {datatype}.", _expected(field), None
-            return
-        for item in value if isinstance(value, list) else [value]:
-            yield from _wrong_item(name, field, item, pattern)
-        if isinstance(value, dict):
+            article = "an" if datatype[0] in "aeiou" else "a"
+            yield _Wrong(f"`{name}` {shown(value)} is not {article} {datatype}.", _expected(field))
+        elif isinstance(value, dict):
             yield from _wrong_inner(name, inner, value)
+        elif isinstance(value, list):
+            for i, item in enumerate(value):
+                yield from (wrong._replace(within=(i,)) for wrong in _wrong_item(name, field, item, pattern))
+        else:
+            yield from _wrong_item(name, field, value, pattern)
 
     return test
 
 
-def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Any) -> _Wrong:
+def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Pattern | None) -> Iterator[_Wrong]:
     values = field.get("values")
+    low, high = field.get("min"), field.get("max")
     if values is not None and (isinstance(item, list | dict) or item not in values):
         meant = field.get("repairs", {}).get(item) if isinstance(item, str) else None
-        fix = did_you_mean(str(item), map(str, values)) or _expected(field)
-        yield (
-            f"`{name}` {shown(item)} is none of {', '.join(map(str, values))}.",
-            fix,
-            meant and Repair("replace", meant),
-        )
+        only = values[0] if len(values) == 1 else None
+        fix = f"Write {meant or only}." if meant or only else did_you_mean(str(item), map(str, values))
+        message = f"`{name}` {shown(item)} is {'not' if only else 'none of'} {', '.join(map(str, values))}."
+        yield _Wrong(message, fix, meant and Repair("replace", meant))
     elif pattern is not None and not (isinstance(item, str) and pattern.matches(item)):
-        yield f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field), None
-    elif is_number(item):
-        low, high = field.get("min"), field.get("max")
-        if low is not None and item < low:
-            yield f"`{name}` {item} is below {low}.", _expected(field), None
-        if high is not None and item > high:
-            yield f"`{name}` {item} is above {high}.", _expected(field), None
+        yield _Wrong(f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field))
+    elif is_number(item) and low is not None and item < low:
+        yield _Wrong(f"`{name}` {item} is below {low}.", _expected(field))
+    elif is_number(item) and high is not None and item > high:
+        yield _Wrong(f"`{name}` {item} is above {high}.", _expected(field))
 
 
-def _wrong_inner(name: str, inner: Mapping[str, Callable[[Any], _Wrong]], value: Mapping[str, Any]) -> _Wrong:
+def _wrong_inner(
+    name: str, inner: Mapping[str, Callable[[Any], Iterator[_Wrong]]], value: Mapping[str, Any]
+) -> Iterator[_Wrong]:
     for key, item in value.items():
-        if key in inner:
-            if item is not None:
-                yield from inner[key](item)
-        elif inner:
-            yield f"`{name}` has the unknown field {key!r}.", did_you_mean(str(key), inner), None
+        if key not in inner and inner:
+            message = f"`{name}` has the unknown field {key!r}."
+            yield _Wrong(message, did_you_mean(str(key), inner), within=(str(key),), at_key=True)
+        elif key in inner and item is not None:
+            yield from (wrong._replace(within=(str(key), *wrong.within)) for wrong in inner[key](item))
 
 
 def _expected(field: Mapping[str, Any]) -> str:
     unit = f" in {field['unit']}" if "unit" in field else ""
     if "values" in field:
         return f"Use one of {', '.join(map(str, field['values']))}."
-    return f"Give a {field.get('datatype', 'value')}{unit}." if unit or "datatype" in field else ""
+    low, high = field.get("min"), field.get("max")
+    least = f" from {low}" if low is not None else ""
+    most = f" up to {high}" if high is not None else ""
+    datatype = str(field.get("datatype", "value"))
+    article = "an" if datatype[0] in "aeiou" else "a"
+    is_said = unit or least or most or "datatype" in field
+    return f"Give {article} {datatype}{least}{most}{unit}." if is_said else ""

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from app.catalogue.definition import BRANCH, Definition
 from app.catalogue.interfaces import category_of
-from app.names import did_you_mean, last_name, parent_path
+from app.names import last_name, parent_path
 from app.rules.checks.kind import NodeTest, listed
 from app.rules.flaw import Flaw
 from app.rules.patterns import compile_pattern
@@ -15,9 +15,8 @@ ASIL_ORDER: Mapping[str, int] = {"QM": 0, "A": 1, "B": 2, "C": 3, "D": 4}
 
 
 def companions(rule: Rule, tree: Tree) -> NodeTest:
-    """A child matching each pattern of `required` stands below, and every child matches one of `known`."""
-    needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options.get("required", ())]
-    known = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options.get("known", ())]
+    """A child matching each pattern of `required` stands below."""
+    needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options["required"]]
 
     def test(definition: Definition) -> Iterator[Flaw]:
         children = [last_name(child.path) for child in tree.children.get(definition.path, ())]
@@ -26,11 +25,6 @@ def companions(rule: Rule, tree: Tree) -> NodeTest:
             present = listed(children) if children else "nothing"
             message = f"{definition.path!r} has {present}, but no {listed(missing, 'or')}."
             yield Flaw(definition, message, fix=f"Add {listed(missing)}.")
-        for child in tree.children.get(definition.path, ()) if known else ():
-            if not any(pattern.matches(last_name(child.path)) for pattern in known):
-                expected = [pattern.text for pattern in known]
-                fix = did_you_mean(last_name(child.path), expected)
-                yield Flaw(child, f"{last_name(child.path)!r} is none of {listed(expected, 'or')}.", fix=fix)
 
     return test
 
@@ -41,8 +35,7 @@ def type_of(rule: Rule, _tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Flaw]:
         if definition.type and definition.type not in types:
-            message = f"The node is of type {definition.type}; it has to be of type {' or '.join(types)}."
-            yield Flaw(definition, message, "type", f"Use {' or '.join(types)}.")
+            yield Flaw(definition, f"The node is of type {definition.type}.", "type", f"Use {' or '.join(types)}.")
 
     return test
 
@@ -53,16 +46,20 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Flaw]:
         own = ASIL_ORDER.get(str(definition.values.get("ASILlevel")))
-        function = parent_path(parent_path(definition.path))
         if own is None or definition.type != BRANCH:
             return
-        for other in _below(function, tree):
-            level = str(other.values.get("ASILlevel"))
-            if category_of(other.path) in provided and ASIL_ORDER.get(level, 0) > own:
-                message = f"ASIL {definition.values['ASILlevel']} is below ASIL {level} of {other.path!r}."
-                yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
+        others = [other for other in _below(parent_path(parent_path(definition.path)), tree) if _asil(other) > own]
+        highest = max((other for other in others if category_of(other.path) in provided), key=_asil, default=None)
+        if highest is not None:
+            level = highest.values["ASILlevel"]
+            message = f"ASIL {definition.values['ASILlevel']} is below ASIL {level} of {highest.path!r}."
+            yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
 
     return test
+
+
+def _asil(definition: Definition) -> int:
+    return ASIL_ORDER.get(str(definition.values.get("ASILlevel")), 0)
 
 
 def _below(path: str, tree: Tree) -> Iterator[Definition]:

@@ -1,9 +1,8 @@
 """Checks of names: of nodes and of the instances of branches."""
 
 from collections.abc import Iterator
-from typing import Any
 
-from app.catalogue.definition import Definition, instances_of
+from app.catalogue.definition import Definition, labels_of
 from app.names import camel_case, last_name, screaming_snake_case
 from app.rules.checks.kind import NodeTest
 from app.rules.flaw import Flaw
@@ -15,7 +14,8 @@ from app.rules.tree import Tree
 def name(rule: Rule, _tree: Tree) -> NodeTest:
     """The last name of a path matches `pattern` as a whole, or begins with one of `prefixes` and a capital or digit."""
     pattern = _pattern(rule)
-    exempt = frozenset(map(str, rule.options.get("exempt", ())))
+    exempt = frozenset(("", *map(str, rule.options.get("exempt", ()))))  # an empty name is told as V024
+    prefixes = " or ".join(f"`{prefix}`" for prefix in rule.options.get("prefixes", ()))
     known: dict[str, bool] = {}
 
     def test(definition: Definition) -> Iterator[Flaw]:
@@ -26,7 +26,7 @@ def name(rule: Rule, _tree: Tree) -> NodeTest:
             proposal = _proposal(own, rule)
             fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
             message = f"Name {own!r} does not follow the naming convention {pattern.text}."
-            yield Flaw(definition, message, fix=fix, facts={"name": own, "proposal": proposal})
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "proposal": proposal, "prefixes": prefixes})
 
     return test
 
@@ -36,32 +36,42 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
     pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for label in _labels(instances_of(definition.values)):
+        for within, entry in labels_of(definition.values):
+            label = str(entry).partition("[")[0] if str(entry).endswith("]") else str(entry)
             if not pattern.matches(label):
-                proposal = camel_case(label)
+                proposal = camel_case(_plain(label))
                 message = f"Instance {label!r} does not follow the naming convention {pattern.text}."
                 fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
                 facts = {"name": label, "proposal": proposal}
-                yield Flaw(definition, message, "instances", fix, facts)
+                yield Flaw(definition, message, "instances", fix, facts, within=within)
 
     return test
 
 
 def _pattern(rule: Rule) -> Pattern:
     prefixes = rule.options.get("prefixes")
-    text = f"({'|'.join(map(str, prefixes))})[A-Z0-9][A-Za-z0-9]*" if prefixes else rule.options.get("pattern", ".*")
+    text = f"({'|'.join(map(str, prefixes))})[A-Z0-9].*" if prefixes else rule.options.get("pattern", ".*")
     return compile_pattern(text, trusted=rule.trusted)
 
 
 def _proposal(own: str, rule: Rule) -> str:
     prefixes = rule.options.get("prefixes")
+    name = camel_case(_plain(own))
+    for ending in map(str, rule.options.get("endings", ())):
+        name = name.removesuffix(ending)
     if prefixes:
-        return f"{prefixes[0]}{camel_case(own)}"
-    return screaming_snake_case(own) if rule.options.get("case") == "screaming" else camel_case(own)
+        return name if _begins(name, prefixes) else f"{prefixes[0]}{name}"
+    return screaming_snake_case(name) if rule.options.get("case") == "screaming" else name
 
 
-def _labels(instances: list[Any]) -> Iterator[str]:
-    for entry in instances:
-        for item in entry if isinstance(entry, list) else [entry]:
-            text = str(item)
-            yield text.partition("[")[0] if text.endswith("]") else text
+def _begins(name: str, prefixes: list[str]) -> bool:
+    return any(name.startswith(prefix) and not name[len(prefix) :][:1].islower() for prefix in prefixes)
+
+
+def _plain(name: str) -> str:
+    """The name without accents: `Tür` → `Tur`; of what has no plain letter nothing is left to propose."""
+    if name.isascii():
+        return name
+    import unicodedata
+
+    return unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()

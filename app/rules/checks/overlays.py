@@ -5,23 +5,39 @@ from typing import Any
 
 from app.catalogue.definition import Definition, overlaid
 from app.catalogue.vspec_file import Statement
-from app.names import did_you_mean
+from app.names import did_you_mean, last_name, nearest, parent_path
 from app.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
 from app.rules.flaw import Flaw
 from app.rules.record import Rule
 from app.rules.tree import Tree
 
+_MOST_PROPOSALS = 100
+"""A proposal compares a name with all others. Who has more wrong names than this has another tree in mind."""
+
+
+def _near(path: str, tree: Tree) -> str:
+    """Who was probably meant: a child of the same branch, or else a node of that name, or of a path like that."""
+    own, beside = last_name(path), tree.whole.get(parent_path(path), {})
+    near = nearest(own, beside)
+    if near:
+        return did_you_mean(path, [beside[name] for name in near])
+    if beside:
+        return did_you_mean(path, [children[own] for children in tree.whole.values() if own in children])
+    return did_you_mean(path, [other for children in tree.whole.values() for other in children.values()])
+
 
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
     """A node that an overlay writes and that was not there before is a whole node: it says its `type`."""
+
+    proposals = iter(range(_MOST_PROPOSALS))
 
     def test(definition: Definition) -> Iterator[Flaw]:
         first = definition.statements[0]
         is_new = bool(first.file.overlay) and not any("type" in s.values for s in definition.statements)
         if is_new and not first.values.get("delete") and not tree.is_instance(definition.path):
             message = f"The overlay changes {definition.path!r}, which does not exist."
-            fix = did_you_mean(definition.path, tree.definitions.keys() - {definition.path})
-            yield Flaw(first, message, fix=fix or "Give it a `type` if it is a new node.")
+            fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
+            yield Flaw(first, message, fix=f"{fix} Give it a `type` if it is a new node.".lstrip())
 
     return test
 
@@ -29,12 +45,14 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
     """`delete: true` stands on a node that a layer before has written."""
 
+    proposals = iter(range(_MOST_PROPOSALS))
+
     def test(definition: Definition) -> Iterator[Flaw]:
         first = definition.statements[0]
         if first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
             message = f"The overlay deletes {definition.path!r}, which does not exist."
-            fix = did_you_mean(definition.path, tree.definitions.keys() - {definition.path})
-            yield Flaw(first, message, "delete", fix, at_name=True)
+            fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
+            yield Flaw(first, message, "delete", fix or "Remove it.", at_name=True)
 
     return test
 
@@ -98,7 +116,8 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
     def test() -> Iterator[Flaw]:
         effective: set[str] = set()
         first: dict[str, Statement] = {}
-        for definition in tree.definitions.values():
+        written = (d for d in tree.definitions.values() if d.statements and d.statements[-1].file.overlay)
+        for definition in written:
             before: dict[str, Any] = {}
             for statement in definition.statements:
                 overlay = statement.file.overlay

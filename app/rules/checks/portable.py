@@ -19,7 +19,7 @@ CASES: Mapping[str, Callable[[str], str]] = {
 
 
 def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
-    """The node's name, converted to `case`, is none of `words`."""
+    """The node's name, as it is and converted to `case`, is none of `words`."""
     convert = _case(rule)
     words = frozenset(map(str, rule.options["words"]))
     target = rule.options["target"]
@@ -29,9 +29,10 @@ def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
         own = last_name(definition.path)
         converted = known.get(own)
         if converted is None:
-            known[own] = converted = convert(own)
+            known[own] = converted = own if own in words else convert(own)
         if converted in words:
-            message = f"Name {own!r} becomes {converted!r}, a reserved word of {target}."
+            how = "is" if converted == own else f"becomes {converted!r},"
+            message = f"Name {own!r} {how} a reserved word of {target}."
             fix = f"Say more, as in {parent_path(definition.path).rpartition('.')[2] + own!r}."
             yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": converted})
 
@@ -51,8 +52,11 @@ def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
             converted = convert(own)
             known[own] = "" if pattern.matches(converted) else converted
         if known[own]:
-            message = f"Name {own!r} becomes {known[own]!r}, which is no name in {target} ({pattern.text})."
-            yield Flaw(definition, message, facts={"name": own, "converted": known[own]})
+            how = f" becomes {known[own]!r}, which" if known[own] != own else ""
+            message = f"Name {own!r}{how} is no name in {target} ({pattern.text})."
+            proposal = camel_case(own)
+            fix = f"Use a name such as {proposal!r}." if pattern.matches(convert(proposal)) else "Rename it."
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": known[own]})
 
     return test
 
@@ -66,7 +70,8 @@ def name_length(rule: Rule, _tree: Tree) -> NodeTest:
         subject = definition.path if of_path else last_name(definition.path)
         if len(subject) > most:
             what = "The path" if of_path else f"Name {subject!r}"
-            yield Flaw(definition, f"{what} has {len(subject)} characters; {target} takes {most}.")
+            message = f"{what} has {len(subject)} characters; {target} takes {most}."
+            yield Flaw(definition, message, fix=f"Shorten it by {len(subject) - most}.")
 
     return test
 
@@ -83,11 +88,18 @@ def collision(rule: Rule, tree: Tree) -> TreeTest:
             above = "" if of_path else parent_path(path)
             converted = convert(path.replace(".", "_") if of_path else last_name(path))
             other = seen.setdefault((above, converted), path)
-            if other != path:
+            if other != path and not (of_path and _met_above(path, other, convert)):
                 message = f"{path!r} and {other!r} are both {converted!r} in {target}."
                 yield Flaw(definition, message, fix="Rename one of the two.", facts={"converted": converted})
 
     return test
+
+
+def _met_above(path: str, other: str, convert: Callable[[str], str]) -> bool:
+    """Whether the branches above two paths meet already, and their last names are the same: told of the branches."""
+    above, other_above = parent_path(path), parent_path(other)
+    is_same = last_name(path) == last_name(other) and above != other_above
+    return is_same and convert(above.replace(".", "_")) == convert(other_above.replace(".", "_"))
 
 
 def _case(rule: Rule) -> Callable[[str], str]:

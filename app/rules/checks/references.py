@@ -22,13 +22,13 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
     external = pattern.split("*") if pattern else None
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for named in _named(nested(definition.values, attribute)):
+        for within, named in _places(nested(definition.values, attribute)):
             target = tree.interfaces.get(named)
             if target is not None and category_of(target.path) == category:
                 continue
             if target is None and external and named.startswith(external[0]) and named.endswith(external[-1]):
                 continue
-            yield _unresolved(definition, attribute, named, category, tree)
+            yield _unresolved(definition, attribute, within, named, category, tree)
 
     return test
 
@@ -50,11 +50,18 @@ def cycle(rule: Rule, tree: Tree) -> TreeTest:
 
 
 def _named(value: Any) -> list[str]:
-    items = value if isinstance(value, list) else [value]
-    return [item for item in items if isinstance(item, str) and item]
+    return [name for _, name in _places(value)]
 
 
-def _unresolved(definition: Definition, attribute: str, named: str, category: str, tree: Tree) -> Flaw:
+def _places(value: Any) -> list[tuple[tuple[int, ...], str]]:
+    """Names, each with the steps that lead to it."""
+    items = [((i,), item) for i, item in enumerate(value)] if isinstance(value, list) else [((), value)]
+    return [(within, item) for within, item in items if isinstance(item, str) and item]
+
+
+def _unresolved(
+    definition: Definition, attribute: str, within: tuple[int, ...], named: str, category: str, tree: Tree
+) -> Flaw:
     readable = category.replace("_", " ")
     names = [interface for interface, d in tree.interfaces.items() if category_of(d.path) == category]
     message = f"`{attribute}` names {named!r}, which is no {readable} interface of this tree."
@@ -62,7 +69,8 @@ def _unresolved(definition: Definition, attribute: str, named: str, category: st
     by_path = tree.definitions.get(named)
     if by_path is not None and category_of(named) == category:
         fix = f"Refer to it by its interface name {interface_name(named)!r}."
-    return Flaw(definition, message, attribute.partition(".")[0], fix, {"name": named, "attribute": attribute})
+    top, *steps = attribute.split(".")
+    return Flaw(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
 
 
 def _circle(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:

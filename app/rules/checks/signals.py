@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
-from app.catalogue.definition import Definition, instances_of
-from app.names import did_you_mean
+from app.catalogue.definition import Definition, labels_of
+from app.names import did_you_mean, parent_path
 from app.rules.checks.kind import NodeTest, TreeTest, shown
 from app.rules.flaw import Flaw, Repair
 from app.rules.patterns import compile_pattern
@@ -70,25 +70,29 @@ def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
     first = rule.options["first"]
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for entry in instances_of(definition.values):
-            match = _RANGE.search(str(entry)) if isinstance(entry, str) else None
-            if match and int(match[1]) != first:
+        for within, entry in labels_of(definition.values):
+            match = _RANGE.search(entry) if isinstance(entry, str) else None
+            if match and int(match[1]) != first and int(match[1]) <= int(match[2]):
                 message = f"Range {shown(entry)} starts at {int(match[1])}, not at {first}."
-                yield Flaw(definition, message, "instances", f"Count instances from {first}.")
+                yield Flaw(definition, message, "instances", f"Count instances from {first}.", within=within)
 
     return test
 
 
 def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
-    """No instance is named twice at one level."""
+    """No instance is named twice at one level; case does not count."""
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        instances = instances_of(definition.values)
-        for level in [[item for item in instances if not isinstance(item, list)], *instances]:
-            names = [str(item) for item in level] if isinstance(level, list) else []
-            twice = next((name for name in names if names.count(name) > 1), None) if len(names) < 1000 else None
-            if twice is not None:
-                yield Flaw(definition, f"Instance {twice!r} is named twice.", "instances", "Remove one of the two.")
+        seen: dict[tuple[int, str], str] = {}
+        for within, entry in labels_of(definition.values):
+            label = str(entry)
+            key = (within[0] if len(within) > 1 else -1, label.lower())
+            other = seen.get(key)
+            seen[key] = label
+            if other is not None:
+                how = "is named twice" if other == label else f"differs from {other!r} in case only"
+                message = f"Instance {label!r} {how}."
+                yield Flaw(definition, message, "instances", "Remove or rename one of the two.", within=within)
 
     return test
 
@@ -100,11 +104,17 @@ def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
         seen: dict[str, str] = {}
         for path, definition in tree.definitions.items():
             other = seen.setdefault(path.lower(), path)
-            if other != path:
+            if other != path and not _follows(path, other):
                 message = f"Path {path!r} differs from {other!r} in case only."
                 yield Flaw(definition, message, fix="Rename one of the two.", facts={"other": other})
 
     return test
+
+
+def _follows(path: str, other: str) -> bool:
+    """Whether two paths differ only because those of their branches do: that is told of the branches."""
+    above, other_above = parent_path(path), parent_path(other)
+    return above != other_above and path[len(above) :] == other[len(other_above) :]
 
 
 def twice_written(rule: Rule, tree: Tree) -> TreeTest:

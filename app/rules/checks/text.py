@@ -1,10 +1,11 @@
 """Checks of texts: of the values of attributes, and of the lines of a file."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from app.catalogue.definition import Definition
+from app.names import screaming_snake_case
 from app.rules.checks.kind import LineFlaw, LineTest, NodeTest, shown
 from app.rules.flaw import Flaw, Repair
 from app.rules.patterns import compile_pattern
@@ -20,25 +21,38 @@ _REPAIRS = {
 def text(rule: Rule, _tree: Tree) -> NodeTest:
     """The text of `attribute` holds a match of `pattern` and none of `forbidden`.
 
-    Of a list every item is looked at, of a mapping every key (`each: key`) or every value.
+    Of a list every item is looked at, of a mapping every key (`each: key`) or every value. With `case: screaming` the
+    spelling in UPPER_SNAKE_CASE is proposed, where that is right.
     """
     attribute = rule.options["attribute"]
     pattern = compile_pattern(rule.options.get("pattern", ""), trusted=rule.trusted)
     forbidden = rule.options.get("forbidden")
     bad = compile_pattern(forbidden, trusted=rule.trusted) if forbidden is not None else None
-    repair = _REPAIRS.get(str(rule.options.get("repair")))
+    by_key = rule.options.get("each") == "key"
+
+    def wrong(item: str) -> str:
+        if not pattern.found(item):
+            return f"`{attribute}` {shown(item)} does not match {pattern.text}."
+        return f"`{attribute}` {shown(item)} holds what {bad.text} forbids." if bad and bad.found(item) else ""
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for item in _texts(definition.values[attribute], rule):
-            if not pattern.found(item):
-                message = f"`{attribute}` {shown(item)} does not match {pattern.text}."
-            elif bad is not None and bad.found(item):
-                message = f"`{attribute}` {shown(item)} holds what {bad.text} forbids."
-            else:
-                continue
-            yield Flaw(definition, message, attribute, facts={"value": item, "attribute": attribute}, repair=repair)
+        for within, item in _texts(definition.values[attribute], by_key=by_key):
+            message = wrong(item)
+            if message:
+                proposal = screaming_snake_case(item) if rule.options.get("case") == "screaming" else ""
+                fix = f"Write {proposal!r}." if proposal and not wrong(proposal) else ""
+                facts = {"value": item, "attribute": attribute}
+                repair = _repair(rule, item, wrong)
+                yield Flaw(definition, message, attribute, fix, facts, repair, at_name=by_key, within=within)
 
     return test
+
+
+def _repair(rule: Rule, item: str, wrong: Callable[[str], str]) -> Repair | None:
+    """The repair that the rule names, if it leaves nothing wrong."""
+    kind = rule.options.get("repair")
+    repaired = item[:1].upper() + item[1:] if kind == "capitalize" else f"{item}."
+    return _REPAIRS[kind] if kind in _REPAIRS and not wrong(repaired) else None
 
 
 def line_length(rule: Rule) -> LineTest:
@@ -58,11 +72,14 @@ def line_length(rule: Rule) -> LineTest:
     return test
 
 
-def _texts(value: Any, rule: Rule) -> Iterator[str]:
+def _texts(value: Any, *, by_key: bool) -> Iterator[tuple[tuple[int, ...], str]]:
+    """The texts of a value, with the steps that lead to them."""
     if isinstance(value, str):
-        yield value
-    elif isinstance(value, list):
-        yield from (item for item in value if isinstance(item, str))
+        yield (), value
+        return
+    items: Iterable[Any] = ()
+    if isinstance(value, list):
+        items = value
     elif isinstance(value, dict):
-        items = value.keys() if rule.options.get("each") == "key" else value.values()
-        yield from (item for item in items if isinstance(item, str))
+        items = value.keys() if by_key else value.values()
+    yield from (((i,), item) for i, item in enumerate(items) if isinstance(item, str))

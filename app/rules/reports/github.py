@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from app.findings import Finding
 from app.rules.record import Rule
+from app.rules.reports.fingerprint import relative
 from app.rules.reports.text import count
 
 _LEVELS = {"error": "error", "warning": "warning", "info": "notice"}
@@ -15,7 +16,12 @@ def report(findings: Sequence[Finding], _sources: Mapping[str, str], _rules: Seq
 
 
 def _command(finding: Finding) -> str:
-    properties = {"file": finding.file, "line": finding.line, "col": finding.column, "title": f"sigcat {finding.rule}"}
+    properties = {
+        "file": finding.file and relative(finding.file),
+        "line": finding.line,
+        "col": finding.column,
+        "title": f"sigcat {finding.rule}",
+    }
     given = ",".join(f"{name}={_property(str(value))}" for name, value in properties.items() if value)
     advice = f" {finding.fix}" if finding.fix else ""
     return f"::{_LEVELS[finding.severity]} {given}::{_data(finding.message + advice)}\n"

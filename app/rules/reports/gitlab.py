@@ -2,11 +2,10 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path, PurePath
 
 from app.findings import Finding
 from app.rules.record import Rule
-from app.rules.reports.fingerprint import fingerprinted
+from app.rules.reports.fingerprint import fingerprinted, relative
 
 _SEVERITIES = {"error": "major", "warning": "minor", "info": "info"}
 
@@ -25,11 +24,3 @@ def _issue(finding: Finding, fingerprint: str) -> dict[str, object]:
         "severity": _SEVERITIES[finding.severity],
         "location": {"path": relative(finding.file), "lines": {"begin": max(finding.line, 1)}},
     }
-
-
-def relative(file: str) -> str:
-    """A file's name relative to the working folder, with forward slashes; unchanged if it lies elsewhere."""
-    try:
-        return Path(file).resolve().relative_to(Path.cwd()).as_posix()
-    except ValueError:
-        return PurePath(file).as_posix()

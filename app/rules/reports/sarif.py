@@ -8,8 +8,7 @@ from urllib.parse import quote
 from app import __version__
 from app.findings import Finding
 from app.rules.record import Rule
-from app.rules.reports.fingerprint import fingerprinted
-from app.rules.reports.gitlab import relative
+from app.rules.reports.fingerprint import fingerprinted, relative
 
 MOST_RESULTS = 25_000
 """GitHub refuses a run with more results; the most severe are kept."""
