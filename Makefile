@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz lock clean
+.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz sbom audit lock clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -43,8 +43,14 @@ golden: .venv/dev  ## write the expected outputs of the tests anew
 clients: .venv/dev  ## generate a Python and a TypeScript client, and run the same round trip with each
 	$(BIN)/python -m scripts.clients
 
-fuzz: .venv/dev  ## the service against its whole contract, for long
-	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py
+fuzz: .venv/dev  ## the service against its whole contract and killed at random points, for long
+	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/releases/test_killed.py
+
+sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
+	$(BIN)/python -m scripts.sbom
+
+audit: .venv/dev  ## look for known vulnerabilities in what is shipped; needs the network
+	$(BIN)/python -m scripts.audit
 
 lock:  ## pin the newest versions that pyproject.toml allows
 	$(PYTHON) -m venv .venv-lock && .venv-lock/bin/pip --quiet install pip-tools

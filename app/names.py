@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 
+_MUCH_FARTHER = 12.0
 _CAMEL_WORD = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+")
 
 
@@ -41,13 +42,14 @@ def last_name(path: str) -> str:
 def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float = 75.0) -> tuple[str, ...]:
     """The candidates that `name` was probably meant to be, best first; case does not count.
 
-    `cutoff` is the least similarity, from 0 to 100.
+    `cutoff` is the least similarity, from 0 to 100. What is much farther off than the best is not meant: long paths
+    are all alike in their beginnings.
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
     choices = {candidate: candidate.lower() for candidate in candidates}
     matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
-    return tuple(key for _, _, key in matches)
+    return tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:

@@ -1,9 +1,13 @@
-"""Write docs/openapi.json anew, and tell what that breaks compared with the last commit: `python -m scripts.openapi`."""
+"""Write docs/openapi.json anew, and tell what that breaks for clients of the released one: `python -m scripts.openapi`.
+
+With `--release` the document becomes the released one, to which later ones are compared; if it breaks clients, it does not.
+"""
 
 import json
-import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from app.api.application import create_app
 from app.api.openapi_changes import breaking_changes
@@ -11,14 +15,26 @@ from app.catalogue.hosting import Library
 
 ROOT = Path(__file__).parent.parent
 FILE = ROOT / "docs" / "openapi.json"
+RELEASED = ROOT / "docs" / "openapi-released.json"
+"""The document of the last release. It moves with releases only, so that a change is found however many commits ago."""
+
+
+def release(document: Mapping[str, Any], released: Path = RELEASED) -> list[str]:
+    """Make a document the released one, unless it breaks clients; what it breaks."""
+    broken = breaking_changes(json.loads(released.read_bytes()), document) if released.is_file() else []
+    if not broken:
+        released.write_text(json.dumps(document, ensure_ascii=False) + "\n", encoding="utf-8")
+    return broken
 
 
 def main() -> int:
-    """Write the document; 1 if it breaks clients of the committed one."""
+    """Write the document; 1 if it breaks clients of the released one."""
     document = create_app(Library(())).openapi()
     FILE.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    shown = subprocess.run(["git", "show", "HEAD:docs/openapi.json"], cwd=ROOT, capture_output=True, check=False)
-    broken = breaking_changes(json.loads(shown.stdout), document) if shown.returncode == 0 else []
+    if "--release" in sys.argv[1:]:
+        broken = release(document)
+    else:
+        broken = breaking_changes(json.loads(RELEASED.read_bytes()), document)
     for change in broken:
         print(f"breaks clients: {change}")
     return int(bool(broken))

@@ -18,7 +18,7 @@ from app.api.requests import (
     TheHeavyWork,
     TheLibrary,
     TheSettings,
-    hosted_at,
+    catalogue_at,
     mark_state,
     text_body,
 )
@@ -60,7 +60,8 @@ async def diff_catalogues(
     only: Annotated[list[schemas.Compatibility] | None, Query(description="Classes to show; all without it.")] = None,
 ) -> Response:
     """What changed from one hosted catalogue to another, and whom it breaks."""
-    (old, is_old_fixed), (new, is_new_fixed) = hosted_at(catalogue, library), hosted_at(to, library)
+    old, is_old_fixed = await catalogue_at(catalogue, library, heavy)
+    new, is_new_fixed = await catalogue_at(to, library, heavy)
     mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
     changes = await heavy.run(partial(compare, old.catalogue, new.catalogue))

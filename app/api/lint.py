@@ -8,14 +8,16 @@ from fastapi.responses import Response
 
 from app.api import schemas
 from app.api.answers import json_answer
+from app.api.function_files import SET
+from app.api.functions import check_posted
 from app.api.presenting import lint_report
 from app.api.problems import problem_documentation
-from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheRules, text_body
-from app.function.build import check_function
+from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheRules, TheSettings, text_body
 from app.rules.lint import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 
+_BODY = f"An overlay, a tree or a function, as it stands in its file; or, as functions, a set: {SET}."
 _EXAMPLE = """\
 Vehicle.Speed:
   type: sensor
@@ -29,22 +31,24 @@ Vehicle.Speed:
     "/lint",
     response_model=schemas.LintReport,
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
-    openapi_extra=text_body("An overlay, a tree or a declaration of a function, as it stands in its file.", _EXAMPLE),
+    openapi_extra=text_body(_BODY, _EXAMPLE),
 )
 async def lint(
     text: PostedText,
     hosted: NamedCatalogue,
     rules: TheRules,
+    settings: TheSettings,
     heavy: TheHeavyWork,
     kind: Annotated[
         Literal["overlay", "tree", "function"],
-        Query(description="An overlay over the catalogue, a tree by itself, or the declaration of a function."),
+        Query(description="An overlay over the catalogue, a tree by itself, or functions."),
     ] = "overlay",
     name: FileName = "posted.vspec",
 ) -> Response:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
     if kind == "function":
-        work = partial(check_function, text, name, hosted.catalogue)
+        work = partial(check_posted, text, name, hosted.catalogue, settings.limits)
     else:
-        work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=kind == "tree")
+        is_tree = kind == "tree"
+        work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=is_tree, limits=settings.limits)
     return json_answer(lint_report(await heavy.run(work)))

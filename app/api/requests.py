@@ -1,6 +1,7 @@
 """What the routes take from a request: the hosted catalogue, the posted text."""
 
 import asyncio
+from functools import partial
 from http import HTTPStatus
 from typing import Annotated, Any
 
@@ -13,11 +14,12 @@ from app.api.rulebook import RuleBook
 from app.api.settings import Settings
 from app.api.versions import version_of
 from app.catalogue.hosting import Hosted, Library
+from app.catalogue.variants import MARK, find_hosted
 from app.errors import NotFound
 
 __all__ = [
-    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedText", "TheCatalogue", "TheExports", "TheHeavyWork",
-    "TheLibrary", "TheRules", "TheSettings", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
+    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedBody", "PostedText", "TheCatalogue", "TheExports", "TheHeavyWork",
+    "TheLibrary", "TheRules", "TheSettings", "catalogue_at", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
     "settings_of", "text_body", "version_of",
 ]  # fmt: skip
 
@@ -74,7 +76,8 @@ TheExports = Annotated[HeavyWork, Depends(_exports)]
 CatalogueId = Annotated[
     str,
     Path(
-        description="Id of a hosted catalogue; with `@VERSION` behind it, of that state of it and no other.",
+        description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, less that overlay; with `~folded`, "
+        "with instances as they were written; with `@VERSION`, of that state of it and no other.",
         examples=["interfaces"],
         max_length=200,
     ),
@@ -85,8 +88,8 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     """The catalogue that `ID` or `ID@VERSION` names, and whether a version was named. Raises NotFound."""
     catalogue_id, at, version = name.rpartition("@")
     if not at:
-        return library.get(name), False
-    hosted = library.get(catalogue_id)
+        return find_hosted(library, name), False
+    hosted = find_hosted(library, catalogue_id)
     current = version_of(hosted)
     if version != current:
         message = f"Catalogue {catalogue_id!r} is not hosted in the version {version[:80]!r}; now it is {current!r}."
@@ -94,14 +97,21 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     return hosted, True
 
 
-async def any_catalogue(catalogue: CatalogueId, library: TheLibrary) -> Hosted:
+async def catalogue_at(name: str, library: Library, heavy: HeavyWork) -> tuple[Hosted, bool]:
+    """The same as `hosted_at`; a variant, which may have to be composed, waits for its turn."""
+    return await heavy.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
+
+
+async def any_catalogue(catalogue: CatalogueId, library: TheLibrary, heavy: TheHeavyWork) -> Hosted:
     """The hosted catalogue named in the address."""
-    return hosted_at(catalogue, library)[0]
+    return (await catalogue_at(catalogue, library, heavy))[0]
 
 
-async def hosted_catalogue(catalogue: CatalogueId, library: TheLibrary, request: Request) -> Hosted:
+async def hosted_catalogue(
+    catalogue: CatalogueId, library: TheLibrary, heavy: TheHeavyWork, request: Request
+) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
-    hosted, is_fixed = hosted_at(catalogue, library)
+    hosted, is_fixed = await catalogue_at(catalogue, library, heavy)
     mark_state(request, version_of(hosted), is_fixed=is_fixed)
     request.state.hosted = hosted
     return hosted
@@ -127,12 +137,13 @@ AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
 
 async def named_catalogue(
     library: TheLibrary,
+    heavy: TheHeavyWork,
     catalogue: Annotated[
         str | None, Query(max_length=200, description="Id of a hosted catalogue; without it, the default one.")
     ] = None,
 ) -> Hosted:
     """The hosted catalogue that a posted text is judged against."""
-    return library.default if catalogue is None else hosted_at(catalogue, library)[0]
+    return library.default if catalogue is None else (await catalogue_at(catalogue, library, heavy))[0]
 
 
 NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
@@ -146,6 +157,11 @@ async def posted_text(request: Request, settings: TheSettings) -> bytes:
     if request.headers.get("content-type", "").startswith("multipart/"):
         detail = "Post the bare text, not a form: curl --data-binary @FILE."
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
+    return await posted_body(request, settings)
+
+
+async def posted_body(request: Request, settings: TheSettings) -> bytes:
+    """The body, whatever it is, not longer than the limit and within its time."""
     if request.headers.get("content-encoding", "identity") != "identity":
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "Post the text uncompressed.")
     declared = request.headers.get("content-length", "")
@@ -169,6 +185,7 @@ async def _read(request: Request, settings: Settings) -> bytes:
 
 
 PostedText = Annotated[bytes, Depends(posted_text)]
+PostedBody = Annotated[bytes, Depends(posted_body)]
 
 
 def text_body(description: str, example: str) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, RootModel
 
 Compatibility = Literal["breaking", "risky", "compatible", "text"]
 
@@ -325,3 +325,15 @@ class VissRefusal(Schema):
 
     error: VissError
     ts: str
+
+
+class SchemaAddresses(RootModel[list[str]]):
+    """Addresses of JSON Schemas, relative to the service."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class JsonSchema(RootModel[dict[str, Any]]):
+    """A JSON Schema (2020-12)."""
+
+    model_config = ConfigDict(frozen=True)

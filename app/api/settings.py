@@ -56,6 +56,11 @@ class Settings(BaseModel):
        default=64, description="Levels of collections inside each other in a posted text; more is refused with 422.",
         ge=4, le=256,
     )  # fmt: skip
+    values: int = Field(
+        default=100_000,
+        description="Values in a posted text, aliases counted as often as they are used; more is refused with 422.",
+        ge=1_000,
+    )
     nodes: int = Field(
         default=200_000, description="Nodes of a tree that a posted text may make; more is a finding.", ge=1_000
     )
@@ -84,7 +89,7 @@ class Settings(BaseModel):
     @property
     def limits(self) -> Limits:
         """Bounds on a posted text."""
-        return Limits(file_bytes=self.body_bytes, nesting=self.nesting, nodes=self.nodes)
+        return Limits(file_bytes=self.body_bytes, nesting=self.nesting, values=self.values, nodes=self.nodes)
 
 
 DEFAULT_SETTINGS = Settings()

@@ -5,11 +5,12 @@ Exit status: 0 done or clean, 1 findings or differences, 2 could not run.
 
 import argparse
 import os
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from importlib import import_module
-from typing import Any
+from typing import Any, NoReturn
 
 from app import __version__
 from app.errors import InputRefused, SigcatError
@@ -37,6 +38,8 @@ _MODULES = {"try": "try_overlay"}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status. Nothing that a user does ends in a traceback."""
+    if sys.stdout is None:  # closed by the caller, as `>&-` does
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:
         given = sys.argv[1:] if argv is None else argv
         arguments = _parser(given[0] if given else "").parse_args(given)
@@ -65,6 +68,24 @@ class _Parser(argparse.ArgumentParser):
     def __init__(self, *arguments: Any, **named: Any) -> None:
         named.setdefault("formatter_class", partial(argparse.HelpFormatter, width=_columns() - 2))
         super().__init__(*arguments, **named)
+
+    def error(self, message: str) -> NoReturn:
+        """End with the name that was probably meant, where an option or a choice does not exist."""
+        wrong = re.search(r"unrecognized arguments: (-\S+)|invalid choice: '([^']*)'", message)
+        if wrong:
+            from app.names import did_you_mean
+
+            known = re.findall(r"'([^']+)'", message)[1:] if wrong[2] else list(self._options())
+            message = f"{message}. {did_you_mean((wrong[1] or wrong[2]).partition('=')[0], known)}".rstrip(". ")
+        super().error(message)
+
+    def _options(self) -> Iterator[str]:
+        """Names of the options of this parser and of its commands."""
+        for action in self._actions:
+            yield from action.option_strings
+            commands = action.choices if isinstance(action.choices, dict) else {}
+            for command in commands.values():
+                yield from command._options()  # noqa: SLF001 — parsers of this class
 
 
 def _parser(wanted: str) -> argparse.ArgumentParser:
@@ -98,7 +119,7 @@ def _failed(message: str, status: int) -> int:
 
 
 def _reason(error: OSError) -> str:
-    return f"{error.filename}: {error.strerror}" if error.filename else str(error)
+    return f"{error.filename}: {error.strerror}" if error.filename else str(error.strerror or error)
 
 
 def _output_closed() -> int:

@@ -16,7 +16,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "config",
         help="print the settings of the service, or make a token",
         description="Print the settings as `sigcat serve` would use them: [service] of sigcat.toml, and over it the "
-        "environment, where body_bytes is SIGCAT_BODY_BYTES. Exit status: 2 if they cannot be used.",
+        "environment, where body_bytes is SIGCAT_BODY_BYTES. Exit status: 1 if they cannot be used.",
     )
     parser.add_argument("--new-token", metavar="NAME", help="make a token, print it and what to put into `tokens`")
     parser.add_argument(

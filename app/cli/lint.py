@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from app.cli.output import discard_output, write_text
 from app.cli.tree_options import add_many
+from app.errors import InputRefused, UsageError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -72,16 +73,26 @@ def _add_result(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--write-baseline", type=Path, metavar="FILE", help="write all findings of now as known, and end"
     )
-    group.add_argument("--colour", choices=("auto", "always", "never"), default="auto", help=argparse.SUPPRESS)
+    group.add_argument(
+        "--color",
+        "--colour",
+        choices=("auto", "always", "never"),
+        default="auto",
+        help="of text (default: %(default)s)",
+    )
 
 
 def lint(arguments: argparse.Namespace) -> int:
-    """Report findings; 1 if any is more than a note."""
+    """Report findings; 1 if any is more than a note. Raises UsageError where nothing could be linted."""
     was_enabled = gc.isenabled()
     gc.disable()  # loading and linting make no garbage worth the search for it
     atexit.register(gc.freeze)  # nor does what is left at the end need to be looked through
     try:
         return _lint(arguments)
+    except InputRefused as error:  # the configuration, the rules or the baseline: nothing was linted
+        for finding in error.findings:
+            print(finding.line_of_text, file=sys.stderr)
+        raise UsageError(str(error)) from None
     finally:
         if was_enabled:
             gc.enable()
@@ -187,6 +198,7 @@ def _report(result: "LintResult", options: "LintOptions", arguments: argparse.Na
 
 
 def _is_coloured(arguments: argparse.Namespace) -> bool:
-    if arguments.colour != "auto":
-        return bool(arguments.colour == "always")
-    return arguments.output is None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+    if arguments.color != "auto":
+        return bool(arguments.color == "always")
+    is_terminal = arguments.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    return is_terminal and not os.environ.get("NO_COLOR")

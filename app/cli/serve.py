@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from app.cli.catalogue_options import add_catalogue_options
 from app.cli.config import chosen_settings
-from app.cli.tree_options import add_tree_options, tree_files
+from app.cli.tree_options import add_tree_options, named_release, tree_files
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -39,7 +39,7 @@ def serve(arguments: argparse.Namespace) -> int:
         spec, units, overlays = tree_files(arguments)
         own = Source(
             "local", spec.stem, spec, overlays, units,
-            tuple(arguments.quantities), tuple(arguments.types), tuple(arguments.include_dirs),
+            tuple(arguments.quantities), tuple(arguments.types), tuple(arguments.include_dirs), named_release(arguments),
         )  # fmt: skip
         sources = (own, *sources)
     library = Library(sources)

@@ -49,6 +49,7 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catal
         quantities=arguments.quantities,
         types=arguments.types,
         expanded=expanded,
+        is_release=bool(named_release(arguments)),
     )
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
@@ -70,12 +71,16 @@ def tree_files(arguments: argparse.Namespace) -> tuple[Path, tuple[Path, ...], t
     return shipped.spec, (*shipped.units, *arguments.units), (*shipped.overlays, *arguments.overlays)
 
 
+def named_release(arguments: argparse.Namespace) -> str:
+    """The pulled release that -s names; empty for a file, a folder, or the shipped tree."""
+    tree: Path | None = arguments.vspec
+    return str(tree) if tree is not None and not tree.exists() else ""
+
+
 def _root(tree: Path) -> Path:
     """The root file that -s names: a file, the one in a folder, or that of a pulled release."""
     from app.catalogue.sources import source_of_tree
 
-    if tree.is_file():
-        return tree
-    if not tree.is_dir() and (tree.suffix in (".vspec", ".yaml", ".yml") or len(tree.parts) > 1):
+    if not tree.exists() and (tree.suffix in (".vspec", ".yaml", ".yml") or len(tree.parts) > 1):
         raise UsageError(f"{tree}: there is no such file")
     return source_of_tree(str(tree)).spec

@@ -1,6 +1,8 @@
 """Hostile input over a real connection: a clear 4xx in under a second, memory bounded, the next request answered."""
 
+import contextlib
 import json
+import re
 import resource
 import socket
 import subprocess
@@ -28,7 +30,8 @@ run(create_app(Library(SOURCES), settings), settings)
 """
 SMALL = "/api/v1/catalogues/small"
 LINT, TRIAL, BUILD = "/api/v1/lint", f"{SMALL}/trial", "/api/v1/functions/build"
-VALIDATE = "/api/v1/functions/validate"
+VALIDATE, INTEGRATE, ARXML = "/api/v1/functions/validate", "/api/v1/integrate/ros2", "/api/v1/generate/arxml"
+ADDRESSES = (LINT, f"{LINT}?kind=tree", TRIAL, BUILD, VALIDATE, INTEGRATE, ARXML)
 
 
 class Service:
@@ -80,40 +83,65 @@ def _aliases(levels: int) -> bytes:
 
 
 OVERLAY = "Vehicle.X: {{type: sensor, datatype: string, description: X., {}}}"
+MAXIMUM = b"Vehicle.X: {type: sensor, datatype: float, max: %b}"
+FULL = 4 * 1024 * 1024 - 100
+"""Bytes that a posted text may have."""
 BOMBS = {
-    "nested YAML": b"[" * 100_000,
-    "nested YAML mappings": b"{a: " * 50_000,
-    "nested block YAML": b"".join(b" " * n + b"a:\n" for n in range(1500)),
-    "nested JSON": b'{"a":' * 100_000,
-    "nested JSON lists": b'{"functions": ' + b"[" * 100_000,
+    "nested YAML": b"[" * FULL,
+    "nested YAML mappings": b"{a: " * (FULL // 4),
+    "nested block YAML": b"".join(b" " * n + b"a:\n" for n in range(2500)),
+    "nested JSON": b'{"a":' * (FULL // 5),
+    "nested JSON lists": b'{"functions": ' + b"[" * (FULL - 20),
     "aliases in YAML": _aliases(30),
     "merge keys": b"a: &a {b: c}\n" + b"d:\n  <<: [" + b"*a, " * 50_000 + b"*a]\n",
+    "many merged keys": b"a: &a {" + b",".join(b"k%d: 1" % n for n in range(3000)) + b"}\nd:\n"
+    + b"".join(b"  x%d:\n    <<: *a\n" % n for n in range(3000)),
     "many keys": b"".join(b"k%d: 1\n" % n for n in range(20_000)),
+    "as many keys as fit": b"".join(b"k%d: 1\n" % n for n in range(350_000)),
+    "one key again and again": b"a: 1\n" * (FULL // 5),
+    "a long list": b"[" + b"a," * (FULL // 2 - 1) + b"]",
+    "many lists": b"[" + b"[]," * (FULL // 3 - 1) + b"]",
+    "a long list in JSON": b'{"functions":[' + b"1," * (FULL // 2 - 20) + b"1]}",
     "a long scalar": b"a: " + b"x" * 2_000_000,
+    "a text that does not end": b'"' * FULL,
+    "empty lines": b"\n" * FULL,
     "many anchors": b"".join(b"k%d: &k%d 1\n" % (n, n) for n in range(30_000)),
-    "a huge number": b"Vehicle.X: {type: sensor, datatype: float, max: " + b"9" * 200_000 + b"}",
-    "a sexagesimal number": b"a: " + b"1:" * 60_000 + b"1",
+    "many includes": b"#include a.vspec\n" * (FULL // 17),
+    "a huge number": MAXIMUM % (b"9" * 200_000),
+    "a huge hexadecimal number": MAXIMUM % (b"0x" + b"F" * 200_000),
+    "a sexagesimal number": MAXIMUM % (b"1:" * 60_000 + b"1"),
+    "a sexagesimal fraction": MAXIMUM % (b"1:" * 60_000 + b"1.5"),
     "a pattern that explodes": OVERLAY.format("pattern: '^(a+)+$', default: " + "a" * 60 + "b").encode(),
     "a pattern of alternatives": OVERLAY.format("pattern: '^(a|a|aa)*$', default: " + "a" * 60 + "b").encode(),
     "many instances": b"Vehicle.X: {type: branch, instances: ['A[1,99999]', 'B[1,99999]'], description: X.}",
     "a huge range": b"Vehicle.X: {type: branch, instances: ['A[1,999999999999]'], description: X.}",
     "a long path": b"Vehicle" + b".X" * 100_000 + b": {type: branch}",
-}
+    "a path of wildcards": b"Vehicle" + b".*a*" * 40 + b": {type: sensor}",
+    "many misspelled paths": b"".join(b"Vehicle.Sped%d: {min: 0}\n" % n for n in range(5_000)),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize("address", [LINT, TRIAL, BUILD, VALIDATE])
+def _quickest(service: Service, address: str, content: bytes) -> tuple[float, httpx.Response]:
+    """The answer and its seconds: of the first request that takes less than one, or of three the quickest."""
+    tried: list[tuple[float, httpx.Response]] = []
+    while len(tried) < 3 and not (tried and tried[-1][0] < 1):
+        start = time.perf_counter()
+        answer = service.ask("POST", address, content=content)
+        tried.append((time.perf_counter() - start, answer))
+    return min(tried, key=lambda each: each[0])
+
+
+@pytest.mark.parametrize("address", ADDRESSES)
 @pytest.mark.parametrize("case", BOMBS)
 def test_a_bomb_is_answered_in_under_a_second_and_the_next_request_too(
     service: Service, case: str, address: str
 ) -> None:
-    start = time.perf_counter()
-    answer = service.ask("POST", address, content=BOMBS[case])
-    seconds = time.perf_counter() - start
+    seconds, answer = _quickest(service, address, BOMBS[case])
     assert answer.status_code in (200, 422), answer.text[:300]
     report = answer.json()
     assert report["findings"] or report.get("ok"), report
     assert service.ask("GET", "/health/live").status_code == 200
-    assert seconds < 3, seconds  # one second on a quiet machine
+    assert seconds < 1
 
 
 def test_memory_stays_bounded(service: Service) -> None:
@@ -137,11 +165,23 @@ def test_a_hundred_megabytes_are_refused_before_they_are_read(service: Service) 
     assert service.memory - before < 20_000_000
 
 
+def test_a_hundred_megabytes_of_untold_length_are_refused_on_the_way(service: Service) -> None:
+    before = service.memory
+    start = time.perf_counter()
+    parts = (b"a" * 65536 for _ in range(100 * 16))
+    # refused, and the connection closed, while we still send
+    with contextlib.suppress(httpx.WriteError, httpx.RemoteProtocolError):
+        assert service.ask("POST", LINT, content=parts).status_code == 413
+    assert time.perf_counter() - start < 1
+    assert service.memory - before < 20_000_000
+    assert service.ask("GET", "/health/live").status_code == 200
+
+
 def test_a_body_that_drips_is_refused(service: Service) -> None:
     start = time.perf_counter()
     answer = service.send(f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\nVehicle".encode())
     assert b" 408 " in answer.split(b"\r\n", 1)[0]
-    assert time.perf_counter() - start < 3
+    assert time.perf_counter() - start < 1.5  # half a second of which is the time that the settings of this test give
 
 
 FLOODS = {
@@ -151,17 +191,28 @@ FLOODS = {
     "no HTTP": b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + b"\0" * 100,
     "two lengths": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\naaaaaa",
     "a length below zero": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: -1\r\n\r\n",
-    "a length and chunks": (
-        b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\nGET /"
-    ),
+    "a length that is none": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 1e3\r\n\r\n",
+    "chunks that are none": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n",
+    "packed chunks": b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n",
+    "no host": b"GET /health/live HTTP/1.1\r\n\r\n",
+    "zero in an address": b"GET /\0 HTTP/1.1\r\nHost: a\r\n\r\n",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("case", FLOODS)
-def test_what_is_no_request_is_refused_and_the_next_one_answered(service: Service, case: str) -> None:
-    answer = service.send(FLOODS[case], wait=1)
-    assert answer[:12] in (b"", b"HTTP/1.1 400", b"HTTP/1.1 413", b"HTTP/1.1 414", b"HTTP/1.1 431", b"HTTP/1.1 200")
+def test_what_is_no_request_is_refused_at_once_and_the_next_one_answered(service: Service, case: str) -> None:
+    start = time.perf_counter()
+    answer = service.send(FLOODS[case])
+    assert time.perf_counter() - start < 1
+    assert answer.startswith(b"HTTP/1.1 4") or not answer, answer[:100]  # none: it closes before all of a flood is sent
     assert service.ask("GET", "/health/live").status_code == 200
+
+
+def test_of_a_length_and_chunks_only_the_chunks_count(service: Service) -> None:
+    """RFC 9112, 6.3. What follows them is a request of its own, whatever the length says."""
+    head = f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n"
+    answer = service.send(head.encode() + b"0\r\n\r\nGET /nothing HTTP/1.1\r\nHost: a\r\n\r\n", wait=0.5)
+    assert re.findall(rb"HTTP/1.1 (\d+)", answer) == [b"200", b"404"]
 
 
 @pytest.mark.parametrize("encoding", ["gzip", "br", "deflate", "nonsense", "gzip, gzip"])
@@ -197,3 +248,17 @@ def test_a_posted_text_includes_no_files(service: Service) -> None:
         answer = service.ask("POST", f"{LINT}?kind={kind}", content=b"#include /etc/passwd\nVehicle: {type: branch}\n")
         assert "root:" not in answer.text
         assert not answer.json()["ok"]
+
+
+@pytest.mark.parametrize("address", ADDRESSES)
+def test_no_address_in_a_request_is_ever_asked(service: Service, address: str) -> None:
+    """Fetching is for `sigcat pull` alone; tests/releases/test_download.py has what that refuses."""
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        target = f"http://127.0.0.1:{listening.getsockname()[1]}/secrets"
+        text = f"#include {target}\n$ref: {target}\nsource: {target}\nVehicle: {{type: branch, includes: [{target}]}}\n"
+        service.ask("POST", address, content=text.encode(), params={"name": target})
+        service.ask("POST", address, content=json.dumps({"$schema": target, "functions": [target]}).encode())
+        service.ask("POST", address, params={"catalogue": target, "source": target, "from": target}, content=b"{}")
+        listening.settimeout(0.05)
+        with pytest.raises(TimeoutError):
+            listening.accept()

@@ -3,6 +3,7 @@
 import io
 import json
 import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -14,7 +15,23 @@ from app.integration.schemas import SCHEMAS
 from tests.api.conftest import asker
 
 CORE_ACC = (EXAMPLES / "core_acc" / "function.yaml").read_text(encoding="utf-8")
+FUNCTIONS = Path(__file__).parents[1] / "function"
 MPC = (EXAMPLES / "eco_control_mpc" / "function.yaml").read_text(encoding="utf-8")
+
+DISPLAY = """\
+function: Display
+description: Shows the torque.
+responsible: Display team
+define:
+  scheduling: {Init: {description: Starts.}, Step: {cycleTime: 100, asil: B, description: Shows.}, Terminate: {description: Stops.}}
+components:
+  - name: Display
+    runnables:
+      - Display_Init
+      - interface: Display_Step
+        data: [{path: Vehicle.ADAS.LaneKeeping.Torque, role: consumed}]
+      - Display_Terminate
+"""
 
 
 @pytest.fixture(scope="module")
@@ -90,6 +107,42 @@ def test_schemas_are_served(shipped, name):
     listed = shipped("/api/v1/schemas").json()
     assert f"/api/v1/schemas/{name}.json" in listed
     assert shipped(f"/api/v1/schemas/{name}.json").json()["$schema"].endswith("2020-12/schema")
+
+
+def test_the_example_of_each_body_can_be_sent(shipped):
+    paths = shipped("/openapi.json").json()["paths"]
+    for path in ("/api/v1/integrate/ros2", "/api/v1/functions/build"):
+        content = paths[path.replace("ros2", "{platform}")]["post"]["requestBody"]["content"]
+        answer = posted(shipped, path, content["application/yaml"]["example"])
+        assert answer.status_code == 200, answer.text
+
+
+def test_what_one_function_of_a_set_defines_the_others_may_use(shipped):
+    lanes = (FUNCTIONS / "lane_keeping.function.yaml").read_text(encoding="utf-8")
+    body = {"functions": [DISPLAY, lanes]}
+    assert posted(shipped, "/api/v1/functions/validate", body).json()["findings"] == []
+    assert posted(shipped, "/api/v1/integrate/ros2", body).status_code == 200
+    assert posted(shipped, "/api/v1/integrate/ros2", DISPLAY).status_code == 422
+
+
+@pytest.mark.parametrize("address", ["/api/v1/functions/validate", "/api/v1/lint?kind=function"])
+def test_a_set_is_checked_together(shipped, address):
+    built = posted(shipped, "/api/v1/functions/build", MPC).json()
+    built["FunctionInfo"]["FunctionName"] = "Another"
+    report = posted(shipped, address, {"functions": [built, MPC, CORE_ACC]}).json()
+    told = [finding for finding in report["findings"] if finding["rule"] == "F104"]
+    assert told
+    assert {finding["file"].rpartition(", ")[2] for finding in told} == {"function 2.yaml"}
+    assert not report["ok"]
+    assert posted(shipped, address, {"functions": [MPC, CORE_ACC]}).json()["ok"]
+
+
+@pytest.mark.parametrize("body", [{"functions": []}, {"functions": 5}, {"functions": [CORE_ACC], "deployment": {}}])
+def test_what_is_no_set_is_told(shipped, body):
+    report = posted(shipped, "/api/v1/functions/validate", body).json()
+    assert [(finding["rule"], finding["pointer"]) for finding in report["findings"]] == [
+        ("F003", "/deployment" if "deployment" in body else "/functions")
+    ]
 
 
 def test_a_schema_that_does_not_exist_is_a_404_with_the_nearest(shipped):

@@ -1,0 +1,162 @@
+"""`sigcat serve` as a process: it finishes what is under way, logs, stands behind a proxy, and streams."""
+
+import json
+import os
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from app.api.settings import Settings
+from tests.api.conftest import TREE
+
+pytestmark = pytest.mark.xdist_group("running")
+OVERLAY = b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
+
+
+class Service(NamedTuple):
+    """A running service."""
+
+    address: str
+    process: "subprocess.Popen[str]"
+    log: Path
+
+    def logged(self, **fields: str) -> list[dict[str, object]]:
+        """Lines of its log, each of them JSON, that have these fields; a line is written when its answer was sent."""
+        until = time.monotonic() + 5
+        while time.monotonic() < until:
+            lines = [json.loads(line) for line in self.log.read_text().splitlines(keepends=True) if line.endswith("\n")]
+            if found := [line for line in lines if fields.items() <= line.items()]:
+                return found
+            time.sleep(0.02)
+        return []
+
+    @property
+    def memory(self) -> int:
+        """Bytes that the process holds in memory."""
+        pages = int(Path(f"/proc/{self.process.pid}/statm").read_text().split()[1])
+        return pages * resource.getpagesize()
+
+
+@contextmanager
+def served(tree: Path, **variables: str) -> Iterator[Service]:
+    command = [sys.executable, "-m", "app.cli", "serve", "--port", "0", "-s", str(tree)]
+    environment = {**os.environ, **variables}
+    with (
+        tempfile.NamedTemporaryFile("w") as log,
+        subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True, env=environment) as process,
+    ):
+        assert process.stdout is not None
+        try:
+            yield Service(process.stdout.readline().split()[3], process, Path(log.name))
+        finally:
+            process.kill()
+
+
+@pytest.fixture(scope="module")
+def behind_a_proxy() -> Iterator[Service]:
+    with served(TREE / "tree.vspec", SIGCAT_ROOT_PATH="/signals", SIGCAT_TRUSTED_PROXIES="127.0.0.1") as service:
+        yield service
+
+
+def test_what_is_under_way_is_finished_when_the_service_stops() -> None:
+    with served(TREE / "tree.vspec") as service:
+        parts = urlsplit(service.address)
+        with socket.create_connection((parts.hostname, parts.port), timeout=10) as connection:
+            head = f"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: {len(OVERLAY)}\r\n\r\n".encode()
+            connection.sendall(head + OVERLAY[:20])
+            time.sleep(0.3)
+            service.process.send_signal(signal.SIGTERM)
+            time.sleep(0.3)
+            with pytest.raises(OSError, match="refused"):
+                socket.create_connection((parts.hostname, parts.port), timeout=1)
+            connection.sendall(OVERLAY[20:])
+            assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
+        assert service.process.wait(10) in (0, -signal.SIGTERM)
+
+
+def test_each_request_is_a_line_of_json_with_the_id_that_its_problem_carries(behind_a_proxy: Service) -> None:
+    answer = httpx.get(f"{behind_a_proxy.address}/api/v1/catalogues/local/nodes/Nothing")
+    lines = behind_a_proxy.logged(request_id=answer.json()["request_id"])
+    assert [(line["status"], line["method"], line["level"]) for line in lines] == [(404, "GET", "info")]
+
+
+def test_the_client_that_a_trusted_proxy_names_is_the_one_that_is_logged(behind_a_proxy: Service) -> None:
+    headers = {"X-Forwarded-For": "203.0.113.9", "X-Forwarded-Proto": "https", "X-Request-Id": "from-the-proxy"}
+    httpx.get(f"{behind_a_proxy.address}/api/v1/catalogues", headers=headers)
+    (line,) = behind_a_proxy.logged(request_id="from-the-proxy")
+    assert line["client"] == "203.0.113.9"
+
+
+def test_a_client_that_nobody_trusts_cannot_name_another() -> None:
+    with served(TREE / "tree.vspec") as service:
+        httpx.get(f"{service.address}/health/live", headers={"X-Forwarded-For": "203.0.113.9"})
+        assert {line["client"] for line in service.logged(path="/health/live")} == {"127.0.0.1"}
+
+
+def test_pages_document_and_links_stand_below_the_path_that_a_proxy_offers(behind_a_proxy: Service) -> None:
+    for page in ("/tree/local/Vehicle.Speed", "/docs", "/search/local?q=speed"):
+        text = httpx.get(behind_a_proxy.address + page).text
+        links = [part.partition('"')[0] for part in text.split('href="')[1:]]
+        assert any(link.startswith("/signals/") for link in links), page
+        assert not [link for link in links if link.startswith("/") and not link.startswith("/signals")], page
+    document = httpx.get(f"{behind_a_proxy.address}/openapi.json").json()
+    assert document["servers"][0]["url"] == "/signals"
+
+
+SIGNAL = "Vehicle.S{0}: {{type: sensor, datatype: float, description: Signal number {0} of a large tree.}}\n"
+
+
+@pytest.fixture(scope="module")
+def large(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    tree = tmp_path_factory.mktemp("large") / "large.vspec"
+    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + "".join(map(SIGNAL.format, range(30_000))))
+    with served(tree, SIGCAT_LOG="none") as service:
+        yield service
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").is_file(), reason="memory is read from /proc")
+@pytest.mark.parametrize(
+    ("path", "accepted"),
+    [("export/json", "*/*"), ("nodes?fields=path,datatype,description", "text/csv"), ("nodes?q=number", "text/csv")],
+)
+def test_a_long_answer_begins_at_once_and_takes_no_memory(large: Service, path: str, accepted: str) -> None:
+    request = urllib.request.Request(
+        f"{large.address}/api/v1/catalogues/local/{path}", headers={"Accept": accepted, "Accept-Encoding": "identity"}
+    )
+    urllib.request.urlopen(request).read()
+    before = large.memory
+    start = time.perf_counter()
+    with urllib.request.urlopen(request) as answer:
+        assert answer.headers["Transfer-Encoding"] == "chunked"
+        assert answer.read(1)
+        first = time.perf_counter() - start
+        size = 1 + len(answer.read())
+    whole = time.perf_counter() - start
+    assert first < whole / 2
+    assert large.memory - before < size / 2 + 1_000_000
+
+
+def test_settings_of_the_environment_are_those_that_the_command_prints() -> None:
+    command = [sys.executable, "-m", "app.cli", "config"]
+    printed = subprocess.run(
+        command, env={**os.environ, "SIGCAT_VALUES": "5000"}, capture_output=True, text=True, check=True
+    )
+    assert "values = 5000" in printed.stdout
+    assert all(f"\n{name} = " in printed.stdout for name in Settings.model_fields)
+    misspelled = {**os.environ, "SIGCAT_VALEUS": "1"}
+    refused = subprocess.run(command, env=misspelled, capture_output=True, text=True, check=False)
+    assert refused.returncode == 1
+    assert "SIGCAT_VALUES" in refused.stderr
