@@ -16,6 +16,7 @@ import httpx
 import pytest
 
 from tests.clients.generating import ROOT
+from tests.timing import is_within
 
 pytestmark = pytest.mark.xdist_group("hostile")
 _SERVE = """
@@ -141,7 +142,7 @@ def test_a_bomb_is_answered_in_under_a_second_and_the_next_request_too(
     report = answer.json()
     assert report["findings"] or report.get("ok"), report
     assert service.ask("GET", "/health/live").status_code == 200
-    assert seconds < 1
+    assert is_within(seconds)
 
 
 def test_memory_stays_bounded(service: Service) -> None:
@@ -172,7 +173,7 @@ def test_a_hundred_megabytes_of_untold_length_are_refused_on_the_way(service: Se
     # refused, and the connection closed, while we still send
     with contextlib.suppress(httpx.WriteError, httpx.RemoteProtocolError):
         assert service.ask("POST", LINT, content=parts).status_code == 413
-    assert time.perf_counter() - start < 1
+    assert is_within(time.perf_counter() - start)
     assert service.memory - before < 20_000_000
     assert service.ask("GET", "/health/live").status_code == 200
 
@@ -181,7 +182,9 @@ def test_a_body_that_drips_is_refused(service: Service) -> None:
     start = time.perf_counter()
     answer = service.send(f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\nVehicle".encode())
     assert b" 408 " in answer.split(b"\r\n", 1)[0]
-    assert time.perf_counter() - start < 1.5  # half a second of which is the time that the settings of this test give
+    assert is_within(
+        time.perf_counter() - start, 1.5
+    )  # half a second of which is the time that the settings of this test give
 
 
 FLOODS = {
@@ -203,7 +206,7 @@ FLOODS = {
 def test_what_is_no_request_is_refused_at_once_and_the_next_one_answered(service: Service, case: str) -> None:
     start = time.perf_counter()
     answer = service.send(FLOODS[case])
-    assert time.perf_counter() - start < 1
+    assert is_within(time.perf_counter() - start)
     assert answer.startswith(b"HTTP/1.1 4") or not answer, answer[:100]  # none: it closes before all of a flood is sent
     assert service.ask("GET", "/health/live").status_code == 200
 

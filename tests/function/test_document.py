@@ -6,6 +6,7 @@ import pytest
 
 from app.catalogue.limits import Limits
 from app.function.document import pointer_text, read_json, read_yaml
+from tests.timing import is_within
 
 JSON = b'{\n  "a": [1, {"b/c": "x"}],\n  "d~": {}\n}\n'
 YAML = b"a:\n  - 1\n  - b/c: x\nd:\n  e: 5\n"
@@ -86,7 +87,7 @@ def test_a_file_beyond_the_limit_is_refused_unread():
 def test_unterminated_texts_are_refused_in_linear_time(data):
     start = time.perf_counter()
     assert read_json(data, "f").findings
-    assert time.perf_counter() - start < 2
+    assert is_within(time.perf_counter() - start, 2)
 
 
 @pytest.mark.parametrize(

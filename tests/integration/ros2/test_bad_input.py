@@ -16,6 +16,7 @@ from app.integration.ros2.derive import derive
 from app.integration.ros2.document import read_integration
 from app.integration.ros2.model import to_json
 from tests.integration.ros2.functions import document, function, signal
+from tests.timing import is_within
 
 HOSTILE = [
     "*/ #include <x>",
@@ -91,7 +92,7 @@ def test_ten_megabytes_are_refused_or_read_within_seconds():
     start = time.perf_counter()
     with pytest.raises(InputRefused):
         read_functions([(b'{"FunctionInfo": "' + b"x" * 10_000_000 + b'"}', "function.json")], no_catalogue)
-    assert time.perf_counter() - start < 3
+    assert is_within(time.perf_counter() - start, 3)
 
 
 def test_another_schema_version_is_refused():
