@@ -15,6 +15,7 @@ from app.catalogue import releases
 from app.catalogue.archive import ArchiveRefused
 from app.catalogue.download import FetchFailed, FetchLimits
 from app.catalogue.releases import PullLimits, find_release, pull, pulled_releases, release_name, releases_folder
+from app.catalogue.sources import load, release_source
 from app.errors import InputRefused, NotFound, UsageError
 from tests.catalogue.judging import OFFICIAL
 from tests.releases.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
@@ -34,6 +35,29 @@ def test_a_release_is_kept_with_its_source_digest_date_and_size(server, data):
     assert release.spec.read_text() == FILES[ROOT_FILE]
     assert [path.name for path in release.overlays] == ["extra.vspec"]
     assert json.loads((release.folder / "release.json").read_text())["pulled"].endswith("+00:00")
+
+
+def test_struct_types_of_a_release_belong_to_its_tree(tmp_path, data):
+    """VSS keeps them in `spec/VehicleDataTypes.vspec`, which its Makefile passes as `--types`."""
+    files = {
+        **FILES,
+        "spec/VehicleDataTypes.vspec": (
+            "VehicleDataTypes: {type: branch, description: Types.}\n#include include/Position.vspec VehicleDataTypes\n"
+        ),
+        "spec/include/Position.vspec": (
+            "Position: {type: struct, description: A place.}\n"
+            "Position.Height: {type: property, datatype: float, description: Its height.}\n"
+        ),
+        "spec/Cabin/Cabin.vspec": (
+            "Place: {type: sensor, datatype: VehicleDataTypes.Position, description: Where it is.}\n"
+        ),
+    }
+    release = pull("v7.0", str(saved(tmp_path, tar_bytes(files=files))))
+    catalogue = load(release_source("v7.0"))
+    assert catalogue.findings == ()
+    assert [layer.name for layer in catalogue.type_layers] == [str(release.types[0])]
+    assert "VehicleDataTypes.Position.Height" in catalogue.nodes
+    assert release.nodes == len(catalogue.nodes) == 5
 
 
 def test_a_file_serves_as_well_and_the_content_digest_does_not_depend_on_the_packing(tmp_path, data):
@@ -152,12 +176,17 @@ def test_two_pulls_at_once_leave_one_release(server, data):
     assert [path.name for path in releases_folder().iterdir()] == ["v5.0"]
 
 
+_PULL = """
+import signal, sys
+from app.catalogue.releases import pull
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background has it ignored
+pull(*sys.argv[1:])
+"""
+
+
 def killed(arguments: list[str], seconds: float, how: int = signal.SIGKILL) -> None:
     """Pull in a process of its own and end it after a time, which for SIGINT begins when the download does."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", "import sys; from app.catalogue.releases import pull; pull(*sys.argv[1:])", *arguments],
-        stderr=subprocess.DEVNULL,
-    )
+    process = subprocess.Popen([sys.executable, "-c", _PULL, *arguments], stderr=subprocess.DEVNULL)
     until = time.monotonic() + 20
     while how == signal.SIGINT and not list(releases_folder().glob(".pull-*/archive")) and time.monotonic() < until:
         time.sleep(0.01)
