@@ -19,9 +19,11 @@ _PART_BYTES = 64 * 1024
 
 
 def json_parts(catalogue: Catalogue, options: Mapping[str, Any]) -> Iterator[bytes]:
-    """The parts, of about the same size. `options` are as for `_pieces`."""
+    """The parts: the first piece at once, then parts of about the same size. `options` are as for `_pieces`."""
+    pieces = _pieces(catalogue, options)
+    yield next(pieces)
     part = bytearray()
-    for piece in _pieces(catalogue, options):
+    for piece in pieces:
         part += piece
         if len(part) >= _PART_BYTES:
             yield bytes(part)
