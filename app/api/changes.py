@@ -73,7 +73,7 @@ async def diff_catalogues(
     elif form == TEXT:
         text = await heavy.run(partial(text_report, shown, hidden=hidden))
     else:
-        return answer(request, await heavy.run(partial(diff_schema, shown, *names)))
+        return await heavy.run(lambda: answer(request, diff_schema(shown, *names)))
     return Response(text.encode("utf-8", "replace"), media_type=form, headers=caching_headers(request))
 
 
