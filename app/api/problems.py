@@ -41,14 +41,6 @@ class BodyRefused(HTTPException):
     """A posted body is too large (413) or of a kind that is not read (415)."""
 
 
-def problem_response(
-    status: int, detail: str, findings: Iterable[Finding] = (), nearest: Iterable[str] = (), **extra: Any
-) -> Response:
-    """The response for a problem. `extra` are arguments of the response, such as headers."""
-    problem = problem_of(status, detail, findings, nearest)
-    return Response(problem.model_dump_json(), status, media_type=MEDIA_TYPE, **extra)
-
-
 def problem_of(
     status: int, detail: str, findings: Iterable[Finding] = (), nearest: Iterable[str] = ()
 ) -> schemas.Problem:
@@ -92,11 +84,16 @@ def problem_documentation(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 
 async def answer_problem(request: Request, error: Exception) -> Response:
-    """The problem document for an exception; what failed inside goes to the log."""
+    """The problem document for an exception, its `type` below the path under which the service is mounted.
+
+    What failed inside goes to the log.
+    """
     headers = getattr(error, "headers", None)
     if isinstance(error, HTTPException) and error.status_code == HTTPStatus.NOT_MODIFIED:
         return Response(status_code=error.status_code, headers=headers)
-    problem = problem_from(error).model_copy(update={"request_id": getattr(request.state, "request_id", "")})
+    problem = problem_from(error)
+    address = request.scope.get("root_path", "").rstrip("/") + problem.type
+    problem = problem.model_copy(update={"type": address, "request_id": getattr(request.state, "request_id", "")})
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
         _log_failure(request, problem, error)
     return Response(problem.model_dump_json(), problem.status, media_type=MEDIA_TYPE, headers=headers)

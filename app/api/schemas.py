@@ -39,7 +39,7 @@ class Finding(Schema):
 class Problem(Schema):
     """RFC 9457 problem details, with findings that say what is wrong and where."""
 
-    type: str = Field(description="Stable address of a page about this kind of problem.")
+    type: str = Field(description="Stable address of a page about this kind of problem, such as `/problems/not-found`.")
     title: str
     status: int
     detail: str

@@ -64,6 +64,16 @@ class Settings(BaseModel):
     nodes: int = Field(
         default=200_000, description="Nodes of a tree that a posted text may make; more is a finding.", ge=1_000
     )
+    compared: int = Field(
+        default=20_000_000,
+        description="Characters of paths that the wildcard paths of a posted text are compared with; more is a finding.",
+        ge=100_000,
+    )
+    pattern_seconds: float = Field(
+        default=0.3,
+        description="Seconds for the `pattern`s of a tree with a posted text; what is left then is told as unchecked.",
+        gt=0,
+    )
     results: int = Field(default=200, description="Most results in one page of a list; a larger `limit` is cut.", ge=1)
     tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 400.", ge=1)
     query_characters: int = Field(default=200, description="Longest text to search for; longer: 400.", ge=1)
@@ -89,7 +99,14 @@ class Settings(BaseModel):
     @property
     def limits(self) -> Limits:
         """Bounds on a posted text."""
-        return Limits(file_bytes=self.body_bytes, nesting=self.nesting, values=self.values, nodes=self.nodes)
+        return Limits(
+            file_bytes=self.body_bytes,
+            nesting=self.nesting,
+            values=self.values,
+            nodes=self.nodes,
+            compared=self.compared,
+            pattern_seconds=self.pattern_seconds,
+        )
 
 
 DEFAULT_SETTINGS = Settings()

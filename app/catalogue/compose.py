@@ -1,6 +1,6 @@
 """Compose a catalogue: layers in, a frozen tree and findings out."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from app.catalogue.definition import BRANCH, STRUCT, Definition, Scope
@@ -9,6 +9,7 @@ from app.catalogue.layers import Layer, read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.merge import merge, merge_over
 from app.catalogue.model import Catalogue
+from app.catalogue.patterns import Matching
 from app.catalogue.quirks import in_present_words, read_units, tolerant
 from app.catalogue.tree import draft_tree, frozen_tree
 from app.catalogue.vocabulary import EMPTY, Vocabulary
@@ -65,14 +66,14 @@ def compose(
         return _compose(layers, vocabulary, types, name, expanded, limits, earlier)
 
 
-def compose_part(base: Catalogue, overlay: Layer) -> Catalogue:
+def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
     """What an overlay makes of a catalogue, as far as it reaches: for judging the overlay, in a fraction of the time.
 
     All definitions are there; nodes and findings only of those of which the overlay speaks, of what stands above them,
     and of the branches beside these. Instances are not expanded.
     """
     with collector_paused():
-        merged = merge_over(base.definitions, overlay, _scope_of(base))
+        merged = merge_over(base.definitions, overlay, _scope_of(base, limits), limits)
         definitions = {**base.definitions, **merged.definitions}
         paths = _with_those_above([*(root.path for root in base.roots[:1]), *merged.definitions])
         reached = {path: definition for path, definition in definitions.items() if _is_near(definition, paths)}
@@ -90,9 +91,23 @@ def unexpanded(catalogue: Catalogue) -> Catalogue:
         return catalogue
     root = draft_tree(catalogue.definitions, DEFAULT_LIMITS, [])
     roots = (frozen_tree(root, []), *catalogue.roots[1:]) if root is not None else catalogue.roots
-    return Catalogue(
-        catalogue.name, roots, catalogue.vocabulary, catalogue.layers, catalogue.findings, catalogue.definitions, False
-    )
+    return catalogue.with_roots(roots, is_expanded=False)
+
+
+def expanded_paths(catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS) -> Iterator[tuple[str, str]]:
+    """Every path that the signal tree has with instances expanded, with the path of its definition.
+
+    Nothing where there is no root; as it is written where instances are too many. Quicker than composing anew.
+    """
+    root = draft_tree(catalogue.definitions, limits, [])
+    if root is None:
+        return
+    waiting = [(root.name, _expand(root, _scope_of(catalogue, limits), limits, []))]
+    while waiting:
+        path, draft = waiting.pop()
+        if not draft.definition.values.get("delete"):
+            yield path, draft.definition.path
+            waiting.extend((f"{path}.{name}", child) for name, child in reversed([*draft.children.items()]))
 
 
 def _compose(
@@ -109,7 +124,7 @@ def _compose(
         findings.extend(layer.findings)
     type_root, scope = _type_tree(types, vocabulary, limits, findings)
     same_scope = earlier is not None and earlier.vocabulary is vocabulary and not types
-    merged = merge(layers, scope, earlier.definitions if earlier is not None and same_scope else None)
+    merged = merge(layers, scope, earlier.definitions if earlier is not None and same_scope else None, limits)
     findings.extend(merged.findings)
     root = draft_tree(merged.definitions, limits, findings)
     if root is not None and expanded:
@@ -152,26 +167,26 @@ def _with_those_above(paths: Iterable[str]) -> set[str]:
     return found
 
 
-def _scope_of(catalogue: Catalogue) -> Scope:
+def _scope_of(catalogue: Catalogue, limits: Limits) -> Scope:
     """The scope in which the signals of a catalogue were defined."""
     structs = (node for root in catalogue.roots[1:] for node in root.walk() if node.type == STRUCT)
-    return Scope(
-        catalogue.vocabulary, {node.path: {child.name: child.definition for child in node.children} for node in structs}
-    )
+    properties = {node.path: {child.name: child.definition for child in node.children} for node in structs}
+    return Scope(catalogue.vocabulary, Matching(limits.pattern_seconds), properties)
 
 
 def _type_tree(
     types: Sequence[Layer], vocabulary: Vocabulary, limits: Limits, findings: list[Finding]
 ) -> tuple[Draft | None, Scope]:
     """The tree of struct types, and the scope in which signals may use them."""
+    matching = Matching(limits.pattern_seconds)
     if not types:
-        return None, Scope(vocabulary)
-    paths = merge(types, Scope(vocabulary)).definitions
+        return None, Scope(vocabulary, matching)
+    paths = merge(types, Scope(vocabulary, matching), limits=limits).definitions
     structs: dict[str, dict[str, Definition]] = {path: {} for path, d in paths.items() if d.type == STRUCT}
-    merged = merge(types, Scope(vocabulary, structs))
+    merged = merge(types, Scope(vocabulary, matching, structs), limits=limits)
     for path, definition in merged.definitions.items():
         if parent_path(path) in structs:
             structs[parent_path(path)][last_name(path)] = definition
     findings.extend(merged.findings)
-    scope = Scope(vocabulary, structs)
+    scope = Scope(vocabulary, matching, structs)
     return draft_tree(merged.definitions, limits, findings), scope

@@ -180,9 +180,7 @@ def _with_instances_found(catalogue: Catalogue) -> Catalogue:
     known: dict[tuple[int, str, bool], Definition] = {}
     roots = tuple(_found(root, root.template, False, known) for root in catalogue.roots)
     findings = tuple(finding for finding in catalogue.findings if finding.rule not in _REFERS_OUTSIDE)
-    return Catalogue(
-        catalogue.name, roots, catalogue.vocabulary, catalogue.layers, findings, catalogue.definitions, True
-    )
+    return catalogue.with_roots(roots, is_expanded=True).with_findings(findings)
 
 
 def _found(node: Node, template: str, is_instance: bool, known: dict[tuple[int, str, bool], Definition]) -> Node:

@@ -17,6 +17,10 @@ class Limits(NamedTuple):
     """Nodes of a tree after the expansion of instances."""
     path_names: int = 64
     """Names in one path."""
+    compared: int = 1_000_000_000
+    """Characters of paths that the wildcard paths of one layer, such as `Vehicle.*.Speed`, are compared with."""
+    pattern_seconds: float = 10.0
+    """Seconds for the patterns of one tree, all together; what is left then is unchecked and told so."""
 
 
 DEFAULT_LIMITS = Limits()

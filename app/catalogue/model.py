@@ -85,6 +85,29 @@ class Catalogue:
     def __repr__(self) -> str:
         return f"<Catalogue {self.name}: {len(self.nodes)} nodes>"
 
+    @property
+    def tree_layers(self) -> tuple[Layer, ...]:
+        """The base of the signal tree and its overlays, in the order in which they apply."""
+        return (*self.layers[:1], *(layer for layer in self.layers[1:] if layer.is_overlay))
+
+    @property
+    def overlays(self) -> tuple[Layer, ...]:
+        """Overlays in the order in which they apply."""
+        return tuple(layer for layer in self.layers if layer.is_overlay)
+
+    @property
+    def type_layers(self) -> tuple[Layer, ...]:
+        """The trees of struct types."""
+        return tuple(layer for layer in self.layers[1:] if not layer.is_overlay)
+
+    def with_findings(self, findings: tuple[Finding, ...]) -> "Catalogue":
+        """The same catalogue with other findings."""
+        return self._with(self.roots, findings, self.is_expanded)
+
+    def with_roots(self, roots: tuple[Node, ...], *, is_expanded: bool) -> "Catalogue":
+        """The same definitions with other nodes made of them."""
+        return self._with(roots, self.findings, is_expanded)
+
     def get(self, path: str) -> Node | None:
         """The node at a path, or None."""
         return self.nodes.get(path)
@@ -109,6 +132,9 @@ class Catalogue:
                 if statement.file.name in files:
                     yield definition
                     break
+
+    def _with(self, roots: tuple[Node, ...], findings: tuple[Finding, ...], is_expanded: bool) -> "Catalogue":
+        return Catalogue(self.name, roots, self.vocabulary, self.layers, findings, self.definitions, is_expanded)
 
     @cached_property
     def digest(self) -> str:

@@ -234,15 +234,7 @@ def tolerant(catalogue: Catalogue) -> Catalogue:
     findings = tuple(_tolerated(finding) if finding.file in files else finding for finding in catalogue.findings)
     if findings == catalogue.findings:
         return catalogue
-    return Catalogue(
-        catalogue.name,
-        catalogue.roots,
-        catalogue.vocabulary,
-        catalogue.layers,
-        in_order(findings),
-        catalogue.definitions,
-        catalogue.is_expanded,
-    )
+    return catalogue.with_findings(in_order(findings))
 
 
 def _tolerated(finding: Finding) -> Finding:

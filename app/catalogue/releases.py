@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from app.catalogue.archive import DEFAULT_ARCHIVE_LIMITS, ROOT_FILE, ArchiveLimits, unpack
 from app.catalogue.download import DEFAULT_FETCH_LIMITS, FetchLimits, Progress, fetch
+from app.catalogue.root_file import types_beside
 from app.errors import InputRefused, NotFound, UsageError
 from app.findings import has_errors
 from app.names import nearest
@@ -25,6 +26,8 @@ ADDRESS = "https://github.com/COVESA/vehicle_signal_specification/archive/refs/t
 RECORD = "release.json"
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._+-]{0,63}")
+_SHIPPED = ("vss", "interfaces")
+"""Names of what is there without being pulled."""
 _VERSION = re.compile(r"[vV]?([0-9]+(?:\.[0-9]+){1,3}(?:[-._]?[A-Za-z][A-Za-z0-9.]*)?)")
 _SHA256 = re.compile(r"(?:sha256:)?([0-9a-f]{64})")
 _UNFINISHED = ".pull-"
@@ -53,6 +56,11 @@ class Release(NamedTuple):
     def spec(self) -> Path:
         """Root file of the tree."""
         return self.folder / ROOT_FILE
+
+    @property
+    def types(self) -> tuple[Path, ...]:
+        """Files of struct types, if the release has some."""
+        return types_beside(self.spec)
 
     @property
     def overlays(self) -> tuple[Path, ...]:
@@ -112,8 +120,11 @@ def find_release(name: str, data: Path | None = None) -> Release:
     pulled = {release.name: release for release in pulled_releases(data)}
     if wanted not in pulled:
         there = f" Pulled are {', '.join(pulled)}." if pulled else ""
-        message = f"release {wanted} is not here.{there} `sigcat pull {wanted}` fetches it."
-        raise NotFound(message, nearest(wanted, pulled, cutoff=60))
+        near = nearest(wanted, (*pulled, *_SHIPPED), cutoff=60)
+        if _VERSION.fullmatch(wanted):
+            raise NotFound(f"release {wanted} is not here.{there} `sigcat pull {wanted}` fetches it.", near)
+        hint = f" Did you mean {' or '.join(near)}?" if near else ""
+        raise NotFound(f"there is no file, folder or release {wanted!r}.{hint}{there}", near)
     return pulled[wanted]
 
 
@@ -206,7 +217,8 @@ def _count_nodes(name: str, folder: Path) -> int:
     """Nodes of the tree in a folder. Raises InputRefused if it does not load."""
     from app.catalogue.sources import Source, load
 
-    catalogue = load(Source(name, name, folder / ROOT_FILE, release=name))
+    spec = folder / ROOT_FILE
+    catalogue = load(Source(name, name, spec, types=types_beside(spec), release=name))
     if has_errors(catalogue.findings) or not catalogue.roots:
         prefix = f"{folder}{os.sep}"
         findings = [finding._replace(file=finding.file.removeprefix(prefix)) for finding in catalogue.findings]

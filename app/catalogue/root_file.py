@@ -4,19 +4,23 @@ import hashlib
 import os
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.vspec_file import SourceFile, parse_vspec
 from app.errors import UsageError
 
 _USUAL_NAME = "VehicleSignalSpecification.vspec"
+_USUAL_TYPES = "VehicleDataTypes.vspec"
+"""What the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
 _SHOWN = 5
 
 
 def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
     """The root file of the tree in or below a folder. Files below a folder `overlays` are none.
 
-    It has the usual name and stands highest, or no other file includes it. Raises UsageError where that is not one.
+    It has the usual name and stands highest, or no other file includes it, and it holds more than struct types.
+    Raises UsageError where that is not one.
     """
     files = [file for file in sorted(_vspec_files(folder, limits)) if "overlays" not in _folders(file, folder)]
     usual = [file for file in files if file.name == _USUAL_NAME]
@@ -24,8 +28,11 @@ def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
         depth = min(len(file.parts) for file in usual)
         roots = [file for file in usual if len(file.parts) == depth]
     else:
-        included = {target for file in files for target in _included(file, limits)}
-        roots = [file for file in files if not _is_among(file.relative_to(folder).as_posix(), included)]
+        read = {file: _read(file, limits) for file in files}
+        included = {target for source in read.values() for target in source.included}
+        tops = [file for file in files if not _is_among(file.relative_to(folder).as_posix(), included)]
+        trees = [file for file in tops if not read[file].is_of_types]
+        roots = [file for file in trees if read[file].has_root] or trees
     if not roots:
         raise UsageError(f"{folder}: there is no tree (no .vspec file that no other includes)")
     if len(roots) > 1:
@@ -33,6 +40,20 @@ def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
         more = ", …" if len(roots) > _SHOWN else ""
         raise UsageError(f"{folder}: there are several trees: {names}{more}. Name one of these files.")
     return roots[0]
+
+
+def types_beside(root: Path, limits: Limits = DEFAULT_LIMITS) -> tuple[Path, ...]:
+    """The files of struct types in the folder of a tree: they hold nothing else, and no other includes them.
+
+    One of the usual name is the only one.
+    """
+    usual = root.with_name(_USUAL_TYPES)
+    if usual.is_file():
+        return (usual,)
+    beside = [file for file in sorted(root.parent.glob("*.vspec")) if file != root and file.is_file()]
+    read = {file: source for file in beside if (source := _read(file, limits)).is_of_types}
+    included = {target for source in read.values() for target in source.included}
+    return tuple(file for file in read if not _is_among(file.name, included))
 
 
 def _folders(file: Path, folder: Path) -> tuple[str, ...]:
@@ -49,15 +70,33 @@ def _vspec_files(folder: Path, limits: Limits) -> Iterator[Path]:
         yield from (Path(above, name) for name in files if name.endswith(".vspec"))
 
 
-def _included(file: Path, limits: Limits) -> Iterator[str]:
-    """What a file includes, without suffix and without steps up."""
+class _Read(NamedTuple):
+    """What is asked of a file before it is known which one is the root."""
+
+    included: tuple[str, ...]
+    """What it includes, without suffix and without steps up."""
+    is_of_types: bool
+    """Whether it holds struct types and nothing else."""
+    has_root: bool
+    """Whether a node without a branch above it may stand in it, or in what it includes; an overlay has none."""
+
+
+def _read(file: Path, limits: Limits) -> _Read:
     if file.stat().st_size > limits.file_bytes:
-        return
+        return _Read((), is_of_types=False, has_root=True)
     data = file.read_bytes()
-    source = SourceFile(str(file), "", hashlib.sha256(data).hexdigest())
-    for include in parse_vspec(data, source, limits).includes:
-        parts = [part for part in PurePosixPath(include.target).parts if part not in ("..", ".")]
-        yield "/".join(parts).removesuffix(".vspec")
+    text = parse_vspec(data, SourceFile(str(file), "", hashlib.sha256(data).hexdigest()), limits)
+    types = {str(statement.values.get("type")) for statement in text.statements}
+    return _Read(
+        tuple(_without_steps(include.target) for include in text.includes),
+        is_of_types="struct" in types and types <= {"branch", "struct", "property"},
+        has_root=bool(text.includes) or any("." not in statement.path for statement in text.statements),
+    )
+
+
+def _without_steps(target: str) -> str:
+    parts = [part for part in PurePosixPath(target).parts if part not in ("..", ".")]
+    return "/".join(parts).removesuffix(".vspec")
 
 
 def _is_among(file: str, targets: set[str]) -> bool:

@@ -9,6 +9,7 @@ from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache, reduce
+from itertools import islice, product
 from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
@@ -31,6 +32,8 @@ class SearchResult(NamedTuple):
     facets: Mapping[str, Mapping[str, int]]
     did_you_mean: tuple[str, ...]
     """Words of the catalogue near a word that is nowhere in it."""
+    instead: tuple[str, ...] = ()
+    """Texts near one that nothing has, which something has: words put right, taken apart or left out."""
 
 
 class _Words:
@@ -71,6 +74,7 @@ class _Words:
         return found
 
 
+_MOST_MENDED, _MOST_TRIED, _MOST_TOLD, _SHORTEST_PART = 8, 12, 4, 3
 _BLOCK = 1024
 _LAST = "\U0010ffff"
 """Sorts after every letter: what begins with a prefix stands before the prefix and this."""
@@ -103,7 +107,10 @@ class SearchIndex:
         nodes = tuple(self._nodes[number] for number in _first(ranks, offset, limit))
         unfiltered = sum(self._ranked(wanted, self._everything)) if allowed else found
         facets = {facet: self._counted(facet, allowed, found, unfiltered) for facet in self._facets}
-        return SearchResult(nodes, total, facets, () if total else self._near(wanted))
+        if total or not wanted:
+            return SearchResult(nodes, total, facets, ())
+        chosen = _common(allowed.values(), self._everything)
+        return SearchResult(nodes, total, facets, self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen))
 
     def _counted(self, facet: str, allowed: Mapping[str, Bits], found: Bits, unfiltered: Bits) -> dict[str, int]:
         """Counts by value; those of a filter that is set say what each other value would give in its place."""
@@ -128,9 +135,32 @@ class SearchIndex:
             taken |= matches
         return ranks
 
+    def _is_known(self, word: str) -> bool:
+        return bool(self._in_path.with_prefix(word) | self._in_text.with_prefix(word))
+
     def _near(self, wanted: list[str]) -> tuple[str, ...]:
-        unknown = [word for word in wanted if not (self._in_path.with_prefix(word) | self._in_text.with_prefix(word))]
+        unknown = [word for word in wanted if not self._is_known(word)]
         return tuple(near for word in unknown[:3] for near in nearest(word, self._in_path.words))
+
+    def _instead(self, wanted: list[str], chosen: Bits) -> tuple[str, ...]:
+        """Texts with results: with each unknown word put right; failing that, with one word less."""
+        mended = [self._mended(word) for word in wanted]
+        right = [list(each) for each in islice(product(*(each for each in mended if each)), _MOST_TRIED)]
+        fewer = [first[:i] + first[i + 1 :] for first in right[:1] for i in reversed(range(len(first)))]
+        for choices in (right, fewer):
+            texts = [" ".join(choice) for choice in choices if choice]
+            found = [text for text in texts if any(self._ranked(text.split(), chosen))]
+            if found:
+                return tuple(found[:_MOST_TOLD])
+        return ()
+
+    def _mended(self, word: str) -> tuple[str, ...]:
+        """A word itself if it is known; else the nearest ones, or else the two known words that it is made of."""
+        if self._is_known(word):
+            return (word,)
+        parts = ((word[:i], word[i:]) for i in range(_SHORTEST_PART, len(word) - _SHORTEST_PART + 1))
+        apart = (f"{one} {two}" for one, two in parts if self._is_known(one) and self._is_known(two))
+        return nearest(word, self._in_path.words) or tuple(islice(apart, 1))
 
 
 @lru_cache(maxsize=8192)
@@ -175,7 +205,7 @@ def _text_words(node: Node, catalogue: Catalogue) -> set[str]:
     parts = [str(node.values.get(name) or "") for name in ("description", "comment", "unit", "datatype", "type")]
     unit = catalogue.unit(node)
     if unit is not None:
-        parts.append(unit.name)
+        parts += [unit.name, "".join(filter(str.isalnum, unit.key))]  # also `kmh`
     return {word.strip(".,;:()[]'\"").lower() for part in parts for word in part.split()} - {""}
 
 

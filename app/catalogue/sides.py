@@ -4,6 +4,7 @@ A side is a folder, a root file, an exported JSON, `git:REVISION` or `git:REVISI
 each may be followed by overlays, `+OVERLAY+OVERLAY`. Files and folders that exist win over names of releases.
 """
 
+import os
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -14,9 +15,9 @@ from app.catalogue.git_revision import unpack_revision
 from app.catalogue.layers import Layer, read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.model import Catalogue
-from app.catalogue.root_file import root_file
+from app.catalogue.root_file import root_file, types_beside
 from app.catalogue.sources import Source, load
-from app.catalogue.trial import with_findings, with_overlays
+from app.catalogue.trial import with_overlays
 from app.errors import InputRefused, UsageError
 from app.findings import Finding, has_errors
 
@@ -82,7 +83,8 @@ def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Opti
     if path.suffix.lower() == ".json" and path.is_file():
         return Side(title, read_export(path, _layers(overlays, options), options.limits), UNKNOWN)
     spec = root_file(path, options.limits) if path.is_dir() else path
-    chosen = (options.units, options.quantities, options.types, options.include_dirs)
+    types = options.types or (types_beside(spec, options.limits) if path.is_dir() else ())
+    chosen = (options.units, options.quantities, types, options.include_dirs)
     source = Source(spec.stem, spec.stem, spec, _existing((*overlays, *options.overlays)), *chosen)
     return Side(title, load(source, options.limits))
 
@@ -121,15 +123,16 @@ def _git_side(name: str, options: Options) -> Side:
         except (UsageError, InputRefused) as error:
             raise _renamed_error(error, f"{folder}/", shown) from None
         findings = tuple(_renamed(finding, f"{folder}/", shown) for finding in side.catalogue.findings)
-        return side._replace(catalogue=with_findings(side.catalogue, findings))
+        return side._replace(catalogue=side.catalogue.with_findings(findings))
 
 
 def _unpacked_side(title: str, path: str, folder: Path, top: Path, options: Options) -> Side:
     base, overlays = _parts(path, folder)
-    for part in (folder / base, *overlays):
+    tree, *others = (Path(os.path.normpath(part)) for part in (folder / base, *overlays))
+    for part in (tree, *others):
         if not part.resolve().is_relative_to(top):
             raise UsageError(f"{title}: the path leaves the repository")
-    side = _file_side(title, folder / base, overlays, options)
+    side = _file_side(title, tree, tuple(others), options)
     if side is None:
         raise UsageError(f"{title}: the revision has no {base!r} (only .vspec, .yaml and .json files are looked at)")
     return side
@@ -140,7 +143,7 @@ def _renamed(finding: Finding, folder: str, shown: str) -> Finding:
 
 
 def _renamed_error(error: UsageError | InputRefused, folder: str, shown: str) -> UsageError | InputRefused:
-    message = str(error).replace(folder, shown).replace(folder.rstrip("/"), shown)
+    message = str(error).replace(folder, shown).replace(folder.rstrip("/"), shown.rstrip(":"))
     if isinstance(error, InputRefused):
         return InputRefused(message, tuple(_renamed(finding, folder, shown) for finding in error.findings))
     return UsageError(message)

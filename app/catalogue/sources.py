@@ -51,7 +51,8 @@ def release_source(name: str) -> Source:
     if name == SHIPPED:
         return Source("vss", "VSS 6.0", ROOT_FILE)
     release = find_release(name)
-    return Source(release.name, f"VSS {release.name.removeprefix('v')}", release.spec, release=release.name)
+    title = f"VSS {release.name.removeprefix('v')}"
+    return Source(release.name, title, release.spec, types=release.types, release=release.name)
 
 
 def pulled_sources() -> tuple[Source, ...]:
@@ -72,12 +73,12 @@ def source_from_option(text: str) -> Source:
         if not Path(overlay).is_file():
             raise UsageError(f"{overlay}: there is no such file")
     title = catalogue_id if not source.release else source.title
-    return source._replace(id=catalogue_id, title=title, overlays=tuple(map(Path, overlays)))
+    return source._replace(id=catalogue_id, title=title, overlays=(*source.overlays, *map(Path, overlays)))
 
 
 def source_of_tree(tree: str) -> Source:
-    """The source of a .vspec file, of a folder with a tree in it, or of a release."""
-    from app.catalogue.root_file import root_file
+    """The source of a .vspec file, of a folder with a tree and its struct types in it, of a catalogue that sigcat ships, or of a release."""
+    from app.catalogue.root_file import root_file, types_beside
 
     path = Path(tree)
     if path.is_file():
@@ -85,8 +86,10 @@ def source_of_tree(tree: str) -> Source:
             raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
         return Source(path.stem, path.stem, path)
     if path.is_dir():
-        return Source(path.name, path.name, root_file(path))
-    return release_source(tree)
+        root = root_file(path)
+        return Source(path.name, path.name, root, types=types_beside(root))
+    shipped = {source.id: source for source in shipped_sources()}
+    return shipped.get(tree) or release_source(tree)
 
 
 def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:

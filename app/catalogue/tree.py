@@ -1,6 +1,6 @@
 """Put definitions into a tree, and freeze a tree into nodes."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from app.catalogue.definition import BRANCH, STRUCT, Definition, Problem
 from app.catalogue.instances import Draft
@@ -98,16 +98,25 @@ def _node(draft: Draft, path: str, above: Definition | None, told: set[int], fin
     if not draft.children:
         return Node(path, definition, ())
     prefix = path + "."
-    children = tuple(
-        [
-            _node(child, _same(prefix + child.name, child.definition.path), definition, told, findings)
-            for child in draft.children.values()
-            if not child.definition.values.get("delete")
-        ]
-    )
-    return Node(path, definition, children)
+    children = []
+    for name, child in draft.children.items():
+        place = _same(prefix + name, child.definition.path)
+        if child.definition.values.get("delete"):
+            findings.extend(_of_deleted(child, place, definition, told))
+        else:
+            children.append(_node(child, place, definition, told, findings))
+    return Node(path, definition, tuple(children))
 
 
+def _of_deleted(draft: Draft, path: str, above: Definition, told: set[int]) -> Iterator[Finding]:
+    """What is wrong with a node before it is deleted: vss-tools refuses it, except for where it stands and what it has."""
+    found: list[Finding] = []
+    _node(draft, path, above, told, found)
+    return (finding for finding in found if finding.rule not in _OF_WHAT_STAYS)
+
+
+_OF_WHAT_STAYS = frozenset(("V005", "V019"))
+"""Attributes without meaning for the type, and the place below a type: judged of the tree that is left."""
 _BELOW_FEW = frozenset(("property", STRUCT))
 """Types that do not stand below every branch, or below branches only."""
 

@@ -50,45 +50,23 @@ def with_overlays(base: Catalogue, overlays: Sequence[Layer], limits: Limits = D
     """The catalogue with more overlays on top; what they do not touch is taken over as it is."""
     if not overlays:
         return base
-    type_layers = [layer for layer in base.layers if _is_of_types(layer, base)]
-    layers = [layer for layer in base.layers if layer not in type_layers]
     catalogue = compose(
-        [*layers, *overlays],
+        [*base.tree_layers, *overlays],
         base.vocabulary,
-        type_layers,
+        base.type_layers,
         name=base.name,
         expanded=base.is_expanded,
         limits=limits,
         earlier=base,
     )
-    return _tolerating(catalogue, base.findings)
+    return tolerating(catalogue, base.findings)
 
 
-def with_findings(catalogue: Catalogue, findings: tuple[Finding, ...]) -> Catalogue:
-    """The same catalogue with other findings."""
-    return Catalogue(
-        catalogue.name,
-        catalogue.roots,
-        catalogue.vocabulary,
-        catalogue.layers,
-        findings,
-        catalogue.definitions,
-        catalogue.is_expanded,
-    )
-
-
-def _tolerating(catalogue: Catalogue, known: Sequence[Finding]) -> Catalogue:
+def tolerating(catalogue: Catalogue, known: Sequence[Finding]) -> Catalogue:
     """What is only a warning in the base, as it is in old releases, is no error once an overlay is on top."""
     milder = {finding._replace(severity="error"): finding for finding in known if finding.severity != "error"}
     findings = tuple(milder.get(finding, finding) for finding in catalogue.findings)
-    return catalogue if findings == catalogue.findings else with_findings(catalogue, findings)
-
-
-def _is_of_types(layer: Layer, catalogue: Catalogue) -> bool:
-    """Whether a layer speaks of struct types: they stand under a root of their own, the last one."""
-    if len(catalogue.roots) < 2 or not layer.statements:
-        return False
-    return layer.statements[0].path.partition(".")[0] == catalogue.roots[-1].name
+    return catalogue if findings == catalogue.findings else catalogue.with_findings(findings)
 
 
 def _is_changed(before: Node | None, after: Node) -> bool:

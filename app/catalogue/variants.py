@@ -15,7 +15,7 @@ from app.catalogue.compose import compose, unexpanded
 from app.catalogue.hosting import Hosted, Library
 from app.catalogue.model import Catalogue
 from app.catalogue.search import SearchIndex
-from app.catalogue.trial import with_findings
+from app.catalogue.trial import tolerating
 from app.errors import NotFound
 from app.names import parent_path
 
@@ -75,7 +75,7 @@ def find_hosted(library: Library, catalogue_id: str) -> Hosted:
 
 def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
     """Names of a catalogue's overlays, in the order in which they apply."""
-    return tuple(PurePath(layer.name).stem for layer in catalogue.layers if layer.is_overlay)
+    return tuple(PurePath(layer.name).stem for layer in catalogue.overlays)
 
 
 def stand_in(library: Library, hosted: Hosted, path: str) -> str:
@@ -133,11 +133,9 @@ def _variant(base: Catalogue, choice: Choice) -> tuple[Catalogue, SearchIndex]:
 
 def _without(base: Catalogue, names: frozenset[str]) -> Catalogue:
     """The catalogue composed anew, less some overlays. What it tolerates of an old release, it tolerates still."""
-    first, *others = base.layers
-    overlays = [layer for layer in others if layer.is_overlay and PurePath(layer.name).stem not in names]
-    types = [layer for layer in others if not layer.is_overlay]
+    first, *overlays = base.tree_layers
+    layers = [first, *(layer for layer in overlays if PurePath(layer.name).stem not in names)]
     catalogue = compose(
-        [first, *overlays], base.vocabulary, types, name=base.name, expanded=base.is_expanded, earlier=base
+        layers, base.vocabulary, base.type_layers, name=base.name, expanded=base.is_expanded, earlier=base
     )
-    milder = {finding._replace(severity="error"): finding for finding in base.findings if finding.severity != "error"}
-    return with_findings(catalogue, tuple(milder.get(finding, finding) for finding in catalogue.findings))
+    return tolerating(catalogue, base.findings)

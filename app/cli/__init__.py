@@ -20,6 +20,7 @@ COMMANDS = (
     "diff",
     "try",
     "show",
+    "search",
     "export",
     "function",
     "integrate",

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.cli.output import write_bytes
+from app.cli.tree_options import add_many, add_vocabulary_options
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,16 +56,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def _add_options_of_both(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("for both sides")
-    for short, name, text in (
-        ("-l", "--overlays", "overlay, applied in the order given, after those of the side"),
-        ("-I", "--include-dirs", "folder in which included files are looked for too"),
-        ("-u", "--units", "units (default: units.yaml beside the tree)"),
-        ("-q", "--quantities", "quantities (default: quantities.yaml beside the tree)"),
-        ("-t", "--types", "struct types"),
-    ):
-        group.add_argument(
-            short, name, type=Path, action="append", default=[], metavar="FILE", help=f"{text}; may be repeated"
-        )
+    add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the side")
+    add_vocabulary_options(group)
 
 
 def diff(arguments: argparse.Namespace) -> int:

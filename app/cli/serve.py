@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from app.cli.catalogue_options import add_catalogue_options
 from app.cli.config import chosen_settings
-from app.cli.tree_options import add_tree_options, named_release, tree_files
+from app.cli.tree_options import add_tree_options, tree_source
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -30,18 +30,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
     from app.api.serving import run
-    from app.catalogue.hosting import Library, Source, Watch
+    from app.catalogue.hosting import Library, Watch
     from app.web.site import create_site
 
     configuration, settings = chosen_settings(arguments)
     sources = configuration.sources
     if arguments.vspec is not None or arguments.overlays:
-        spec, units, overlays = tree_files(arguments)
-        own = Source(
-            "local", spec.stem, spec, overlays, units,
-            tuple(arguments.quantities), tuple(arguments.types), tuple(arguments.include_dirs), named_release(arguments),
-        )  # fmt: skip
-        sources = (own, *sources)
+        source = tree_source(arguments)
+        sources = (source._replace(id="local", title=source.spec.stem), *sources)
     library = Library(sources)
     with Watch(library) if configuration.is_watching else nullcontext():
         run(create_site(library, settings), settings)

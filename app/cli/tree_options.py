@@ -10,6 +10,7 @@ from app.findings import has_errors
 
 if TYPE_CHECKING:
     from app.catalogue.model import Catalogue
+    from app.catalogue.sources import Source
 
 
 def add_tree_options(parser: argparse.ArgumentParser) -> None:
@@ -20,13 +21,19 @@ def add_tree_options(parser: argparse.ArgumentParser) -> None:
         "--vspec",
         type=Path,
         metavar="TREE",
-        help="root .vspec file, a folder with one, or a pulled release such as v5.0 (default: the shipped tree)",
+        help="root .vspec file, a folder with one, a pulled release such as v5.0, or vss: the shipped tree alone "
+        "(default: the shipped tree with its overlays)",
     )
     add_many(group, "-l", "--overlays", "overlay, applied in the order given")
+    add_vocabulary_options(group)
+
+
+def add_vocabulary_options(group: argparse._ArgumentGroup) -> None:
+    """Add -I, -u, -q and -t: what a tree refers to."""
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
     add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
     add_many(group, "-q", "--quantities", "quantities (default: quantities.yaml beside the tree)")
-    add_many(group, "-t", "--types", "struct types")
+    add_many(group, "-t", "--types", "struct types (default: those beside the tree, where a folder is named)")
 
 
 def add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, metavar: str = "FILE") -> None:
@@ -40,16 +47,16 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catal
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused."""
     from app.catalogue.compose import read_catalogue
 
-    spec, units, overlays = tree_files(arguments)
+    source = tree_source(arguments)
     catalogue = read_catalogue(
-        spec,
-        overlays,
-        include_dirs=arguments.include_dirs,
-        units=units,
-        quantities=arguments.quantities,
-        types=arguments.types,
+        source.spec,
+        source.overlays,
+        include_dirs=source.include_dirs,
+        units=source.units,
+        quantities=source.quantities,
+        types=source.types,
         expanded=expanded,
-        is_release=bool(named_release(arguments)),
+        is_release=bool(source.release),
     )
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
@@ -58,29 +65,28 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catal
     return catalogue
 
 
-def tree_files(arguments: argparse.Namespace) -> tuple[Path, tuple[Path, ...], tuple[Path, ...]]:
-    """Root file, units and overlays that the options name, or those that sigcat ships."""
+def tree_source(arguments: argparse.Namespace) -> "Source":
+    """The tree that the options name, or the one that sigcat ships; `release` is set where -s names one."""
     from app.catalogue.sources import shipped_sources
 
     for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
         if not path.is_file():
             raise UsageError(f"{path}: there is no such file")
-    if arguments.vspec is not None:
-        return _root(arguments.vspec), tuple(arguments.units), tuple(arguments.overlays)
-    shipped = shipped_sources()[0]
-    return shipped.spec, (*shipped.units, *arguments.units), (*shipped.overlays, *arguments.overlays)
+    source = _named(arguments.vspec) if arguments.vspec is not None else shipped_sources()[0]
+    return source._replace(
+        id=source.spec.stem,
+        overlays=(*source.overlays, *arguments.overlays),
+        units=(*source.units, *arguments.units),
+        quantities=tuple(arguments.quantities),
+        types=tuple(arguments.types) or source.types,
+        include_dirs=tuple(arguments.include_dirs),
+    )
 
 
-def named_release(arguments: argparse.Namespace) -> str:
-    """The pulled release that -s names; empty for a file, a folder, or the shipped tree."""
-    tree: Path | None = arguments.vspec
-    return str(tree) if tree is not None and not tree.exists() else ""
-
-
-def _root(tree: Path) -> Path:
-    """The root file that -s names: a file, the one in a folder, or that of a pulled release."""
+def _named(tree: Path) -> "Source":
+    """The source that -s names: a file, the tree in a folder, or a pulled release."""
     from app.catalogue.sources import source_of_tree
 
     if not tree.exists() and (tree.suffix in (".vspec", ".yaml", ".yml") or len(tree.parts) > 1):
         raise UsageError(f"{tree}: there is no such file")
-    return source_of_tree(str(tree)).spec
+    return source_of_tree(str(tree))

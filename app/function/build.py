@@ -165,8 +165,15 @@ def _modes(item: ModesItem | None, work: Work) -> tuple[tuple[Mode, ...] | None,
     modes = []
     for index, mode in enumerate(item.active):
         work.trace[("ModesList", index)] = ("modes", "active", index)
-        modes.append(Mode(name=mode.mode, description=mode.description, runnables=tuple(mode.runnables)))
+        calls = tuple(_call_name(reference, work) for reference in mode.runnables)
+        modes.append(Mode(name=mode.mode, description=mode.description, runnables=calls))
     return tuple(modes) or None, tuple(interfaces) or None
+
+
+def _call_name(reference: str, work: Work) -> str:
+    """The name of a call; whether the function has it is checked with the result."""
+    node = work.node(reference) or work.own(reference, "scheduling")
+    return interface_name(node.path) or reference if node is not None else reference
 
 
 def _mode_interface(reference: str, at: Pointer, work: Work) -> ModeInterface | None:

@@ -91,10 +91,9 @@ def layered(declaration: Declaration, document: Document, catalogue: Catalogue) 
     nodes, types = defined_nodes(declaration, catalogue), defined_types(declaration)
     if not nodes and not types:
         return catalogue
-    base = [layer for layer in catalogue.layers if layer.is_overlay or layer is catalogue.layers[0]]
-    type_layers = [layer for layer in catalogue.layers if layer not in base]
-    layers = [*base, _layer(nodes, document, is_overlay=True)] if nodes else base
-    type_layers = [*type_layers, _layer(types, document, is_overlay=False)] if types else type_layers
+    overlays = [_layer(nodes, document, is_overlay=True)] if nodes else []
+    more_types = [_layer(types, document, is_overlay=False)] if types else []
+    layers, type_layers = [*catalogue.tree_layers, *overlays], [*catalogue.type_layers, *more_types]
     return compose(layers, catalogue.vocabulary, type_layers, name=catalogue.name, earlier=catalogue)
 
 

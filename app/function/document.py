@@ -5,9 +5,9 @@ import json
 import math
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from yaml.nodes import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode
 
@@ -34,6 +34,12 @@ MOST_COLLECTIONS = 200_000
 _NO_NUMBERS = ("NaN", "Infinity", "-Infinity")
 
 
+class Places(Protocol):
+    """Where the value at a pointer stands, or the nearest one around it that exists; or its key, if it has one."""
+
+    def __call__(self, pointer: Pointer, *, of_key: bool = False) -> Place: ...
+
+
 class Document(NamedTuple):
     """A document that was read. `value` is None if it could not be."""
 
@@ -42,8 +48,7 @@ class Document(NamedTuple):
     """SHA-256 of the bytes."""
     value: Any
     findings: tuple[Finding, ...]
-    place: Callable[[Pointer], Place]
-    """Where the value at a pointer stands, or the nearest one around it that exists."""
+    place: "Places"
 
 
 def pointer_text(pointer: Pointer) -> str:
@@ -113,7 +118,7 @@ class _YamlPlaces:
         self._root = root
         self._pairs: dict[int, dict[str, tuple[Node, Node]]] = {}
 
-    def __call__(self, pointer: Pointer) -> Place:
+    def __call__(self, pointer: Pointer, *, of_key: bool = False) -> Place:
         if self._root is None:
             return (0, 0)
         found = position(self._root)
@@ -123,7 +128,7 @@ class _YamlPlaces:
             if step is None:
                 break
             key, node = step
-            found = position(key if isinstance(node, CollectionNode) else node)
+            found = position(key if of_key or isinstance(node, CollectionNode) else node)
         return found
 
     def _step(self, node: Node, part: str | int) -> tuple[Node, Node] | None:
@@ -239,8 +244,8 @@ def _token_offset(text: str, wanted: str) -> int:
     return next((token.start() for token in _TOKEN.finditer(text) if token[0] == wanted), 0)
 
 
-_Spots = dict[str | int, tuple[int, "_Spots"]]
-"""Where values start, as offsets, by key or position; each with the same of the values in it."""
+_Spots = dict[str | int, tuple[int, "_Spots", int]]
+"""Where values start, as offsets, by key or position; each with the same of the values in it, and where its key starts."""
 _NOTHING: _Spots = {}
 
 
@@ -248,13 +253,14 @@ def _spots(text: str) -> tuple[_Spots, list[tuple[Pointer, int]]]:
     """Where every value of valid JSON starts, the whole under the empty name; and every key that stood there before."""
     here: _Spots = {}
     key: str | int = ""
+    key_start = 0
     above: list[tuple[_Spots, str | int]] = []
     repeated: list[tuple[Pointer, int]] = []
     for token in _TOKEN.finditer(text):
         word = token[0]
         if token[2]:
             quoted: str = token[1]
-            key = quoted[1:-1] if "\\" not in quoted else json.loads(quoted)
+            key, key_start = quoted[1:-1] if "\\" not in quoted else json.loads(quoted), token.start()
             if key in here:
                 repeated.append(((*(name for _, name in above[1:]), key), token.start()))
         elif word in ("}", "]"):
@@ -262,7 +268,7 @@ def _spots(text: str) -> tuple[_Spots, list[tuple[Pointer, int]]]:
         else:
             key = key + 1 if isinstance(key, int) else key
             inner: _Spots = {} if word in ("{", "[") else _NOTHING
-            here[key] = (token.start(), inner)
+            here[key] = (token.start(), inner, key_start if isinstance(key, str) else token.start())
             if inner is not _NOTHING:
                 above.append((here, key))
                 here, key = inner, "" if word == "{" else -1
@@ -280,19 +286,20 @@ class _JsonPlaces:
     def __init__(self, text: str) -> None:
         self._text = text
 
-    def __call__(self, pointer: Pointer) -> Place:
+    def __call__(self, pointer: Pointer, *, of_key: bool = False) -> Place:
         if not self._text:
             return (0, 0)
-        offset, inner = self._root
+        value, inner, key = self._root
         for part in pointer:
             if part not in inner:
                 break
-            offset, inner = inner[part]
+            value, inner, key = inner[part]
+        offset = key if of_key else value
         line = bisect_right(self._lines, offset)
         return line, offset - self._lines[line - 1] + 1
 
     @cached_property
-    def _root(self) -> tuple[int, _Spots]:
+    def _root(self) -> tuple[int, _Spots, int]:
         return _spots(self._text)[0][""]
 
     @cached_property

@@ -11,9 +11,9 @@ from app.function.work import Work
 def interface_node(reference: str, category: Category, at: Pointer, work: Work, *, own: bool = False) -> Node | None:
     """The node of an interface given by name or path; None, with a finding, if it is not there or of another category.
 
-    With `own`, it has to be an interface of the function itself.
+    Of an interface of the function itself the last name is enough. With `own`, it has to be one of those.
     """
-    node = work.node(reference)
+    node = work.node(reference) or work.own(reference, category)
     words = category.replace("_", " ")
     if node is None or category_of(node.path) is None:
         fix = _meant(reference, category, work)
@@ -32,11 +32,8 @@ def interface_node(reference: str, category: Category, at: Pointer, work: Work, 
 
 
 def _meant(reference: str, category: Category, work: Work) -> str:
-    """What to write instead: the function's own interface that `define` calls so, or one of a near name."""
-    candidates = {name: path for name, path in work.interfaces.items() if category_of(path) == category}
-    for name, path in candidates.items():
-        if function_of(path) == work.function and path.rpartition(".")[2] == reference:
-            return f"Write {name!r}."
+    """What to write instead: an interface of a near name."""
+    candidates = [name for name, path in work.interfaces.items() if category_of(path) == category]
     words = category.replace("_", " ")
     return work.hint(reference, candidates) or f"Define it under `define`, or in an overlay of {words} interfaces."
 

@@ -1,15 +1,16 @@
 """Structural defects of a document, as the models report them, turned into findings with a place."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from types import UnionType
 from typing import Any, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
+from app.catalogue.definition import TYPES
 from app.findings import Finding
 from app.function.document import Document, Pointer, pointer_text
-from app.names import did_you_mean
+from app.names import did_you_mean, nearest
 
 _EXPECTED = {
     "string_type": "a text belongs here",
@@ -30,19 +31,66 @@ _PATTERNS = {
     r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits belongs here",
 }
 """What patterns of the models ask for."""
+_KINDS = (
+    (frozenset(("FunctionInformation",)), "Integration JSON for AUTOSAR adaptive", "`sigcat generate arxml` takes it."),
+    (
+        frozenset(("FunctionInfo", "CommunicationList")),
+        "Integration JSON for ROS 2",
+        "It is made for build tools of ROS 2.",
+    ),
+    (frozenset(("FunctionInfo",)), "Function JSON", "Make Integration JSON of it first, by `sigcat integrate`."),
+    (
+        frozenset(("function", "components")),
+        "a function.yaml",
+        "`sigcat function build` and `sigcat integrate` take it.",
+    ),
+)
+"""Keys by which documents of other kinds are known, the more special first; what they are, and what takes them."""
 _MOST_DEFECTS = 1_000
 _YAML_WORDS = "YAML reads words such as OFF, ON, YES and NO as true or false: put quotes around a text."
 
 
 def structural_findings(error: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
-    """One finding for each defect; of very many the first, and a last one that says how many more there are."""
+    """One finding for each defect; of very many the first, and a last one that says how many more there are.
+
+    A document of another kind is one finding: everything in it would be wrong.
+    """
+    if other := _of_another_kind(document.value, model):
+        title, fix = other
+        yield Finding("F003", "error", f"This is {title}, which does not belong here.", document.name, 1, 1, fix=fix)
+        return
     defects = error.errors(include_url=False, include_context=True)
+    meant = set(_meant(defects, model))
+    defects = [defect for defect in defects if not (defect["type"] == "missing" and defect["loc"] in meant)]
     for defect in defects[:_MOST_DEFECTS]:
         pointer = _existing(defect["loc"], document.value)
         yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
     if len(defects) > _MOST_DEFECTS:
         message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong. Settle the others first."
         yield Finding("F004", "error", message, document.name)
+
+
+def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | None:
+    """What a document is instead, and what to do with it."""
+    if not isinstance(value, dict):
+        return None
+    known = fields_of(model)
+    for signs, title, fix in _KINDS:
+        if signs <= value.keys() and not signs <= known.keys():
+            return title, fix
+    is_node = any(
+        isinstance(item, dict) and item.get("type") in TYPES for key, item in value.items() if key not in known
+    )
+    return ("a vspec file", "`sigcat lint` and `sigcat export` take it.") if is_node else None
+
+
+def _meant(defects: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
+    """Where misspelled keys were meant to stand: what lacks there is not missing as well."""
+    missing = {defect["loc"] for defect in defects if defect["type"] == "missing"}
+    for defect in defects[:_MOST_DEFECTS] if missing else ():
+        location = defect["loc"]
+        if defect["type"] == "extra_forbidden" and location:
+            yield from ((*location[:-1], near) for near in nearest(str(location[-1]), _keys_beside(location, model), 1))
 
 
 def _finding(
@@ -56,6 +104,7 @@ def _finding(
     if kind == "extra_forbidden":
         fix = did_you_mean(key, _keys_beside(location, model))
         message = f"{key!r} is not a key that belongs here."
+        place = document.place(pointer, of_key=True)
         return Finding("F003", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
     if key == "[key]":
         message = f"{_shown(defect['input'])} is no name that belongs here."

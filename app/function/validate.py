@@ -126,7 +126,7 @@ def _misspelled(
         if meant:
             at = (*pointer, key)
             message = f"{key!r} is no key of Function JSON and is not looked at."
-            place, text = document.place(at), pointer_text(at)
+            place, text = document.place(at, of_key=True), pointer_text(at)
             fix = f"Did you mean {meant[0]!r}?"
             found.append(Finding("F003", "warning", message, document.name, *place, "", text, fix))
     return found

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import cached_property
 
-from app.catalogue.interfaces import by_interface_name
+from app.catalogue.interfaces import Category, by_interface_name, category_of, function_of
 from app.catalogue.model import Catalogue, Node
 from app.findings import Finding
 from app.function.datatypes import BY_VSS
@@ -11,6 +11,7 @@ from app.function.document import Document, Pointer, pointer_text
 from app.function.hints import Hints
 from app.function.severities import SEVERITIES
 from app.function.types import TypeList
+from app.names import last_name
 
 
 class Work:
@@ -54,3 +55,13 @@ class Work:
     def node(self, interface: str) -> Node | None:
         """The node of an interface that is given by its name or its path."""
         return self.catalogue.get(self.interfaces.get(interface, interface))
+
+    def own(self, last: str, category: Category) -> Node | None:
+        """The node of an interface of the function itself, by the last name of its path."""
+        return self.catalogue.get(self._own.get((category, last), ""))
+
+    @cached_property
+    def _own(self) -> Mapping[tuple[Category | None, str], str]:
+        """Paths of the function's own interfaces by category and last name."""
+        own = (path for path in self.interfaces.values() if function_of(path) == self.function)
+        return {(category_of(path), last_name(path)): path for path in own}

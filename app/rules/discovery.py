@@ -149,15 +149,42 @@ def tree_of(part: Path) -> tuple[Path, str] | None:
 
 
 def default_tree(near: Path) -> Path | None:
-    """The tree that an overlay is made for, where nobody says: `vspec/` or `spec/` beside the overlays, or above."""
+    """The tree that an overlay is made for, where nobody says: `vspec/` or `spec/` beside the overlays, or above.
+
+    It has the usual name, or it is the only tree in a folder with units.
+    """
     for folder in list(near.resolve().parents)[:6]:
-        for name in ("vspec", "spec", "."):
-            candidate = folder / name / ROOT_NAME
-            if candidate.is_file():
+        for place in (folder / "vspec", folder / "spec", folder):
+            candidate = place / ROOT_NAME if (place / ROOT_NAME).is_file() else _only_tree(place, near)
+            if candidate is not None:
                 return candidate
         if (folder / ".git").exists():
             break
     return None
+
+
+def types_beside(files: Iterable[Path]) -> tuple[Path, ...]:
+    """Files of struct types in the folders of trees and overlays, those left out that a file there includes."""
+    beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in sorted(folder.glob("*.vspec"))]
+    found = [path for path in beside if _has_structs_only(path)]
+    parts = _parts({path: includes_of(path) for path in found})
+    return tuple(path for path in found if path not in parts)
+
+
+def _only_tree(folder: Path, near: Path) -> Path | None:
+    if folder.name in OVERLAY_FOLDERS or not _has_units(folder):
+        return None
+    others = (path for path in sorted(folder.glob("*.vspec")) if path != near.resolve())
+    trees = [path for path in others if _has_own_root(path) and not _has_structs_only(path) and tree_of(path) is None]
+    return trees[0] if len(trees) == 1 else None
+
+
+def _has_units(folder: Path) -> bool:
+    return any((folder / name).is_file() for name in UNIT_FILES)
+
+
+def _has_own_root(path: Path) -> bool:
+    return bool(_OWN_ROOT.search(first_bytes(path)))
 
 
 def _source(path: Path, named: bool, known: Kind | None, above: Path | None, includes: _Includes) -> Source:
@@ -177,18 +204,19 @@ def _top(path: Path, named: bool, includes: _Includes) -> Source:
     """A vspec file that no other of the list includes."""
     if path.name == ROOT_NAME:
         return Source(path, "tree", named)
+    is_of_types = _has_structs_only(path)
     if OVERLAY_FOLDERS & set(path.absolute().parts[:-1]):
-        return Source(path, "overlay", named)
+        return Source(path, "types" if is_of_types else "overlay", named)
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
-    if _has_structs_only(path):
+    if is_of_types:
         return Source(path, "types", named)
-    has_vocabulary = any((path.parent / name).is_file() for name in UNIT_FILES)
-    if has_vocabulary and (path.parent / ROOT_NAME).is_file():
+    has_units = _has_units(path.parent)
+    if has_units and (path.parent / ROOT_NAME).is_file():
         return Source(path, "overlay", named)
-    is_tree = has_vocabulary or (bool(includes.get(path)) and bool(_OWN_ROOT.search(first_bytes(path))))
-    return Source(path, "tree" if is_tree else "overlay", named)
+    signs = (has_units, bool(includes.get(path)), _has_own_root(path))
+    return Source(path, "tree" if sum(signs) > 1 else "overlay", named)
 
 
 def _has_structs_only(path: Path) -> bool:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from app.catalogue.definition import Definition
 from app.catalogue.interfaces import category_of
 from app.catalogue.model import Catalogue
+from app.catalogue.patterns import BadPattern
 from app.catalogue.vspec_file import Statement
 from app.errors import InputRefused
 from app.findings import Finding, in_order
@@ -16,7 +17,7 @@ from app.rules.checks import CHECKS
 from app.rules.checks.attributes import extended_attributes
 from app.rules.checks.kind import BadOption, Check, LineCheck, NodeCheck, NodeTest, TreeCheck, check_options
 from app.rules.flaw import Flaw, Repair
-from app.rules.patterns import BadPattern, SlowPattern
+from app.rules.patterns import SlowPattern
 from app.rules.record import MAKERS, Rule
 from app.rules.tree import Tree
 

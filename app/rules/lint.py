@@ -28,6 +28,7 @@ from app.rules.discovery import (
     default_tree,
     discover,
     first_bytes,
+    types_beside,
 )
 from app.rules.engine import Found, found_in, lint_lines
 from app.rules.flaw import Repair
@@ -98,7 +99,7 @@ def lint_text(
     if is_tree or base is None:
         catalogue = compose([layer], base.vocabulary if base else EMPTY, expanded=False, limits=limits)
     else:
-        catalogue = compose_part(base, layer)
+        catalogue = compose_part(base, layer, limits)
     found = found_in(catalogue, rules, catalogue.written_in({name}))
     content = text.decode("utf-8-sig", "replace")
     findings = [f for f, _ in found if f.file == name]
@@ -124,7 +125,7 @@ def _lint_trees(roots: Sequence[Path], lint: _Lint) -> dict[Path, Catalogue]:
 def _compose_tree(root: Path, overlays: Sequence[Path], options: LintOptions) -> Catalogue:
     tree = read_layer(root, options.include_dirs)
     vocabulary, is_older = _units(root, tree, overlays, options)
-    types = [read_layer(path, options.include_dirs) for path in options.types]
+    types = _type_layers((root,), options)
     return compose([_as_of_its_time(tree, is_older)], vocabulary, types, expanded=False, name=root.stem)
 
 
@@ -173,7 +174,7 @@ def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
     tree = read_layer(base, options.include_dirs)
     vocabulary, is_older = _units(base, tree, order, options)
     overlays = [read_layer(path, options.include_dirs, is_overlay=True) for path in order]
-    types = [read_layer(path, options.include_dirs) for path in options.types]
+    types = _type_layers((base, *order), options)
     tree = _as_of_its_time(tree, is_older)
     earlier = _unchecked(tree, vocabulary)
     catalogue = compose([tree, *overlays], vocabulary, types, expanded=False, name=base.stem, earlier=earlier)
@@ -216,6 +217,12 @@ def _types(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
     known = {path.resolve(): path for path in options.types}
     found = {source.path.resolve(): source.path for source in sources if source.kind == "types"}
     return tuple({**known, **found}.values())
+
+
+def _type_layers(files: Iterable[Path], options: LintOptions) -> list[Layer]:
+    """The struct types of a tree and its overlays: those of the options, and those in the same folders."""
+    paths = {path.resolve(): path for path in (*types_beside(files), *options.types)}
+    return [read_layer(path, options.include_dirs) for path in paths.values()]
 
 
 def _lint_types(path: Path, bases: dict[Path, Catalogue], lint: _Lint) -> None:
@@ -263,7 +270,8 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, complete: bool) -> No
     """Function files, alone and together. Files that were named one by one may be a part of a set."""
     _look_at(map(str, paths), lint, "comments")
     read = [(_bytes_of(path, lint), str(path)) for path in paths]
-    files = [(data, name) for data, name in read if data]
+    unreadable = {finding.file for finding in lint.found if finding.rule in ("R003", "R012")}
+    files = [(data, name) for data, name in read if name not in unreadable]
     if lint.options.check_functions is not None and files:
         _add(((f, None) for f in lint.options.check_functions(files, complete)), None, lint)
 

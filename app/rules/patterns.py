@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-SECONDS_PER_MATCH = 0.1
+from app.catalogue.patterns import SECONDS_PER_MATCH, BadPattern, compile_bounded
 
 
 class SlowPattern(Exception):
@@ -17,10 +17,6 @@ class SlowPattern(Exception):
     def __init__(self, pattern: str) -> None:
         super().__init__(pattern)
         self.pattern = pattern
-
-
-class BadPattern(Exception):
-    """The text is no regular expression."""
 
 
 class Pattern(NamedTuple):
@@ -45,11 +41,9 @@ def _quick(text: str) -> Pattern:
 
 
 def _bounded(text: str) -> Pattern:
-    import regex
-
     try:
-        compiled = regex.compile(text)
-    except (regex.error, OverflowError, RecursionError, ValueError) as error:
+        compiled = compile_bounded(text)
+    except BadPattern as error:
         raise BadPattern(f"{text!r} is no regular expression: {error}") from None
 
     def limited(match: Callable[..., object]) -> Callable[[str], object]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
+from app.catalogue.compose import expanded_paths
 from app.catalogue.definition import Definition, instances_of
 from app.catalogue.instances import count_instances, instance_names
 from app.catalogue.interfaces import category_of, interface_name
@@ -32,7 +33,7 @@ class Tree:
     @property
     def overlays(self) -> tuple[Layer, ...]:
         """Overlays in the order in which they apply."""
-        return tuple(layer for layer in self.catalogue.layers if layer.is_overlay)
+        return self.catalogue.overlays
 
     @cached_property
     def children(self) -> Mapping[str, list[Definition]]:
@@ -52,6 +53,13 @@ class Tree:
         return whole
 
     @cached_property
+    def places(self) -> Mapping[str, Definition]:
+        """What is written, at every path that it has with instances expanded; as written where there is no tree."""
+        written = self.definitions
+        places = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
+        return places or written
+
+    @cached_property
     def interfaces(self) -> Mapping[str, Definition]:
         """Definitions of error, safety reaction, mode and scheduling interfaces by interface name."""
         found = {}
@@ -63,6 +71,15 @@ class Tree:
     def below(self, path: str, name: str) -> Definition | None:
         """The definition of a child."""
         return self.definitions.get(f"{path}.{name}")
+
+    def beside_instances(self, definition: Definition) -> Iterator[tuple[str, str]]:
+        """Paths of the first instances of a branch, each with that of a node that is written to stand beside it."""
+        names = next(_levels(definition.values), frozenset())
+        is_sibling = definition.values.get("instances_relation") == "sibling"
+        above = parent_path(definition.path) if is_sibling else definition.path
+        for child in self.children.get(above, ()) if names else ():
+            if is_sibling or not child.values.get("instantiate", True):
+                yield from ((f"{above}.{name}", child.path) for name in sorted(names))
 
     def resolve(self, path: str) -> Definition | None:
         """The definition that a path leads to, names of instances included."""

@@ -1,18 +1,19 @@
 """The documents that are made from functions, each to be read, copied and downloaded."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
 from starlette.responses import Response
 
 from app.adapter.arxml.generate import generate
-from app.errors import InputRefused
+from app.errors import InputRefused, NotFound
 from app.findings import Finding
 from app.function.model import FunctionJson, to_json
 from app.integration.autosar_adaptive.derive import derive
 from app.integration.deployment import DEFAULT_DEPLOYMENT
 from app.integration.platforms import Platform, integrate
+from app.names import nearest
 
 
 class MadeDocument(NamedTuple):
@@ -22,8 +23,6 @@ class MadeDocument(NamedTuple):
     """Name in addresses."""
     view: str
     """Documents of one view are shown together."""
-    title: str
-    """Title of the view."""
     file: str
     """Name of the file when it is downloaded."""
     media_type: str
@@ -32,20 +31,37 @@ class MadeDocument(NamedTuple):
 
 
 JSON = "application/json"
+VIEWS = {
+    "function-json": "Function JSON", "autosar-adaptive": "AUTOSAR adaptive", "ros2": "ROS 2", "arxml": "ARXML",
+}  # fmt: skip
+"""The views, with what each is called."""
+SET_VIEWS = {view: title for view, title in VIEWS.items() if view != "function-json"}
+"""Those of a set of functions."""
 
 
-def documents_of(function: FunctionJson) -> tuple[MadeDocument, ...]:
-    """Every document of a function."""
+def chosen_view(given: str, views: Iterable[str]) -> str:
+    """The view that an address or a form names. Raises NotFound with the nearest ones."""
+    if given not in views:
+        raise NotFound(f"There is no view {given[:100]!r} of it.", nearest(given[:100], views))
+    return given
+
+
+def documents_of(function: FunctionJson, view: str = "") -> tuple[MadeDocument, ...]:
+    """The documents of a function: those of one view, or all."""
     name = function.info.function_name
-    text = _text(to_json(function))
-    own = MadeDocument("function-json", "function-json", "Function JSON", f"{name}.json", JSON, text)
-    return (own, *integrations_of((function,), name))
+    return ((_function_json(function),) if view in ("", "function-json") else ()) + integrations_of(
+        (function,), name, view
+    )
 
 
-def integrations_of(functions: Sequence[FunctionJson], name: str) -> tuple[MadeDocument, ...]:
+def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[MadeDocument, ...]:
     """What is made from functions for each platform, as it is without a deployment file."""
-    adaptive = _integration("autosar-adaptive", "AUTOSAR adaptive", functions, name)
-    return (adaptive, _integration("ros2", "ROS 2", functions, name), *_arxml(functions))
+    makers: Mapping[str, Callable[[], tuple[MadeDocument, ...]]] = {
+        "autosar-adaptive": lambda: (_integration("autosar-adaptive", functions, name),),
+        "ros2": lambda: (_integration("ros2", functions, name),),
+        "arxml": lambda: _arxml(functions),
+    }
+    return tuple(document for each, make in makers.items() if view in ("", each) for document in make())
 
 
 def attached(document: MadeDocument) -> Response:
@@ -55,8 +71,13 @@ def attached(document: MadeDocument) -> Response:
     return Response(content, media_type=document.media_type, headers={"Content-Disposition": disposition})
 
 
-def _integration(platform: Platform, title: str, functions: Sequence[FunctionJson], name: str) -> MadeDocument:
-    document = MadeDocument(platform, platform, title, f"{name}.{platform}.json", JSON, "")
+def _function_json(function: FunctionJson) -> MadeDocument:
+    name = f"{function.info.function_name}.json"
+    return MadeDocument("function-json", "function-json", name, JSON, _text(to_json(function)))
+
+
+def _integration(platform: Platform, functions: Sequence[FunctionJson], name: str) -> MadeDocument:
+    document = MadeDocument(platform, platform, f"{name}.{platform}.json", JSON, "")
     try:
         made = integrate(platform, functions, DEFAULT_DEPLOYMENT)
     except InputRefused as refused:
@@ -68,10 +89,8 @@ def _arxml(functions: Sequence[FunctionJson]) -> tuple[MadeDocument, ...]:
     try:
         files = generate(derive(functions, DEFAULT_DEPLOYMENT).model)
     except InputRefused as refused:
-        return (MadeDocument("arxml", "arxml", "ARXML", "", "", "", tuple(refused.findings)),)
-    return tuple(
-        MadeDocument(file.name, "arxml", "ARXML", file.name, "application/xml", _text(file.data)) for file in files
-    )
+        return (MadeDocument("arxml", "arxml", "", "", "", tuple(refused.findings)),)
+    return tuple(MadeDocument(file.name, "arxml", file.name, "application/xml", _text(file.data)) for file in files)
 
 
 def _text(data: bytes) -> str:

@@ -7,7 +7,7 @@ from app.api.requests import NamedCatalogue
 from app.errors import InputRefused, NotFound
 from app.function.model import to_json
 from app.names import nearest
-from app.web.documents import MadeDocument, attached, documents_of
+from app.web.documents import VIEWS, MadeDocument, attached, chosen_view, documents_of
 from app.web.interface_diagram import interface_diagram
 from app.web.rendering import page
 from app.web.shelf import FILE, Shelved, from_shelf, shelf
@@ -40,21 +40,20 @@ def show_function(request: Request, hosted: NamedCatalogue, function_id: str, vi
     if function_id.endswith(".json"):
         return _as_json(shelved)
     function = shelved.function
-    documents = documents_of(function) if function else ()
-    views = ("interfaces", "source", *dict.fromkeys(document.view for document in documents))
-    if view not in views:
-        raise NotFound(f"There is no view {view!r} of {shelved.name}.", nearest(view[:100], views))
+    views = {"interfaces": "Interfaces", "source": "Declaration", **VIEWS} if function else {"source": "Declaration"}
+    shown = chosen_view(view, views) if function or view != "interfaces" else "source"
     return page(
         request,
         "function.html",
         hosted=hosted,
         shelved=shelved,
-        view=view if function or view != "interfaces" else "source",
+        views=views,
+        view=shown,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
         source=source_view(shelved.text, shelved.findings),
         file=FILE,
-        documents=documents,
+        documents=documents_of(function, shown) if function and shown in VIEWS else (),
     )
 
 
@@ -63,9 +62,7 @@ def download_document(hosted: NamedCatalogue, function_id: str, document_id: str
     """A document of a function, or its declaration, as a file."""
     shelved = from_shelf(hosted.catalogue, function_id)
     if document_id == "source":
-        return attached(
-            MadeDocument("source", "source", "Declaration", f"{function_id}.yaml", "application/yaml", shelved.text)
-        )
+        return attached(MadeDocument("source", "source", f"{function_id}.yaml", "application/yaml", shelved.text))
     known = {document.id: document for document in documents_of(shelved.function)} if shelved.function else {}
     if document_id not in known:
         raise NotFound(f"There is no document {document_id!r} of {shelved.name}.", nearest(document_id[:100], known))

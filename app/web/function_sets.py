@@ -14,6 +14,7 @@ from app.function.sets import check_set, read_set
 from app.function.wiring import Wiring, connect
 from app.web.forms import PostedFile
 from app.web.shelf import FILE, from_shelf
+from app.web.source_view import shown_text
 
 _SEPARATOR = re.compile(r"^---[ \t]*(?:#[ \t]*(.*?))?[ \t]*$", re.MULTILINE)
 """Between two documents: the three dashes of YAML, with the name of the file as their comment."""
@@ -74,7 +75,7 @@ def documents_in(text: str) -> tuple[PostedFile, ...]:
 
 def as_text(files: Iterable[PostedFile]) -> str:
     """One text of several files, such as `documents_in` takes apart."""
-    return "\n".join(f"--- # {' '.join(file.name.split())}\n{_text(file.data)}" for file in files)
+    return "\n".join(f"--- # {' '.join(file.name.split())}\n{shown_text(file.data)}" for file in files)
 
 
 def distinct(files: Iterable[PostedFile]) -> tuple[PostedFile, ...]:
@@ -86,7 +87,3 @@ def distinct(files: Iterable[PostedFile]) -> tuple[PostedFile, ...]:
         number = known[file.name]
         named.append(file if number == 1 else file._replace(name=f"{file.name} ({number})"))
     return tuple(named)
-
-
-def _text(data: bytes) -> str:
-    return data.decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from app.web.typesetting import number
+from app.web.typesetting import scalar
 
 _LEFT, _WIDTH = 8, 304
 
@@ -36,14 +36,14 @@ def range_bar(values: Mapping[str, Any]) -> RangeBar | None:
     if low is not None and high is not None and high <= low:
         return None
     left, right = _ends(low, high)
-    ticks = [Tick(_LEFT, number(low), "limit", "start")] if low is not None else []
-    ticks += [Tick(_LEFT + _WIDTH, number(high), "limit", "end")] if high is not None else []
+    ticks = [Tick(_LEFT, scalar(low), "limit", "start")] if low is not None else []
+    ticks += [Tick(_LEFT + _WIDTH, scalar(high), "limit", "end")] if high is not None else []
     default = _number(values.get("default"))
     inner = {"zero": 0 if left < 0 < right else None, "default": default}
     for kind, value in inner.items():
         if value is not None and left <= value <= right:
             ticks.append(
-                Tick(round(_LEFT + _WIDTH * (value - left) / (right - left), 1), number(value), kind, "middle")
+                Tick(round(_LEFT + _WIDTH * (value - left) / (right - left), 1), scalar(value), kind, "middle")
             )
     return RangeBar(tuple(ticks), low is None, high is None, _summary(low, high, default))
 
@@ -59,8 +59,8 @@ def _ends(low: float | None, high: float | None) -> tuple[float, float]:
 
 
 def _summary(low: float | None, high: float | None, default: float | None) -> str:
-    parts = [f"from {number(low)}" if low is not None else "", f"to {number(high)}" if high is not None else ""]
-    parts += [f"default {number(default)}"] if default is not None else []
+    parts = [f"from {scalar(low)}" if low is not None else "", f"to {scalar(high)}" if high is not None else ""]
+    parts += [f"default {scalar(default)}"] if default is not None else []
     return "Range " + " ".join(part for part in parts if part)
 
 

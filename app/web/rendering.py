@@ -16,7 +16,7 @@ from app.api.requests import library_of
 from app.api.schemas import Problem
 from app.catalogue.variants import choice_of
 from app.web.addresses import Addresses
-from app.web.typesetting import breakable, count, date, marked, number, unit, with_code
+from app.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
 
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
@@ -35,7 +35,7 @@ _ENVIRONMENT = Environment(
     lstrip_blocks=True,
 )
 _ENVIRONMENT.filters.update(
-    number=number, unit=unit, date=date, breakable=breakable, marked=marked, with_code=with_code
+    number=number, scalar=scalar, unit=unit, date=date, breakable=breakable, marked=marked, with_code=with_code
 )
 _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)

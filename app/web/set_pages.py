@@ -14,7 +14,7 @@ from app.errors import NotFound, UsageError
 from app.findings import Finding
 from app.function.model import FunctionJson
 from app.names import nearest
-from app.web.documents import MadeDocument, attached, integrations_of
+from app.web.documents import SET_VIEWS, MadeDocument, attached, chosen_view, integrations_of
 from app.web.forms import Form, PostedFile, form_catalogue, read_form
 from app.web.function_sets import (
     FunctionSet,
@@ -27,13 +27,14 @@ from app.web.function_sets import (
 )
 from app.web.rendering import page
 from app.web.shelf import shelf
-from app.web.source_view import SourceView, source_view
+from app.web.source_view import SourceView, shown_text, source_view
 from app.web.timeline import time_line
 from app.web.wiring_diagram import wiring_diagram
 
 router = APIRouter()
 ECO_CONTROL = ("core_acc", "eco_control_mpc")
 """The set that is shown when none is chosen."""
+VIEWS = {"files": "Files", **SET_VIEWS}
 _MOST_FUNCTIONS = 20
 _MOST_FINDINGS = 200
 
@@ -47,12 +48,13 @@ async def show_wiring(
     heavy: TheHeavyWork,
     functions: Chosen = None,
     write: Annotated[bool, Query(description="Whether to begin with functions of one's own.")] = False,
+    view: str = "files",
 ) -> Response:
     """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
     chosen = _chosen(functions)
 
     def work() -> Response:
-        return _page(request, hosted, chosen, shipped_set(chosen, hosted.catalogue), is_writing=write)
+        return _page(request, hosted, chosen, shipped_set(chosen, hosted.catalogue), view=view, is_writing=write)
 
     return await heavy.run(work)
 
@@ -89,7 +91,7 @@ def _posted(request: Request, hosted: Hosted, form: Form) -> Response:
     together = function_set(files, hosted.catalogue, settings_of(request).limits)
     if form.last("download"):
         return _download(together.whole, form.last("download"))
-    return _page(request, hosted, chosen, together, own)
+    return _page(request, hosted, chosen, together, own, view=form.last("view", "files"))
 
 
 def _page(
@@ -99,6 +101,7 @@ def _page(
     together: FunctionSet,
     own: Sequence[PostedFile] = (),
     *,
+    view: str,
     is_writing: bool = False,
 ) -> Response:
     findings = together.findings
@@ -119,7 +122,9 @@ def _page(
         wiring=together.wiring,
         diagram=wiring_diagram(together.wiring),
         timeline=time_line(together.functions),
-        documents=_documents(together.whole),
+        views=VIEWS,
+        view=chosen_view(view, VIEWS),
+        documents=_documents(together.whole, "" if view == "files" else view),
         made_from=[function.info.function_name for function in together.whole],
         ids={each.name: each.id for each in shelf(hosted.catalogue) if each.id in chosen},
         is_eco_control=not own and set(chosen) == set(ECO_CONTROL),
@@ -129,7 +134,7 @@ def _page(
 def _sources(files: Sequence[PostedFile], findings: Sequence[Finding]) -> list[tuple[str, str, SourceView]]:
     """Name, anchor of the lines, and lines of each posted file."""
     return [
-        (file.name, _anchor(index), source_view(file.data.decode("utf-8", "replace"), _of(file, findings)))
+        (file.name, _anchor(index), source_view(shown_text(file.data), _of(file, findings)))
         for index, file in enumerate(files)
     ]
 
@@ -153,8 +158,8 @@ def _check_size(functions: Sequence[object]) -> None:
         raise UsageError(f"A set has {_MOST_FUNCTIONS} functions at most.")
 
 
-def _documents(functions: Sequence[FunctionJson]) -> list[MadeDocument]:
-    return list(integrations_of(functions, "FunctionSet")) if functions else []
+def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[MadeDocument]:
+    return integrations_of(functions, "FunctionSet", view) if functions else ()
 
 
 def _download(functions: Sequence[FunctionJson], document_id: str) -> Response:

@@ -25,6 +25,11 @@ class SourceView(NamedTuple):
     general: tuple[ShownFinding, ...]
 
 
+def shown_text(data: bytes) -> str:
+    """What a file holds as a field of a form takes it: without byte order mark, and LF at the ends of its lines."""
+    return data.decode("utf-8", "replace").removeprefix("\ufeff").replace("\r\n", "\n")
+
+
 def source_view(text: str, findings: Iterable[Finding]) -> SourceView:
     """The lines of a text with their findings. A finding without a line, or beyond the last one, is a general one."""
     texts = text.splitlines() or [""]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from app.catalogue.definition import SIGNALS
 from app.catalogue.model import Catalogue, Node
+from app.web.typesetting import number
 
 _INNER, _RING, _RIM = 92, 74, 11
 _DEPTH = 3
@@ -107,7 +108,7 @@ def _segment(piece: _Slice, leaves: dict[str, int]) -> Segment:
     inner = _INNER + depth * _RING
     style = f"hue{colour} ring{depth}"
     count = leaves[node.path]
-    title = f"{node.path}: {count} signal{'s' if count != 1 else ''}"
+    title = f"{node.path}: {number(count)} signal{'s' if count != 1 else ''}"
     has_label = angle >= _LABELLED * (_INNER + _RING) / (inner + _RING / 2)
     label = (node.name if len(node.name) <= _LONGEST else f"{node.name[: _LONGEST - 1]}…") if has_label else ""
     turn = _turn(start + angle / 2, inner + _RING / 2) if has_label else ""
@@ -132,7 +133,7 @@ def _rim(kinds: list[str], inner: float, words: Mapping[str, str]) -> Iterator[S
         if kind:
             outline = _arc(position * unit, max(count * unit, _LEAST_RIM), inner, inner + _RIM)
             noun = f"{words.get(kind, kind)}{'s' if count > 1 else ''}"
-            yield Segment(outline, kind, "", f"{count} {noun}", "", "")
+            yield Segment(outline, kind, "", f"{number(count)} {noun}", "", "")
         position += count
 
 

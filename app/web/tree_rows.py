@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from app.catalogue.interfaces import category_of
 from app.catalogue.model import Catalogue, Node
 from app.names import parent_path
-from app.web.typesetting import unit
+from app.web.typesetting import number, unit
 
 EVERYTHING = "*"
 _NO_COUNTS: Mapping[str, int] = {}
@@ -90,7 +90,7 @@ def _kind(node: Node, instances: Mapping[str, int]) -> tuple[str, ...]:
     category = category_of(node.path) or ""
     return (
         node.type,
-        f"×{instances[node.path]}" if node.path in instances else str(node.values.get("datatype") or ""),
+        f"×{number(instances[node.path])}" if node.path in instances else str(node.values.get("datatype") or ""),
         unit(str(node.values.get("unit") or "")),
         "" if category == "data" else category,
         "deprecated" if node.values.get("deprecation") else "",

@@ -21,17 +21,18 @@ from app.function.model import FunctionJson
 from app.function.validate import read_function_json
 from app.names import nearest
 from app.rules.lint import lint_text
-from app.web.documents import attached, documents_of
+from app.web.documents import VIEWS, attached, chosen_view, documents_of
 from app.web.forms import Form, form_catalogue, read_form
 from app.web.interface_diagram import interface_diagram
 from app.web.rendering import page
 from app.web.shelf import FILE, from_shelf
-from app.web.source_view import source_view
+from app.web.source_view import shown_text, source_view
 from app.web.timeline import time_line
 
 router = APIRouter()
 Kind = Literal["overlay", "function", "tree"]
 KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
+_VIEWS = {"interfaces": "Interfaces", **VIEWS}
 _OVERLAY = """\
 # An overlay changes or adds nodes. Findings appear as you type.
 Vehicle.Speed:
@@ -79,7 +80,12 @@ async def show_try(
     example: Annotated[str, Query(max_length=100)] = "",
 ) -> Response:
     """The page with a text to begin with: a shipped function, a shipped overlay, or a few lines."""
-    return await heavy.run(lambda: _page(request, hosted, rules, kind, _beginning(kind, example, hosted.catalogue)))
+
+    def work() -> Response:
+        text = _beginning(kind, example, hosted.catalogue)
+        return _page(request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode()))
+
+    return await heavy.run(work)
 
 
 @router.post("/try")
@@ -97,18 +103,16 @@ def _tried_form(request: Request, hosted: Hosted, rules: RuleBook, form: Form) -
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
         raise UsageError(f"{given[:100]!r} is no kind of text; there are {', '.join(KINDS)}.")
-    text = _posted_text(form)
+    data = _posted_data(form)
+    result = _judged(request, hosted, rules, kind, data)
     if form.last("download"):
-        return _download(
-            tried(text, kind, hosted.catalogue, rules, settings_of(request).limits).function, form.last("download")
-        )
-    return _page(request, hosted, rules, kind, text)
+        return _download(result.function, form.last("download"))
+    return _page(request, hosted, kind, shown_text(data), result, form.last("view", "interfaces"))
 
 
-def _posted_text(form: Form) -> str:
-    """The file that was chosen, or else what stands in the field."""
-    chosen = next((file.data.decode("utf-8", "replace") for file in form.files), None)
-    return form.text("text") if chosen is None else chosen.removeprefix("\ufeff").replace("\r\n", "\n")
+def _posted_data(form: Form) -> bytes:
+    """The file that was chosen, byte for byte, or else what stands in the field."""
+    return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
 
 
 def _download(function: FunctionJson | None, document_id: str) -> Response:
@@ -119,9 +123,12 @@ def _download(function: FunctionJson | None, document_id: str) -> Response:
     return attached(known[document_id])
 
 
-def tried(text: str, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: Limits) -> Tried:
+def _judged(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, data: bytes) -> Tried:
+    return tried(data, kind, hosted.catalogue, rules, settings_of(request).limits)
+
+
+def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: Limits) -> Tried:
     """What is wrong with a text, and the function that it declares."""
-    data = text.encode("utf-8", "replace")
     if kind != "function":
         is_tree = kind == "tree"
         return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
@@ -132,9 +139,8 @@ def tried(text: str, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: 
     return Tried(built.findings, built.function)
 
 
-def _page(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, text: str) -> Response:
-    result = tried(text, kind, hosted.catalogue, rules, settings_of(request).limits)
-    function = result.function
+def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
+    function, shown = result.function, chosen_view(view, _VIEWS)
     return page(
         request,
         "try.html",
@@ -148,7 +154,9 @@ def _page(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, text: s
         function=function,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
-        documents=documents_of(function) if function else (),
+        views=_VIEWS,
+        view=shown,
+        documents=documents_of(function, shown) if function and shown in VIEWS else (),
     )
 
 

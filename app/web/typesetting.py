@@ -7,9 +7,7 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-_NARROW_SPACE = "\u202f"
 _MINUS = "\u2212"
-_GROUPED_FROM = 10_000
 _EXPONENT = re.compile(r"\^(-?\d+)")
 _RAISED = str.maketrans("-0123456789", "\u207b⁰¹²³⁴⁵⁶⁷⁸⁹")
 _MONTHS = (
@@ -18,17 +16,22 @@ _MONTHS = (
 )  # fmt: skip
 
 
-def number(value: Any) -> str:
-    """A number with a real minus sign, and thousands set apart from five digits on."""
+def number(value: Any, grouped_from: int = 1_000) -> str:
+    """A number with a real minus sign and commas between its thousands."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return str(value)
     is_whole = isinstance(value, int)
-    text = f"{value:,}".replace(",", _NARROW_SPACE) if is_whole and abs(value) >= _GROUPED_FROM else f"{value:.12g}"
+    text = f"{value:,}" if is_whole and abs(value) >= grouped_from else f"{value:.12g}"
     return text.replace("-", _MINUS)
 
 
+def scalar(value: Any) -> str:
+    """A number that a catalogue holds: four digits stay together, as they may be a year or a code."""
+    return number(value, 10_000)
+
+
 def count(value: int, one: str, many: str = "") -> str:
-    """A count with its noun: `1 node`, `12 340 nodes`."""
+    """A count with its noun: `1 node`, `1,673 nodes`."""
     return f"{number(value)}\u00a0{one if value == 1 else many or one + 's'}"
 
 

@@ -185,6 +185,16 @@ def test_a_struct_an_array_of_it_an_enumeration_and_a_scaling_have_their_element
     assert "Sets <it> & more." in texts(files, "L-2")
 
 
+def test_what_a_call_has_beyond_the_metamodel_stands_in_words_of_no_programming_language():
+    facts = {
+        element.get("GID"): element.text for element in tags(made("examples")) if element.tag.rpartition("}")[2] == "SD"
+    }
+    assert facts["CoreAcc_Step.FunctionModes"] == "STANDBY, ACTIVE"
+    assert facts["CoreAcc_Step.ParallelProcessing"] == "false"
+    assert facts["CoreAcc_Step.Watchdog.AliveSupervision.Ref"] == "10"
+    assert not [text for text in facts.values() if text and text[0] in "[{"]
+
+
 def test_a_policy_of_posix_is_in_the_startup_configuration():
     one = function(signals=[at("Vehicle.A.B")], call={"Scheduling": "FIFO", "Priority": "12"})
     files = generate(derive([one]).model)

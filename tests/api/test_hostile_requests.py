@@ -114,10 +114,19 @@ BOMBS = {
     "a sexagesimal fraction": MAXIMUM % (b"1:" * 60_000 + b"1.5"),
     "a pattern that explodes": OVERLAY.format("pattern: '^(a+)+$', default: " + "a" * 60 + "b").encode(),
     "a pattern of alternatives": OVERLAY.format("pattern: '^(a|a|aa)*$', default: " + "a" * 60 + "b").encode(),
+    "many patterns that explode": b"".join(b"Vehicle.X%d: {type: sensor, datatype: string, description: X., pattern: '^(a|a%d|aa)*$', default: %b}\n" % (n, n, b"a" * 60 + b"b") for n in range(1_000)),
+    "a pattern that is written out": OVERLAY.format("pattern: '((a{1000}){1000}){1000}', default: a").encode(),
+    "a pattern of a thousand million letters": OVERLAY.format("pattern: '(?i)a{999999999}', default: a").encode(),
+    "a pattern of many groups": OVERLAY.format(f"pattern: '{'(' * 5_000}a{')' * 5_000}', default: a").encode(),
+    "a long pattern": OVERLAY.format(f"pattern: '{'a|' * 1_000_000}a', default: a").encode(),
     "many instances": b"Vehicle.X: {type: branch, instances: ['A[1,99999]', 'B[1,99999]'], description: X.}",
     "a huge range": b"Vehicle.X: {type: branch, instances: ['A[1,999999999999]'], description: X.}",
     "a long path": b"Vehicle" + b".X" * 100_000 + b": {type: branch}",
     "a path of wildcards": b"Vehicle" + b".*a*" * 40 + b": {type: sensor}",
+    "many paths of wildcards": b"".join(b"Vehicle.*.X%d: {min: 0}\n" % n for n in range(20_000)),
+    "many wildcards that match": b"".join(b"Vehicle.*%b: {x: 1}\n" % (b"*" * n) for n in range(2_000)),
+    "wildcards and a long path": b"? Vehicle." + b"a" * 1_000_000 + b"\n: {type: sensor}\n"
+    + b"".join(b"Vehicle.*b%d: {min: 0}\n" % n for n in range(1_000)),
     "many misspelled paths": b"".join(b"Vehicle.Sped%d: {min: 0}\n" % n for n in range(5_000)),
 }  # fmt: skip
 

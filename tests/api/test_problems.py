@@ -4,7 +4,9 @@ from typing import Any
 
 import pytest
 
-from tests.api.conftest import Ask
+from app.catalogue.hosting import Library
+from app.web.site import create_site
+from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 
 SMALL = "/api/v1/catalogues/small"
 
@@ -23,6 +25,13 @@ def test_a_path_that_does_not_exist_proposes_near_ones(ask: Ask) -> None:
     body = problem(ask, f"{SMALL}/nodes/Vehicle.Sped", 404)
     assert body["type"] == "/problems/not-found"
     assert "Vehicle.Speed" in body["nearest"]
+
+
+def test_below_a_path_the_type_opens_its_page_there_too() -> None:
+    ask = asker(create_site(Library(SOURCES[:1]), SETTINGS), root_path="/signals")
+    body = problem(ask, f"/signals{SMALL}/nodes/Vehicle.Sped", 404, headers={"Accept": "application/json"})
+    assert body["type"] == "/signals/problems/not-found"
+    assert "does not exist" in ask(body["type"]).text
 
 
 def test_a_catalogue_that_does_not_exist_proposes_near_ones(ask: Ask) -> None:

@@ -72,6 +72,28 @@ def test_a_word_that_is_nowhere_brings_those_near_it(index):
     assert "speed" in result.did_you_mean
 
 
+@pytest.mark.parametrize(
+    ("text", "instead"),
+    [
+        ("whel sped", "wheel speed"),  # put right, both at once
+        ("wheelspeed", None),  # a name as it stands, without its capitals
+        ("speedwheel", "speed wheel"),  # taken apart
+        ("wheel speed zzz", "wheel speed"),  # left out
+        ("zzz", None),
+    ],
+)
+def test_where_nothing_has_all_words_a_text_that_has_results_is_proposed(text, instead):
+    index = SearchIndex(catalogue_of(ROOT + sensor("Vehicle.WheelSpeed") + sensor("Vehicle.Mass")))
+    result = index.search(text)
+    assert result.instead[:1] == ((instead,) if instead else ())
+    assert all(index.search(each).total for each in result.instead)
+
+
+def test_what_is_proposed_meets_the_filters(index):
+    assert index.search("sped").instead
+    assert index.search("sped", {"type": "branch"}).instead == ()
+
+
 def test_many_nodes_and_words_are_found_as_few_are():
     """Words stand in blocks of a thousand numbers: a prefix may begin and end anywhere in them."""
     count = 3000

@@ -34,6 +34,43 @@ def sigcat(*arguments: str, folder: Path | None = None) -> subprocess.CompletedP
     )
 
 
+def test_a_node_can_be_shown_as_the_json_of_the_api(tree, capsys):
+    assert main(["show", "Vehicle.Speed", "-s", "tree.vspec", "--format", "json"]) == 0
+    node = json.loads(capsys.readouterr().out)
+    assert [node["path"], node["parent"], node["origin"]["line"]] == ["Vehicle.Speed", "Vehicle", 4]
+
+
+@pytest.mark.parametrize("asked", ["Vehicle.Sped", "vehicle.speed", "speed", "how fast"])
+def test_a_path_that_does_not_exist_is_answered_with_what_may_have_been_meant(tree, asked, capsys):
+    tree.write_text(ROOT + SPEED.replace("Speed.\n", "How fast it drives.\n"))
+    assert main(["show", asked, "-s", "tree.vspec"]) == 2
+    assert "Did you mean Vehicle.Speed?" in capsys.readouterr().err
+
+
+def test_search_prints_a_node_in_each_line_for_pipes(capsys):
+    assert main(["search", "wheel", "speed", "--type", "sensor", "--limit", "2"]) == 0
+    output = capsys.readouterr()
+    assert output.out.splitlines()[0] == "Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed  sensor float km/h"
+    assert len(output.out.splitlines()) == 2
+    assert "2 of " in output.err
+    assert main(["search", "wheel", "speed", "--limit", "2", "--format", "json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)) == 2
+
+
+def test_a_search_without_results_fails_and_says_what_may_have_been_meant(tree, capsys):
+    assert main(["search", "Sped", "-s", "tree.vspec"]) == 1
+    output = capsys.readouterr()
+    assert (output.out, "Did you mean 'speed'?" in output.err) == ("", True)
+
+
+def test_a_unit_that_allows_no_datatype_is_told_to_be_mended_in_its_file(tree, capsys):
+    tree.write_text(ROOT + SPEED + "  unit: m\n")
+    Path("units.yaml").write_text("m: {definition: Metre, unit: metre, quantity: length, allowed_datatypes: [float]}\n")
+    Path("quantities.yaml").write_text("length: {definition: How long.}\n")
+    assert main(["show", "Vehicle.Speed", "-s", "tree.vspec"]) == 1
+    assert "it allows none. Give 'm' its `allowed-datatypes`, in the file of units." in capsys.readouterr().err
+
+
 def test_export_goes_to_standard_output(tree, capsys):
     assert main(["export", "json", "-s", "tree.vspec"]) == 0
     assert json.loads(capsys.readouterr().out)["Vehicle"]["children"]["Speed"]["datatype"] == "float"

@@ -7,7 +7,7 @@ import jsonschema
 import pytest
 
 from app.cli import main
-from app.data import EXAMPLES
+from app.data import EXAMPLES, ROOT_FILE
 from app.integration.schemas import SCHEMAS
 
 CORE_ACC = str(EXAMPLES / "core_acc" / "function.yaml")
@@ -90,3 +90,24 @@ def test_every_format_has_a_schema(name, capsys):
     schema = json.loads(capsys.readouterr().out)
     assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
     jsonschema.Draft202012Validator.check_schema(schema)
+
+
+@pytest.mark.parametrize(
+    ("command", "kind"),
+    [
+        (("generate", "arxml", "function.json", "-o", "out"), "Function JSON"),
+        (("generate", "arxml", "ros2.json", "-o", "out"), "Integration JSON for ROS 2"),
+        (("integrate", "ros2", "autosar-adaptive.json"), "Integration JSON for AUTOSAR adaptive"),
+        (("integrate", "ros2", str(ROOT_FILE)), "a vspec file"),
+        (("function", "build", str(ROOT_FILE)), "a vspec file"),
+    ],
+)
+def test_a_document_of_another_kind_is_one_finding_that_says_what_it_is(command, kind, capsys):
+    main(["function", "build", CORE_ACC, "-o", "function.json"])
+    for platform in ("autosar-adaptive", "ros2"):
+        main(["integrate", platform, CORE_ACC, "-o", f"{platform}.json"])
+    capsys.readouterr()
+    assert main(list(command)) == 1
+    told = capsys.readouterr().err.splitlines()
+    assert len(told) == 2
+    assert f"This is {kind}" in told[0]

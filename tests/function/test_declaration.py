@@ -1,10 +1,12 @@
 """`function.yaml`: the structure of the file, and what is said about a wrong one."""
 
+import re
+
 import jsonschema
 import pytest
 import yaml
 
-from app.function.build import check_function
+from app.function.build import build, check_function
 from app.function.declaration import declaration_schema, read_declaration
 from tests.function.shipped import FUNCTIONS, interfaces
 
@@ -36,8 +38,7 @@ def test_every_defect_is_told_at_once():
     )
     at = "/components/0/runnables/0/data/0"
     assert sorted(found(text)) == [
-        ("F002", 1, 1, ""),
-        ("F003", 2, 13, "/descripton"),
+        ("F003", 2, 1, "/descripton"),
         ("F004", 1, 11, "/function"),
         ("F004", 8, 34, f"{at}/role"),
         ("F004", 8, 52, f"{at}/timeout"),
@@ -48,6 +49,12 @@ def test_every_defect_is_told_at_once():
 def test_a_misspelled_key_is_answered_with_the_right_one():
     finding = read_declaration((HEAD + "athority: us\n").encode(), "f").findings[0]
     assert (finding.rule, finding.fix) == ("F003", "Did you mean 'authority'?")
+
+
+def test_a_misspelled_key_is_one_finding_where_it_stands():
+    """What it was meant to be is not missing as well; what nobody wrote is."""
+    assert found(HEAD.replace("description", "descripton")) == [("F003", 2, 1, "/descripton")]
+    assert found(HEAD.replace("description", "remark")) == [("F002", 1, 1, ""), ("F003", 2, 1, "/remark")]
 
 
 def test_a_word_that_yaml_reads_as_a_boolean_is_explained():
@@ -70,10 +77,22 @@ def test_names_are_taken_as_they_are_written(name):
     assert declared.description == name
 
 
-def test_the_last_name_of_an_own_interface_is_answered_with_its_interface_name():
+def test_of_an_own_interface_the_last_name_is_enough():
+    """In every place that names errors, safety reactions, calls and modes: the Function JSON is the same."""
+    full = next(path for path in FUNCTIONS if path.parent.name == "core_acc").read_text(encoding="utf-8")
+    short = re.sub(r"CoreAcc_(\w+?)_ErrorSts|(AccReqInvalid)_SftyCondSts|CoreAcc_(?:Mode_)?(\w+)", r"\1\2\3", full)
+    assert "CoreAcc_" not in short
+    built, of_short = (build(read_declaration(text.encode(), "f.yaml"), interfaces()) for text in (full, short))
+    assert of_short.function
+    assert built.function
+    assert of_short.findings == built.findings == ()
+    assert of_short.function.model_copy(update={"provenance": built.function.provenance}) == built.function
+
+
+def test_a_last_name_that_only_another_function_has_is_not_meant():
     text = (
-        "function: CoreAcc\ndescription: Cruise control.\nresponsible: Cruise control team\n"
-        "components: [{name: CoreAcc, runnables: [CoreAcc_Init, {interface: CoreAcc_Step, errors: [AliveError]}, CoreAcc_Terminate]}]\n"
+        "function: EcoControlMpc\ndescription: Control.\nresponsible: Control team\n"
+        "components: [{name: E, runnables: [Init, {interface: Step, errors: [AliveError]}, Terminate]}]\n"
     )
     found = check_function(text.encode(), "f.yaml", interfaces())
-    assert ("F013", "Write 'CoreAcc_AliveError_ErrorSts'.") in {(finding.rule, finding.fix) for finding in found}
+    assert [(f.rule, f.path) for f in found if f.rule == "F013"] == [("F013", "AliveError")]

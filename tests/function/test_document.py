@@ -28,6 +28,13 @@ def test_every_value_of_yaml_has_a_place(pointer, place):
     assert read_yaml(YAML, "f").place(pointer) == place
 
 
+def test_a_key_has_a_place_of_its_own_and_an_item_that_of_its_value():
+    assert read_json(JSON, "f").place(("a", 1, "b/c"), of_key=True) == (2, 13)
+    assert read_yaml(YAML, "f").place(("d", "e"), of_key=True) == (5, 3)
+    assert read_json(JSON, "f").place(("a", 0), of_key=True) == (2, 9)
+    assert read_yaml(YAML, "f").place(("a", 0), of_key=True) == (2, 5)
+
+
 @pytest.mark.parametrize("read", [read_json, read_yaml])
 def test_what_is_not_there_has_the_place_of_what_is_around_it(read):
     data = JSON if read is read_json else YAML

@@ -38,3 +38,17 @@ def test_an_exported_tree_is_told_to_be_one(tmp_path, capsys):
     (tmp_path / "tree.json").write_text('{"Vehicle": {"type": "branch", "children": {}}}')
     assert main(["show", "-s", str(tmp_path / "tree.json"), "Vehicle"]) == 2
     assert "exported tree" in capsys.readouterr().err
+
+
+def test_a_shipped_catalogue_has_the_name_that_diff_knows(capsys):
+    assert main(["show", "-s", "vss", "Vehicle.Function"]) == 2
+    assert main(["show", "-s", "interfaces", "Vehicle.Function"]) == 0
+    capsys.readouterr()
+
+
+def test_a_name_that_nothing_has_is_not_taken_for_a_release_to_pull(capsys):
+    for command in (["show", "-s", "vs", "Vehicle"], ["diff", "vs", "interfaces"]):
+        assert main(command) == 2
+        message = capsys.readouterr().err
+        assert message.startswith("sigcat: there is no file, folder or release 'vs'. Did you mean vss?")
+        assert "pull" not in message

@@ -109,6 +109,22 @@ def test_an_overlay_is_checked_over_the_tree_beside_it_and_told_alone(tree):
     assert "Did you mean 'Vehicle.Cabin.Noise'" in result.findings[0].fix
 
 
+@pytest.mark.parametrize("place", ["overlays/more.vspec", "more.vspec"])
+def test_a_tree_of_any_name_with_units_beside_it_is_the_one_that_overlays_are_made_for(tmp_path, place):
+    (tmp_path / "overlays").mkdir()
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "truck.vspec").write_text(TREE.replace("Cabin.vspec", "parts/Cabin.vspec"))
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "Cabin.vspec").write_text(CABIN)
+    unit = "{definition: Metre, unit: metre, quantity: length, allowed-datatypes: [numeric]}"
+    (tmp_path / "units.yaml").write_text(f"m: {unit}\n")
+    (tmp_path / "quantities.yaml").write_text("length: {definition: How long.}\n")
+    (tmp_path / place).write_text("Vehicle.Cabin.Nois: {max: 5}\n")
+    result = lint_paths([tmp_path / place])
+    assert told(result) == [("more.vspec", 1, 1, "O101")]
+    assert "Did you mean 'Vehicle.Cabin.Noise'" in result.findings[0].fix
+
+
 def test_an_overlay_without_a_tree_is_checked_over_the_shipped_one(tmp_path):
     path = tmp_path / "mine.vspec"
     path.write_text("Vehicle.Sped: {max: 5}\n")

@@ -57,4 +57,19 @@ def test_an_overlay_may_use_a_struct(folder):
     overlay = folder / "more.vspec"
     overlay.write_text("Vehicle.Home: {type: attribute, datatype: Types.Location, description: Where it lives.}\n")
     assert told(lint_paths([overlay], LintOptions(types=(folder / "types.vspec",)))) == []
-    assert told(lint_paths([overlay])) == [("more.vspec", 1, "V003")]
+    assert told(lint_paths([overlay.rename(folder / "spec" / "more.vspec")])) == [("more.vspec", 1, "V003")]
+
+
+def test_types_in_the_folder_of_a_tree_or_an_overlay_are_known_to_it_when_it_is_named_alone(folder):
+    """As pre-commit names changed files."""
+    types = folder / "spec" / "types.vspec"
+    types.write_text(TYPES.replace("doubl", "double"))
+    assert told(lint_paths([folder / "spec" / "VehicleSignalSpecification.vspec"])) == []
+    (folder / "overlays").mkdir()
+    (folder / "types.vspec").rename(folder / "overlays" / "own.vspec")
+    own = folder / "overlays" / "own.vspec"
+    own.write_text(TYPES.replace("doubl", "double").replace("Types", "Own"))
+    overlay = folder / "overlays" / "more.vspec"
+    overlay.write_text("Vehicle.Home: {type: attribute, datatype: Own.Location, description: Where it lives.}\n")
+    assert told(lint_paths([overlay])) == []
+    assert told(lint_paths([own])) == [("own.vspec", 4, "V105"), ("own.vspec", 5, "V101")]

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, Route, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.web.conftest import Opener, Use
 
@@ -158,8 +158,14 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     expect(page.locator("h1")).to_have_text("Your functions")
     expect(page.locator(".wire.flawed")).to_have_count(1)
     expect(page.locator(".findings").first).to_contain_text("in km/h, and m/s^2 is expected")
+    use(page.get_by_role("button", name="ROS 2"))
+    expect(page.locator("#made ~ .notice")).to_have_text("It cannot be made.")
+    expect(page.locator("#made ~ .findings")).to_contain_text("in two datatypes or units")
+    use(page.get_by_role("button", name="AUTOSAR adaptive"))
+    expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc and EcoControlMpc"')
+    use(page.get_by_role("button", name="Files"))
     with page.expect_download() as kept:
-        use(page.get_by_role("button", name="types.arxml"))
+        use(page.get_by_role("button", name="Download types.arxml"))
     assert kept.value.suggested_filename == "types.arxml"
 
 
@@ -180,11 +186,44 @@ def test_a_text_is_tried_and_its_documents_kept(open_page: Opener, use: Use) -> 
     use(page.get_by_role("link", name="Line 11").first)
     expect(page.get_by_role("textbox", name="Overlay")).to_be_focused()
     use(page.get_by_role("navigation", name="What to try").get_by_role("link", name="Function"))
-    use(page.locator("summary", has_text="Function JSON"))
+    use(page.get_by_role("button", name="Function JSON"))
+    expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc"')
+    expect(page.get_by_role("button", name="Function JSON")).to_be_focused()
     with page.expect_download() as kept:
         use(page.get_by_role("button", name="Download CoreAcc.json"))
     assert kept.value.suggested_filename == "CoreAcc.json"
     expect(page.get_by_role("progressbar")).to_be_hidden()
+
+
+def test_a_function_with_mistakes_is_mended_on_the_page_and_its_arxml_kept(open_page: Opener, use: Use) -> None:
+    page = open_page("/try?kind=function&catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Function")
+    mistakes = {"CylP\n": "CylPressure\n", "rangeErrorAction": "rangeErorAction", "timeout: 200": "timeout: soon"}
+    for right, wrong in mistakes.items():
+        field.fill(field.input_value().replace(right, wrong, 1))
+    height = height_of(field)
+    for wrong, right in (("soon", "200"), ("rangeEror", "rangeError"), ("CylPressure", "CylP")):
+        finding = page.locator(".findings li", has_text=wrong)
+        use(finding.get_by_role("link", name="Line"))
+        expect(field).to_be_focused()
+        assert wrong in field.evaluate("field => field.value.slice(field.selectionStart).split('\\n')[0]")
+        field.fill(field.input_value().replace(wrong, right))
+        expect(finding).to_have_count(0)
+    use(page.get_by_role("button", name="ARXML"))
+    assert height_of(field) == height
+    with page.expect_download() as kept:
+        use(page.get_by_role("button", name="Download interfaces.arxml"))
+    assert kept.value.suggested_filename == "interfaces.arxml"
+
+
+def test_who_comes_back_finds_the_text_and_its_findings(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    page.get_by_role("textbox", name="Overlay").fill("Vehicle.Speed:\n  type: sensr\n")
+    page.locator("#outcome").get_by_role("link", name="V001").click()
+    page.go_back()
+    assert page.get_by_role("textbox", name="Overlay").input_value() == "Vehicle.Speed:\n  type: sensr\n"
+    expect(page.locator("[data-gutter] .error")).to_have_text(["2"])
+    expect(page.locator("#outcome")).to_contain_text("sensr")
 
 
 def test_a_file_is_opened_and_checked(open_page: Opener, tmp_path: Path) -> None:
@@ -192,8 +231,19 @@ def test_a_file_is_opened_and_checked(open_page: Opener, tmp_path: Path) -> None
     overlay = tmp_path / "mine.vspec"
     overlay.write_text("Vehicle.Speed:\n  type: sensr\n")
     page.get_by_label("Open a file").set_input_files([overlay])
-    expect(page.locator("[data-gutter] .error")).to_have_text("2")
+    expect(page.locator("[data-gutter] .error")).to_have_text(["2"])
     assert page.get_by_role("textbox", name="Overlay").input_value() == "Vehicle.Speed:\n  type: sensr\n"
+
+
+def test_a_file_that_is_no_text_is_told_until_it_is_mended(open_page: Opener, tmp_path: Path) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    overlay = tmp_path / "mine.vspec"
+    overlay.write_bytes(b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  unit: km/h\n  description: Stra\xdfe.\n")
+    page.get_by_label("Open a file").set_input_files([overlay])
+    expect(page.locator("#outcome")).to_contain_text("Byte 0xDF is not UTF-8.")
+    field = page.get_by_role("textbox", name="Overlay")
+    field.fill(field.input_value().replace("\ufffd", "ss"))
+    expect(page.locator("#outcome")).not_to_contain_text("is not UTF-8.")
 
 
 def test_a_rule_leads_to_its_findings_and_they_to_the_node(open_page: Opener, use: Use) -> None:
@@ -201,7 +251,7 @@ def test_a_rule_leads_to_its_findings_and_they_to_the_node(open_page: Opener, us
     use(page.get_by_role("navigation", name="Pages").get_by_role("link", name="Rules"))
     expect(page.locator(".lead")).to_contain_text("A small tree")
     use(page.get_by_role("navigation", name="Kinds of rules").get_by_role("link", name="vss"))
-    use(page.locator(".rules li", has_text="I201").get_by_role("link"))
+    use(page.locator(".rule-group", has_text="With findings").locator("li", has_text="I201").get_by_role("link"))
     expect(page.locator("h2", has_text="Findings in A small tree")).to_contain_text("4")
     use(page.locator(".findings .where").get_by_role("link").first)
     expect(page.locator("h1")).to_have_text("RangeError")
@@ -259,3 +309,9 @@ def test_a_busy_service_is_asked_again(open_page: Opener) -> None:
     expect(page.locator("[data-tally]")).to_have_text("The service is busy.")
     expect(page.locator("#outcome")).to_contain_text("sensr")
     assert len(asked) == 2
+
+
+def height_of(element: Locator) -> float:
+    box = element.bounding_box()
+    assert box is not None
+    return box["height"]

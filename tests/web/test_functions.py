@@ -100,6 +100,25 @@ def test_a_posted_function_shows_its_diagram(site: Ask) -> None:
     assert "Interfaces of EcoControlMpc" in post(site, kind="function", text=json)
 
 
+@pytest.mark.parametrize("view", ["interfaces", "function-json", "autosar-adaptive", "ros2", "arxml"])
+def test_a_posted_function_has_the_views_of_a_shipped_one(site: Ask, view: str) -> None:
+    source = site("/functions/core_acc/files/source").text
+    own = post(site, kind="function", text=source, view=view)
+    shipped = site(f"/functions/core_acc?view={view}").text
+    of_shipped = re.findall(r'<pre class="document".*?</pre>', shipped, re.DOTALL)
+    assert re.findall(r'<pre class="document".*?</pre>', own, re.DOTALL) == of_shipped
+    assert bool(of_shipped) is (view != "interfaces")
+    assert site("/try", "POST", content=urlencode({"kind": "function", "view": "nope"})).status_code == 404
+
+
+def test_a_posted_file_is_checked_byte_for_byte(site: Ask) -> None:
+    page = site(
+        "/try", "POST", data={"kind": "tree"}, files=[("file", ("mine.vspec", b"Vehicle: {type: br\xe4nch}\n"))]
+    )
+    assert "Byte 0xE4 is not UTF-8." in page.text
+    assert "type: br\ufffdnch" in page.text
+
+
 @pytest.mark.parametrize("kind", ["overlay", "tree", "function"])
 @pytest.mark.parametrize(
     "text",
@@ -167,6 +186,17 @@ def test_a_node_tells_who_uses_it_its_names_and_the_units_of_its_fields(site: As
     assert re.search(r"0x[0-9A-F]{8}", signal)
     error = site("/tree/interfaces/Vehicle.Function.CoreAcc.Error.AliveError").text
     assert re.search(r'<span class="muted">ms</span>', error)
+
+
+def test_findings_of_a_rule_lead_to_their_nodes_and_name_files_of_the_catalogue(site: Ask) -> None:
+    page = site("/rules/V109?catalogue=vss").text
+    findings = page[page.index("Findings in") :]
+    assert "/vspec/" not in findings
+    links = re.findall(r'<p class="where"><a href="([^"]+)">', findings)
+    assert len(links) == findings.count('<p class="where">')
+    instances = [link for link in links if site(link).status_code != 200]
+    assert instances
+    assert all(site(site(link).headers["location"]).status_code == 200 for link in instances)
 
 
 def test_a_catalogue_is_pictured(site: Ask) -> None:

@@ -121,6 +121,9 @@ def test_a_filter_that_every_result_meets_is_not_offered(site: Ask) -> None:
 
 def test_a_near_miss_proposes_names(site: Ask) -> None:
     assert re.search(r'Did you mean <a href="/search/small\?q=speed"', site("/search/small?q=sped").text)
+    assert re.search(
+        r'Did you mean <a href="/search/small\?q=vehicle\+speed"', site("/search/small?q=vehicle+sped").text
+    )
 
 
 def test_a_range_is_drawn_and_allowed_values_are_listed(site: Ask) -> None:

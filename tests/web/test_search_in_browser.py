@@ -43,6 +43,18 @@ def test_a_near_miss_proposes_a_word(open_page: Opener) -> None:
     expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
 
 
+def test_a_proposal_is_taken_by_keyboard_and_the_next_tab_reaches_the_results(open_page: Opener) -> None:
+    page = open_page("/search/small?q=vehicle+sped")
+    page.get_by_role("searchbox").focus()
+    page.keyboard.press("ArrowDown")
+    expect(page.get_by_role("link", name="vehicle speed")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+    expect(page.get_by_role("searchbox")).to_have_value("vehicle speed")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.getElementById('main').contains(document.activeElement)")
+
+
 def test_markup_that_is_typed_shows_as_text(open_page: Opener) -> None:
     page = open_page("/search/small")
     page.get_by_role("searchbox").fill("<img src=x onerror=alert(1)>")

@@ -102,6 +102,31 @@ def test_the_limits_of_the_service_hold_for_what_is_posted(site: Ask) -> None:
         assert ("levels" in connected(ask, ("deep.yaml", deep)).text) is is_told
 
 
+@pytest.mark.parametrize("kind", ["overlay", "tree", "function"])
+@pytest.mark.parametrize(
+    ("settings", "text", "told"),
+    [
+        (Settings(nesting=9), "[" * 40 + "]" * 40, "levels"),
+        (Settings(values=1_000), "[" + "1, " * 1_001 + "1]", "values"),
+    ],
+)
+def test_each_limit_holds_for_whatever_is_tried(site: Ask, settings: Settings, text: str, told: str, kind: str) -> None:
+    strict = asker(create_site(Library(shipped_sources()[:1]), settings))
+    for ask, is_told in ((site, False), (strict, True)):
+        page = ask(
+            "/try", "POST", content=urlencode({"kind": kind, "text": f"Vehicle.A: {{type: sensor, x: {text}}}\n"})
+        ).text
+        findings = page[page.index('class="verdict"') : page.index('class="whole"')]
+        assert (told in findings) is is_told
+
+
+def test_views_of_a_set_are_tabs(site: Ask, proposing: str) -> None:
+    assert "&lt;AUTOSAR" not in site("/wiring").text
+    assert "&lt;AUTOSAR" in site("/wiring?f=core_acc&view=arxml").text
+    assert "&lt;AUTOSAR" in connected(site, ("mpc.json", proposing), view="arxml").text
+    assert site("/wiring?view=nope").status_code == 404
+
+
 def test_sets_are_bounded_and_named_functions_exist(site: Ask) -> None:
     assert connected(site, *((f"{n}.yaml", "function: A\n") for n in range(21))).status_code == 400
     assert connected(site, f="nope").status_code == 404

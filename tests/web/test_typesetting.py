@@ -3,22 +3,31 @@
 import pytest
 from markupsafe import Markup
 
-from app.web.typesetting import breakable, count, date, marked, number, unit, with_code
+from app.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
 
 
 @pytest.mark.parametrize(
     ("value", "shown"),
     [
-        (-20, "−20"), (1673, "1673"), (12340, "12\u202f340"), (-1234567, "−1\u202f234\u202f567"), (0.1 + 0.2, "0.3"),
+        (-20, "−20"), (999, "999"), (1673, "1,673"), (-1234567, "−1,234,567"), (0.1 + 0.2, "0.3"),
         (20.94, "20.94"), (True, "True"), ("-1", "-1"), (1e300, "1e+300"),
     ],
 )  # fmt: skip
-def test_numbers_have_a_real_minus_and_groups_from_five_digits_on(value: object, shown: str) -> None:
+def test_numbers_have_a_real_minus_and_commas_between_thousands(value: object, shown: str) -> None:
     assert number(value) == shown
 
 
+@pytest.mark.parametrize(("value", "shown"), [(2026, "2026"), (-9999, "−9999"), (65535, "65,535"), ("text", "text")])
+def test_four_digits_of_a_value_stay_together_as_they_may_be_a_year(value: object, shown: str) -> None:
+    assert scalar(value) == shown
+
+
 def test_a_count_stays_with_its_noun() -> None:
-    assert [count(1, "node"), count(2, "branch", "branches")] == ["1\u00a0node", "2\u00a0branches"]
+    assert [count(1, "node"), count(2, "branch", "branches"), count(1673, "node")] == [
+        "1\u00a0node",
+        "2\u00a0branches",
+        "1,673\u00a0nodes",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -57,7 +57,11 @@ def test_functions_of_ones_own_are_connected_by_a_button(open_page: Opener) -> N
 def test_a_text_is_checked_and_its_documents_kept_by_buttons(open_page: Opener) -> None:
     page = open_page("/try?kind=function&catalogue=interfaces", java_script_enabled=False)
     page.get_by_role("button", name="Check").click()
-    page.locator("summary", has_text="ROS 2").click()
+    page.get_by_role("button", name="ROS 2").click()
+    assert page.url.endswith("/try#made")
+    expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc"')
+    page.get_by_role("button", name="Check").click()
+    expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc"')
     with page.expect_download() as kept:
         page.get_by_role("button", name="Download CoreAcc.ros2.json").click()
     assert kept.value.suggested_filename == "CoreAcc.ros2.json"

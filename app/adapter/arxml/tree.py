@@ -1,7 +1,7 @@
 """ARXML elements as plain values, and their way into the AUTOSAR metamodel of `autosar-data`."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
@@ -48,12 +48,26 @@ def description(text: str | None) -> Tag | None:
 
 def trace(values: Sequence[tuple[str, object]]) -> Tag | None:
     """Admin data: where the element comes from, and what of it the metamodel has no place for."""
-    kept = tuple(
-        Tag("SD", (), str(value), None, (("GID", key),)) for key, value in values if value not in (None, "", ())
-    )
+    kept = tuple(Tag("SD", (), text, None, (("GID", key),)) for pair in values for key, text in _facts(*pair))
     if not kept:
         return None
     return tag("ADMIN-DATA", tag("SDGS", Tag("SDG", kept, None, None, (("GID", "sigcat"),))))
+
+
+def _facts(key: str, value: object) -> Iterator[tuple[str, str]]:
+    """A value as texts that tools of any language read: `Watchdog.Min` for what a mapping holds, a list with commas."""
+    if isinstance(value, Mapping):
+        for inner, item in value.items():
+            yield from _facts(f"{key}.{inner}", item)
+    elif isinstance(value, list | tuple) and any(isinstance(item, Mapping | list) for item in value):
+        for number, item in enumerate(value, 1):
+            yield from _facts(f"{key}.{number}", item)
+    elif isinstance(value, list | tuple) and value:
+        yield key, ", ".join(map(str, value))
+    elif isinstance(value, bool):
+        yield key, str(value).lower()
+    elif value not in (None, "", [], ()):
+        yield key, str(value)
 
 
 class Package(NamedTuple):

@@ -1,6 +1,7 @@
 """Checks of names as other languages see them: reserved words, lengths, and names that meet after conversion."""
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 
 from app.catalogue.definition import Definition
 from app.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
@@ -77,18 +78,26 @@ def name_length(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def collision(rule: Rule, tree: Tree) -> TreeTest:
-    """No two children of a branch (`of: name`), or paths of the tree (`of: path`), are equal after conversion."""
-    convert = _case(rule)
+    """No two children of a branch (`of: name`), or paths of the tree (`of: path`), are equal after conversion.
+
+    Instances are expanded; what meets in several of them is told of the first.
+    """
     of_path = rule.options.get("of") == "path"
+    convert = _case(rule) if of_path else cache(_case(rule))
     target = rule.options["target"]
 
     def test() -> Iterator[Flaw]:
         seen: dict[tuple[str, str], str] = {}
-        for path, definition in tree.definitions.items():
+        told: set[tuple[str, str]] = set()
+        for path, definition in tree.places.items():
             above = "" if of_path else parent_path(path)
             converted = convert(path.replace(".", "_") if of_path else last_name(path))
             other = seen.setdefault((above, converted), path)
-            if other != path and not (of_path and _met_above(path, other, convert)):
+            if other == path or (of_path and _met_above(path, other, convert)):
+                continue
+            pair = (definition.path, tree.places[other].path)
+            if pair not in told:
+                told.add(pair)
                 message = f"{path!r} and {other!r} are both {converted!r} in {target}."
                 yield Flaw(definition, message, fix="Rename one of the two.", facts={"converted": converted})
 

@@ -107,6 +107,10 @@ def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
             if other != path and not _follows(path, other):
                 message = f"Path {path!r} differs from {other!r} in case only."
                 yield Flaw(definition, message, fix="Rename one of the two.", facts={"other": other})
+            for instance, beside in tree.beside_instances(definition) if "instances" in definition.values else ():
+                if instance != beside and instance.lower() == beside.lower():
+                    message = f"Instance {instance!r} differs from {beside!r} in case only."
+                    yield Flaw(definition, message, "instances", "Rename one of the two.", {"other": beside})
 
     return test
 

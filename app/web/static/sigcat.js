@@ -149,13 +149,14 @@ if (field) {
     if (event.key === "Escape" && event.target.matches("[data-hit]")) field.focus();
     if (event.key === "Escape") for (const menu of document.querySelectorAll("details.menu[open]")) { menu.open = false; menu.firstElementChild.focus(); }
   });
-  main.addEventListener("click", (event) => {
+  main.addEventListener("click", async (event) => {
     const link = event.target.closest("[data-filter]");
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
     history.pushState({}, "", link.href);
     field.value = new URL(link.href).searchParams.get("q") ?? "";
-    showSearch(link.href);
+    await showSearch(link.href);
+    if (document.activeElement === document.body) main.focus({ preventScroll: true }); // the link that had it is gone
   });
 }
 

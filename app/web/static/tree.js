@@ -253,7 +253,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     intoSight(active);
     paint();
     remember();
-    say(`${visible.length} rows`);
+    say(`${visible.length.toLocaleString("en")} rows`);
   };
 
   const collapse = () => {

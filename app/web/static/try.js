@@ -12,6 +12,7 @@ export const mountTry = ({ progress, say }) => {
   let timer = 0;
   let under_way = null;
   let marks = new Map();
+  let unread = null; // a file that is no text: its bytes are checked until the text is edited
 
   const readMarks = () => {
     const pairs = outcome.querySelector("[data-marks]").dataset.marks.split(" ").filter(Boolean);
@@ -41,7 +42,9 @@ export const mountTry = ({ progress, say }) => {
     try {
       const sent = new FormData(form);
       sent.delete("file"); // what it holds stands in the field
-      const response = await progress(fetch(url, { method: "POST", body: new URLSearchParams(sent), signal: under_way.signal }));
+      if (unread) sent.set("file", unread);
+      const body = unread ? sent : new URLSearchParams(sent);
+      const response = await progress(fetch(url, { method: "POST", body, signal: under_way.signal }));
       const page = await response.text();
       if (response.ok) {
         outcome.innerHTML = page;
@@ -61,18 +64,27 @@ export const mountTry = ({ progress, say }) => {
     outcome.removeAttribute("aria-busy");
   };
 
-  text.addEventListener("input", () => { number(); clearTimeout(timer); timer = setTimeout(check, PAUSE); });
+  const show = async (view) => {
+    form.querySelector("[data-view]").value = view;
+    await check();
+    outcome.querySelector(".tabs [aria-current]")?.focus({ preventScroll: true });
+  };
+
+  text.addEventListener("input", () => { unread = null; number(); clearTimeout(timer); timer = setTimeout(check, PAUSE); });
   text.addEventListener("scroll", () => { gutter.scrollTop = text.scrollTop; }, { passive: true });
   form.addEventListener("submit", (event) => {
     if (event.submitter?.name === "download") return; // the browser keeps what comes back as a file
     event.preventDefault();
     clearTimeout(timer);
-    check();
+    if (event.submitter?.name === "view") show(event.submitter.value);
+    else check();
   });
   form.querySelector("[data-file]").addEventListener("change", async (event) => {
     const [file] = event.target.files;
     if (!file) return;
     text.value = await file.text();
+    unread = text.value.includes("\ufffd") ? file : null;
+    marks = new Map(); // those of the text before
     event.target.value = ""; // the field holds it now, and may be edited
     number();
     check();
@@ -87,6 +99,10 @@ export const mountTry = ({ progress, say }) => {
     text.focus();
     text.setSelectionRange(start + Math.max(Number(link.dataset.column) - 1, 0), start + lines[line - 1].length);
     text.scrollTop = Math.max(0, (line - 5) * (text.scrollHeight / lines.length));
+  });
+  addEventListener("pageshow", () => { // whoever comes back finds what was typed, and what is wrong with it
+    number();
+    if (text.value !== text.defaultValue) check();
   });
   readMarks();
   number();

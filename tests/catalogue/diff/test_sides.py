@@ -11,7 +11,7 @@ from app.catalogue.diff import compare
 from app.catalogue.export_json import tree_data, tree_json
 from app.catalogue.exported_json import UNKNOWN, catalogue_from_export
 from app.catalogue.limits import Limits
-from app.catalogue.root_file import root_file
+from app.catalogue.root_file import root_file, types_beside
 from app.catalogue.sides import NO_OPTIONS, Options, read_side
 from app.data import ROOT_FILE
 from app.errors import InputRefused, NotFound, UsageError
@@ -19,6 +19,13 @@ from tests.catalogue.diff.running import sigcat, signal
 from tests.catalogue.trees import ROOT, catalogue_of
 
 TREE = ROOT + "#include part/engine.vspec Vehicle\n" + signal("Vehicle.Speed")
+STRUCTS = (
+    "Types:\n  type: branch\n  description: T.\nTypes.Point:\n  type: struct\n  description: P.\n"
+    "Types.Point.X:\n  type: property\n  datatype: float\n  description: X.\n"
+)
+MORE_STRUCTS = (
+    "Line:\n  type: struct\n  description: L.\nLine.Y:\n  type: property\n  datatype: float\n  description: Y.\n"
+)
 ENGINE = "Engine:\n  type: branch\n  description: E.\n" + signal("Engine.Heat")
 
 
@@ -62,6 +69,24 @@ def test_overlays_of_a_folder_are_not_applied_and_are_no_tree(tmp_path):
     write_tree(tmp_path, "car.vspec")
     (tmp_path / "overlays").mkdir()
     (tmp_path / "overlays" / "sport.vspec").write_text(signal("Vehicle.Boost"))
+    assert paths(tmp_path) == WHOLE
+
+
+def test_a_folder_with_struct_types_beside_the_tree_has_both(tmp_path):
+    """Types are no second tree, and what uses them finds them, in parts too."""
+    write_tree(tmp_path, "car.vspec")
+    with (tmp_path / "car.vspec").open("a") as tree:
+        tree.write("Vehicle.Lane:\n  type: sensor\n  datatype: Types.Point\n  description: L.\n")
+    (tmp_path / "types.vspec").write_text(STRUCTS + "#include more.vspec Types\n")
+    (tmp_path / "more.vspec").write_text(MORE_STRUCTS)
+    assert root_file(tmp_path) == tmp_path / "car.vspec"
+    assert types_beside(tmp_path / "car.vspec") == (tmp_path / "types.vspec",)
+    assert {*WHOLE, "Vehicle.Lane", "Types.Point.X", "Types.Line.Y"} <= set(paths(tmp_path))
+
+
+def test_an_overlay_beside_the_tree_is_no_second_tree(tmp_path):
+    write_tree(tmp_path, "car.vspec")
+    (tmp_path / "sport.vspec").write_text(signal("Vehicle.Boost"))
     assert paths(tmp_path) == WHOLE
 
 
@@ -282,6 +307,9 @@ def test_a_path_counts_from_the_top_or_with_a_dot_from_here(repository, monkeypa
     assert paths("git:first:spec") == paths("git:first:./") == paths("git:first:.") == WHOLE
     with pytest.raises(UsageError, match="the path leaves the repository"):
         paths("git:first:../../x")
+    (repository / "new").mkdir()
+    monkeypatch.chdir(repository / "new")
+    assert paths("git:first:../spec") == WHOLE
 
 
 def test_overlays_of_a_revision_are_files_of_it(repository):
@@ -302,6 +330,7 @@ def test_what_changed_since_a_revision(repository, capsys):
         ("git:--output=x:spec", "name a revision"),
         ("git:first:missing", "the revision has no 'missing'"),
         ("git:first:../x", "the path leaves the repository"),
+        ("git:first:spec/../../x", "the path leaves the repository"),
         ("git:first:link.vspec", "the revision has no 'link.vspec'"),
         ("git:first:spec+missing.vspec", "git:first:missing.vspec: there is no such overlay"),
     ],

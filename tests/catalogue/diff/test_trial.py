@@ -8,7 +8,7 @@ import pytest
 
 from app.catalogue.compose import compose
 from app.catalogue.layers import layer_from_text
-from app.catalogue.trial import try_overlay, with_findings
+from app.catalogue.trial import try_overlay
 from app.data import ROOT_FILE
 from app.findings import Finding
 from tests.catalogue.diff.running import sigcat, signal
@@ -55,7 +55,7 @@ def test_only_what_the_overlay_brings_is_found():
 def test_what_an_old_release_is_forgiven_stays_forgiven():
     base = catalogue_of(ROOT + signal("Vehicle.A", max=300, datatype="uint8"))
     (error,) = base.findings
-    forgiven = with_findings(base, (error._replace(severity="warning"),))
+    forgiven = base.with_findings((error._replace(severity="warning"),))
     assert try_overlay(forgiven, signal("Vehicle.B").encode(), "posted").findings == ()
 
 

@@ -1,0 +1,77 @@
+"""Regular expressions of others, which may be built to exhaust time or memory: bounded in both."""
+
+import math
+import re
+import time
+from typing import Any
+
+SECONDS_PER_MATCH = 0.1
+_MOST_PARTS = 10_000
+_TOKENS = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|.", re.DOTALL)
+_COUNT = re.compile(r"\{([^,}]*)")
+_UNUSUAL = re.compile(r"\(\?[^:=!<P]|\[:")
+"""Flags, comments and classes of POSIX, with which groups are not told apart so simply."""
+
+
+class BadPattern(Exception):
+    """The text is no regular expression, or one too large to compile; says why."""
+
+
+def compile_bounded(text: str) -> Any:
+    """Compile an expression with the `regex` package, whose matches take a `timeout`. Raises BadPattern."""
+    import regex  # loaded only where a pattern has something to match; unlike `re` it can stop a match
+
+    if (parts := _parts(text)) > _MOST_PARTS:
+        raise BadPattern(f"{parts:,} parts with repetitions written out; the limit is {_MOST_PARTS:,}")
+    try:
+        return regex.compile(text)
+    except (regex.error, OverflowError, RecursionError, ValueError) as error:
+        raise BadPattern(str(error)) from None
+
+
+class Matching:
+    """Matches the patterns of one tree within a time for all of them together, which it counts down."""
+
+    def __init__(self, seconds: float) -> None:
+        self._left = seconds
+
+    def mismatch(self, pattern: str, text: str) -> str:
+        """Why `text` does not match. What takes too long counts as no match: it may be an attack."""
+        if self._left <= 0:
+            return "is unchecked, as the patterns before it took too long, against the"
+        start = time.perf_counter()
+        try:
+            is_match = compile_bounded(pattern).match(text, timeout=min(SECONDS_PER_MATCH, self._left))
+        except TimeoutError:
+            return "takes too long to match against the"
+        except BadPattern as error:
+            return f"cannot be matched ({error}) against the"
+        finally:
+            self._left -= time.perf_counter() - start
+        return "" if is_match else "does not match the"
+
+
+def _parts(text: str) -> int:
+    """How many parts a compiled expression has at least: the compiler writes the least count of a repetition out."""
+    if len(text) > _MOST_PARTS:
+        return len(text)
+    if _UNUSUAL.search(text):
+        return len(text) * math.prod(max(_number(count), 1) for count in _COUNT.findall(text))
+    groups, last = [0], 0
+    for token in _TOKENS.finditer(text):
+        if token[1]:
+            groups[-1] += last * (_number(token[1]) - 1)
+        elif token[0] == "(":
+            groups.append(0)
+        elif token[0] == ")" and len(groups) > 1:
+            last = groups.pop() + 1
+            groups[-1] += last
+        else:
+            last = 1
+            groups[-1] += 1
+    return sum(groups)
+
+
+def _number(text: str) -> int:
+    """The digits of a text as a number, no larger than what any limit refuses."""
+    return int("".join(filter("0123456789".__contains__, text))[:9] or 0)
