@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz sbom audit lock clean
+.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz slow sbom audit lock clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -45,6 +45,9 @@ clients: .venv/dev  ## generate a Python and a TypeScript client, and run the sa
 
 fuzz: .venv/dev  ## the service against its whole contract and killed at random points, for long
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/releases/test_killed.py
+
+slow: .venv/dev  ## every export of the whole shipped tree beside that of vss-tools, byte for byte
+	SIGCAT_SLOW=1 $(BIN)/pytest -n auto tests/catalogue/exports
 
 sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom

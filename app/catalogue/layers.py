@@ -140,10 +140,13 @@ def _included(
 
 
 def _real(path: Path, reading: _Reading) -> Path:
-    """`path` with links resolved; asked for often, so the file system is asked once."""
-    if path not in reading.real:
-        reading.real[path] = path.resolve()
-    return reading.real[path]
+    """`path` with links resolved; asked for often, so the file system is asked once for a folder and a file."""
+    known = reading.real.get(path)
+    if known is None:
+        is_plain = path.name not in ("", "..") and not path.is_symlink()
+        known = _real(path.parent, reading) / path.name if is_plain else path.resolve()
+        reading.real[path] = known
+    return known
 
 
 def _too_many(reading: _Reading) -> bool:

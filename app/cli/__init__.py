@@ -4,6 +4,7 @@ Exit status: 0 done or clean, 1 findings or differences, 2 could not run.
 """
 
 import argparse
+import gc
 import os
 import re
 import sys
@@ -39,6 +40,7 @@ _MODULES = {"try": "try_overlay"}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status. Nothing that a user does ends in a traceback."""
+    gc.set_threshold(50_000, 20)  # most of what a command makes stays to its end: looked through less often
     if sys.stdout is None:  # closed by the caller, as `>&-` does
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:

@@ -1,5 +1,6 @@
 """Every export has the same bytes as that of `vspec export` on the original files."""
 
+import os
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -112,9 +113,11 @@ def official() -> Catalogue:
 SLOW = ("id", "s2dm", "vhal")
 """Formats of which one whole tree is enough; the last one takes no overlays."""
 WHOLE = [name for name, format_ in FORMATS.items() if not format_.needs_types]
+USUAL = ("json", "csv", "ros2interface")
+"""Formats of the whole shipped tree in every run; `make slow` takes them all."""
 
 
-@pytest.mark.parametrize("name", WHOLE)
+@pytest.mark.parametrize("name", WHOLE if "SIGCAT_SLOW" in os.environ else USUAL)
 def test_the_shipped_tree(name, tmp_path):
     expected = judged(FORMATS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
