@@ -11,7 +11,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from app.catalogue.definition import BRANCH, Definition, Scope, checked, instances_of, overlaid
+from app.catalogue.define import checked
+from app.catalogue.definition import BRANCH, Definition, Scope, instances_of, overlaid
 from app.catalogue.limits import Limits
 
 _LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")

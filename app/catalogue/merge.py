@@ -5,7 +5,8 @@ from fnmatch import translate
 from re import compile as compile_pattern
 from typing import NamedTuple
 
-from app.catalogue.definition import Definition, Scope, define
+from app.catalogue.define import define
+from app.catalogue.definition import Definition, Scope
 from app.catalogue.layers import Layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.vspec_file import Statement
