@@ -77,7 +77,10 @@ def source_from_option(text: str) -> Source:
 
 
 def source_of_tree(tree: str) -> Source:
-    """The source of a .vspec file, of a folder with a tree and its struct types in it, of a catalogue that sigcat ships, or of a release."""
+    """The source of a .vspec file, of a folder with a tree and its struct types in it, of what sigcat ships, or of a release.
+
+    Raises UsageError, or NotFound with near names.
+    """
     from app.catalogue.root_file import root_file, types_beside
 
     path = Path(tree)
@@ -88,6 +91,8 @@ def source_of_tree(tree: str) -> Source:
     if path.is_dir():
         root = root_file(path)
         return Source(path.name, path.name, root, types=types_beside(root))
+    if path.suffix in (".vspec", ".yaml", ".yml") or len(path.parts) > 1:
+        raise UsageError(f"{tree}: there is no such file")
     shipped = {source.id: source for source in shipped_sources()}
     return shipped.get(tree) or release_source(tree)
 

@@ -20,7 +20,8 @@ def add_catalogue_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     group.add_argument(
         "--catalogue", action="append", default=[], metavar="ID=TREE[,OVERLAY...]",
-        help="host this tree too: a .vspec file, a folder, or a pulled release, with overlays in order; may be repeated",
+        help="host this tree, before the shipped ones (pages open with the first): a .vspec file, a folder, or a pulled "
+        "release, with overlays in order; may be repeated",
     )  # fmt: skip
     group.add_argument(
         "--watch", action=argparse.BooleanOptionalAction, help="read files again when they change (default: no)"

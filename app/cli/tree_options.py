@@ -67,12 +67,12 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catal
 
 def tree_source(arguments: argparse.Namespace) -> "Source":
     """The tree that the options name, or the one that sigcat ships; `release` is set where -s names one."""
-    from app.catalogue.sources import shipped_sources
+    from app.catalogue.sources import shipped_sources, source_of_tree
 
     for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
         if not path.is_file():
             raise UsageError(f"{path}: there is no such file")
-    source = _named(arguments.vspec) if arguments.vspec is not None else shipped_sources()[0]
+    source = source_of_tree(str(arguments.vspec)) if arguments.vspec is not None else shipped_sources()[0]
     return source._replace(
         id=source.spec.stem,
         overlays=(*source.overlays, *arguments.overlays),
@@ -81,12 +81,3 @@ def tree_source(arguments: argparse.Namespace) -> "Source":
         types=tuple(arguments.types) or source.types,
         include_dirs=tuple(arguments.include_dirs),
     )
-
-
-def _named(tree: Path) -> "Source":
-    """The source that -s names: a file, the tree in a folder, or a pulled release."""
-    from app.catalogue.sources import source_of_tree
-
-    if not tree.exists() and (tree.suffix in (".vspec", ".yaml", ".yml") or len(tree.parts) > 1):
-        raise UsageError(f"{tree}: there is no such file")
-    return source_of_tree(str(tree))

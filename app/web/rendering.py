@@ -14,7 +14,9 @@ from app import __version__
 from app.api.presenting import finding_schema, plain_text, shown_file
 from app.api.requests import library_of
 from app.api.schemas import Problem
+from app.catalogue.hosting import Hosted
 from app.catalogue.variants import choice_of
+from app.findings import has_errors
 from app.web.addresses import Addresses
 from app.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
 
@@ -53,9 +55,15 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
         library=library_of(request),
         address=request.url.path,
         request_method=request.method,
+        is_flawed=_is_flawed(context["hosted"]),
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def _is_flawed(hosted: Hosted | None) -> bool:
+    """Whether a tree is shown whose files had errors when they were read first."""
+    return hosted is not None and bool(hosted.catalogue.roots) and has_errors(hosted.catalogue.findings)
 
 
 def _for_catalogue(request: Request, to: Addresses, *, is_problem: bool) -> Callable[[str], str]:

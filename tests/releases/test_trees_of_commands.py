@@ -52,3 +52,10 @@ def test_a_name_that_nothing_has_is_not_taken_for_a_release_to_pull(capsys):
         message = capsys.readouterr().err
         assert message.startswith("sigcat: there is no file, folder or release 'vs'. Did you mean vss?")
         assert "pull" not in message
+
+
+@pytest.mark.parametrize("options", [["show", "Vehicle", "-s"], ["serve", "--catalogue"]])
+def test_a_path_that_leads_nowhere_is_not_taken_for_a_name(options, capsys):
+    *command, option = options
+    assert main([*command, option, f"{'x=' if option == '--catalogue' else ''}missing/tree.vspec"]) == 2
+    assert capsys.readouterr().err == "sigcat: missing/tree.vspec: there is no such file\n"

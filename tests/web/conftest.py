@@ -21,9 +21,17 @@ from app.api.settings import Settings
 from app.web.site import create_site
 from tests.api.conftest import SOURCES
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
+rows = Source("rows", "Doors in rows", Path(sys.argv[1]).parent / "rows.vspec")
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
 settings = Settings(port=0)
-run(create_site(Library([*SOURCES, big, lost, *shipped_sources()]), settings), settings)
+run(create_site(Library([*SOURCES, big, rows, lost, *shipped_sources()]), settings), settings)
+"""
+
+
+_ROWS = """
+Vehicle: {type: branch, description: A vehicle.}
+Vehicle.Door: {type: branch, description: A door., instances: [[Front, Rear], [Left, Right]]}
+Vehicle.Door.IsOpen: {type: actuator, datatype: boolean, description: Whether the door stands open.}
 """
 
 
@@ -46,6 +54,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of a service that runs in a process of its own."""
     big = tmp_path_factory.mktemp("big") / "big.vspec"
     big.write_text(big_tree(100))
+    (big.parent / "rows.vspec").write_text(_ROWS)
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-c", _SERVE, str(big)]
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:

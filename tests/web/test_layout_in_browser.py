@@ -1,7 +1,9 @@
 """Pages fit on a phone, a laptop and a wall, and on paper."""
 
+import re
+
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import FloatRect, Locator, expect
 
 from tests.web.conftest import Opener
 
@@ -27,8 +29,7 @@ def test_every_page_of_the_bar_is_in_sight(open_page: Opener, width: int) -> Non
     page = open_page("/functions?catalogue=interfaces")
     page.set_viewport_size({"width": width, "height": 800})
     for link in page.get_by_role("navigation", name="Pages").get_by_role("link").all():
-        box = link.bounding_box()
-        assert box
+        box = box_of(link)
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= width
 
@@ -53,3 +54,51 @@ def test_a_diagram_is_on_paper_even_where_the_screen_has_a_list(open_page: Opene
     page.emulate_media(media="print")
     expect(page.locator(".picture.interfaces")).to_be_visible()
     expect(page.locator(".ports")).to_be_hidden()
+
+
+def test_paper_has_tables_where_a_phone_has_lists(open_page: Opener) -> None:
+    page = open_page("/rules/I201")
+    page.set_viewport_size({"width": 688, "height": 1000})
+    expect(page.locator("thead")).to_be_hidden()
+    page.emulate_media(media="print")
+    expect(page.locator("thead")).to_be_visible()
+    expect(page.locator("tbody tr").first).to_have_css("display", "table-row")
+
+
+def test_a_value_of_named_parts_stays_a_table_on_a_phone(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Scheduling.Step")
+    page.set_viewport_size({"width": 360, "height": 800})
+    part = page.get_by_role("row", name="minIndications 9").last
+    assert box_of(part.get_by_role("rowheader"))["y"] == box_of(part.get_by_role("cell"))["y"]
+
+
+def test_a_long_name_among_values_breaks_behind_its_underscores(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Scheduling.Step")
+    value = page.get_by_role("cell", name="WheelSpeedCalculation_DeadlineError_ErrorSts", exact=True)
+    assert value.inner_html() == "WheelSpeedCalculation_<wbr>DeadlineError_<wbr>ErrorSts"
+
+
+def test_what_a_change_says_stands_below_its_name(open_page: Opener) -> None:
+    page = open_page("/changes?old=bare&new=rows&type=branch")
+    change = page.locator(".change", has_text="instances")
+    left = box_of(change.locator("b"))["x"]
+    assert box_of(change.locator("dt"))["x"] == left
+    for each in change.locator("p.muted", has_text=re.compile("Came|Went")).all():
+        assert (
+            box_of(each)["x"] + float(each.evaluate("each => parseFloat(getComputedStyle(each).paddingLeft)")) == left
+        )
+    expect(change.locator(".new .chips .chips")).to_have_text(["FrontRear", "LeftRight"])
+    for chips in change.locator(".new .chips").all():
+        expect(chips).to_have_css("border-left-width", "0px")
+
+
+def test_a_node_of_an_unknown_type_is_marked_in_the_tree(open_page: Opener) -> None:
+    page = open_page("/tree/broken")
+    expect(page.get_by_role("treeitem").filter(has_text="Speed").locator(".letter")).to_have_text("?")
+
+
+def box_of(what: Locator) -> FloatRect:
+    """Where it stands on the page."""
+    box = what.bounding_box()
+    assert box
+    return box

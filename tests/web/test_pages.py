@@ -152,6 +152,26 @@ def test_a_catalogue_with_errors_says_so_and_still_shows_its_tree(site: Ask) -> 
     assert "Did you mean" in site("/catalogues/broken").text
 
 
+def test_every_page_of_a_catalogue_with_errors_leads_to_them(site: Ask) -> None:
+    for address in ("/tree/broken", "/tree/broken/Vehicle.Speed", "/search/broken?q=speed", "/units/broken"):
+        page = site(address).text
+        assert "The files of this catalogue have errors." in page
+        assert 'href="/catalogues/broken#findings">What is wrong</a>' in page
+    assert '<h2 id="findings">' in site("/catalogues/broken").text
+
+
+def test_a_catalogue_without_errors_says_nothing_of_them(tmp_path: Path) -> None:
+    (tmp_path / "whole.vspec").write_text("Vehicle: {type: branch, description: A vehicle.}")
+    whole = asker(create_site(Library([Source("whole", "Whole", tmp_path / "whole.vspec")])))
+    assert "have errors" not in whole("/tree/whole").text
+
+
+def test_a_catalogue_tells_what_it_holds_however_little(site: Ask, tmp_path: Path) -> None:
+    assert ">signal</text>" in site("/catalogues/broken").text
+    empty = asker(create_site(Library([Source("lost", "Lost", tmp_path / "lost.vspec")])))
+    assert re.search(r"0\u00a0nodes</a>\.", empty("/catalogues/lost").text)
+
+
 def test_many_open_rows_come_in_pages(site: Ask) -> None:
     page = site("/tree/small?open=*&from=5").text
     assert "Rows 6 to 14 of 14" not in page  # nothing to page through: all fit

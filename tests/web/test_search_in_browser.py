@@ -11,6 +11,7 @@ def test_results_come_as_one_types_and_back_returns_to_the_tree(open_page: Opene
     page.keyboard.type("spee vehi", delay=15)
     expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
     page.wait_for_url("**/search/small?q=spee+vehi")
+    expect(page.locator("nav [aria-current=page]")).to_have_count(0)
     expect(page.locator(".hits mark").first).to_have_text("Vehi")
     page.go_back()
     expect(page.locator("h1")).to_have_text("Label")
@@ -60,3 +61,13 @@ def test_markup_that_is_typed_shows_as_text(open_page: Opener) -> None:
     page.get_by_role("searchbox").fill("<img src=x onerror=alert(1)>")
     expect(page.locator("[data-tally]")).to_contain_text("Nothing")
     assert page.locator("main img").count() == 0
+
+
+def test_another_catalogue_is_searched_for_what_was_typed(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    page.get_by_role("searchbox").fill("speed")
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+    page.locator("summary[aria-label^='Catalogue']").click()
+    page.locator("details.menu a[data-elsewhere=interfaces]").click()
+    page.wait_for_url("**/search/interfaces?q=speed")
+    expect(page.get_by_role("searchbox")).to_have_value("speed")

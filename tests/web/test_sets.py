@@ -67,7 +67,7 @@ def test_two_providers_of_one_signal_are_told(site: Ask, proposing: str) -> None
 
 def test_findings_stand_beside_the_lines_of_each_posted_file(site: Ask) -> None:
     page = connected(site, ("a.yaml", "function: A\nversion: x\n"), ("b.yaml", "function: B\ncomponents: 3\n")).text
-    assert re.search(r"<h2>a\.yaml</h2>.*<h2>b\.yaml</h2>", page, re.DOTALL)
+    assert re.search(r'<h2 class="as-written">a\.yaml</h2>.*<h2 class="as-written">b\.yaml</h2>', page, re.DOTALL)
     assert re.search(r'<li class="marked error" id="file-2-2">', page)
 
 

@@ -120,6 +120,8 @@ const showSearch = async (address) => {
   leave = null;
   main.className = "search";
   main.innerHTML = text;
+  document.querySelector(".bar nav [aria-current]")?.removeAttribute("aria-current");
+  for (const link of document.querySelectorAll("[data-elsewhere]")) link.href = `${base}/search/${link.dataset.elsewhere}${location.search}`;
   document.title = `${field.value || "Search"} · sigcat`;
   say(main.querySelector("[data-tally]")?.textContent ?? "");
 };

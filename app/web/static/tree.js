@@ -2,7 +2,7 @@
 
 const MOST_ROWS = 100;
 const BEYOND = 8; // rows kept above and below what is in sight
-const LETTERS = { sensor: "S", actuator: "A", attribute: "P", struct: "{}", property: "·" };
+const LETTERS = { branch: "", sensor: "S", actuator: "A", attribute: "P", struct: "{}", property: "·" };
 const TYPING_PAUSE = 600;
 
 class Entry {
@@ -153,7 +153,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
       row.className = `row l${Math.min(entry.level, 24)} ${deprecated}`;
       const mark = document.createElement("span");
       if (entry.count) mark.className = "chevron";
-      else Object.assign(mark, { className: `letter ${type}`, textContent: LETTERS[type] ?? "" });
+      else Object.assign(mark, { className: `letter ${type}`, textContent: LETTERS[type] ?? "?" });
       mark.setAttribute("aria-hidden", "true");
       const name = Object.assign(document.createElement("a"), { className: "name", textContent: entry.name, tabIndex: -1 });
       const hint = Object.assign(document.createElement("span"), { className: "hint", textContent: datatype });
