@@ -1,7 +1,7 @@
 """Names: the only casing code, and the search for names that were probably meant."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 _MUCH_FARTHER = 12.0
 _CAMEL_WORD = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+")
@@ -43,16 +43,32 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
     """The candidates that `name` was probably meant to be, best first; case does not count.
 
     `cutoff` is the least similarity, from 0 to 100. What is much farther off than the best is not meant: long paths
-    are all alike in their beginnings.
+    are all alike in their beginnings. Where nothing is near, a name that was cut short is completed: `v5` to `v5.0`.
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
     choices = {candidate: candidate.lower() for candidate in candidates}
     matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
-    return tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
+    near = tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
+    return near or _completed(name.lower(), choices, limit)
+
+
+def _completed(beginning: str, choices: Mapping[str, str], limit: int) -> tuple[str, ...]:
+    """The candidates that begin so, if they are few."""
+    found = tuple(key for key, lowered in choices.items() if lowered.startswith(beginning))
+    return found if len(beginning) > 1 and len(found) <= limit else ()
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """A sentence that proposes the nearest names, or nothing."""
-    near = nearest(name, candidates)
+    return _question(nearest(name, candidates))
+
+
+def did_you_mean_last(name: str, last_names: Mapping[str, str]) -> str:
+    """A sentence that proposes the names whose last names, given by name, are near; or nothing."""
+    near = nearest(name, last_names.values())
+    return _question(tuple(full for last in near for full, own in last_names.items() if own == last)[:3])
+
+
+def _question(near: Sequence[str]) -> str:
     return f"Did you mean {' or '.join(repr(candidate) for candidate in near)}?" if near else ""

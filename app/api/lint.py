@@ -13,6 +13,8 @@ from app.api.functions import check_posted
 from app.api.presenting import lint_report
 from app.api.problems import problem_documentation
 from app.api.requests import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheRules, TheSettings, text_body
+from app.findings import Finding
+from app.function.build import is_function_yaml
 from app.rules.lint import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
@@ -25,6 +27,7 @@ Vehicle.Speed:
   unit: km/h
   max: 300
 """
+_NO_OVERLAY = "This is a function.yaml, which is no overlay."
 
 
 @router.post(
@@ -46,6 +49,9 @@ async def lint(
     name: FileName = "posted.vspec",
 ) -> Response:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
+    if kind == "overlay" and is_function_yaml(text):
+        fix = "Post it with `?kind=function`."
+        return json_answer(lint_report((Finding("F003", "error", _NO_OVERLAY, name, 1, 1, fix=fix),)))
     if kind == "function":
         work = partial(check_posted, text, name, hosted.catalogue, settings.limits)
     else:

@@ -176,13 +176,18 @@ def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: 
 def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source | None:
     """The source that `spec` or `release` names, without what is laid over it."""
     spec, release = values.get("spec"), values.get("release")
+    if spec is None and release is None and not values.keys() <= CATALOGUE_KEYS.keys():
+        return None  # a misspelled key has its finding
     if (spec is None) == (release is None):
         fault = "neither `spec` nor `release`" if spec is None else "both `spec` and `release`"
         reading.report("C004", f"The catalogue has {fault}; one of them is needed.", "catalogue", number)
         return None
     if isinstance(spec, str):
         path = reading.path(spec)
-        if not path.is_file():
+        if path.is_dir():
+            fix = "Name the root .vspec file in it."
+            reading.report("C005", f"{str(path)!r} is a folder.", "catalogue", number, "spec", fix)
+        elif not path.is_file():
             reading.report("C005", f"There is no file {str(path)!r}.", "catalogue", number, "spec")
         return Source("", "", path)
     try:

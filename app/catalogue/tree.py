@@ -57,7 +57,8 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
     roots = [path for path in paths if "." not in path]
     if not roots and paths:
         message = "The tree has no root: no path is without a branch above it."
-        findings.append(Finding("V022", "error", message, *definitions[paths[0]].origin()[:3], paths[0]))
+        fix = "Define the root as a branch; of an overlay, name the tree that it goes over."
+        findings.append(Finding("V022", "error", message, *definitions[paths[0]].origin()[:3], paths[0], fix=fix))
     for extra in roots[1:]:
         message = f"The tree has a second root {extra!r} beside {roots[0]!r}."
         fix = f"Place it below {roots[0]!r}, or remove it."

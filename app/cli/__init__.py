@@ -73,7 +73,13 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(*arguments, **named)
 
     def error(self, message: str) -> NoReturn:
-        """End with the name that was probably meant, where an option or a choice does not exist."""
+        """End with the name that was probably meant, where an option or a choice does not exist.
+
+        Where only the command lacks, the commands are told.
+        """
+        if "arguments are required" in message and any(isinstance(action.choices, dict) for action in self._actions):
+            self.print_help(sys.stderr)
+            self.exit(2)
         wrong = re.search(r"unrecognized arguments: (-\S+)|invalid choice: '([^']*)'", message)
         if wrong:
             from app.names import did_you_mean
@@ -122,6 +128,8 @@ def _failed(message: str, status: int) -> int:
 
 
 def _reason(error: OSError) -> str:
+    if isinstance(error, IsADirectoryError):
+        return f"{error.filename} is a folder; a file belongs here"
     return f"{error.filename}: {error.strerror}" if error.filename else str(error.strerror or error)
 
 

@@ -1,5 +1,6 @@
 """From a declaration and a catalogue to Function JSON."""
 
+import re
 from collections.abc import Collection
 from pathlib import PurePath
 from typing import NamedTuple
@@ -11,6 +12,7 @@ from app.catalogue.model import Catalogue
 from app.catalogue.yaml_document import collector_paused
 from app.errors import InputRefused
 from app.findings import Finding, has_errors, in_order
+from app.function.causes import causes
 from app.function.checks import check
 from app.function.declaration import ComponentItem, Declaration, Declared, ModesItem, read_declaration
 from app.function.document import Document, Pointer
@@ -64,14 +66,14 @@ def resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue)
     for problem in check(function, known):
         _report(problem, work)
     told = {(finding.rule, finding.path) for finding in findings}
-    work.findings[:] = [finding for finding in work.findings if not _is_told(finding, told, work)]
+    work.findings[:] = [finding for finding in causes(work) if not _is_told(finding, told, work)]
     return work, function
 
 
 _SAME = {
     "F023": ("I103",),
-    "F032": ("I203", "I303", "I502"), "F050": ("I501",), "F051": ("I507",), "F052": ("I509",), "F053": ("I510",),
-    "F054": ("I518",), "F055": ("I517", "I518"), "F056": ("I519", "I520", "I521"), "F057": ("I522",),
+    "F032": ("I203", "I303", "I502"), "F050": ("I501",), "F051": ("I505", "I507"), "F052": ("I509",), "F053": ("I510",),
+    "F024": ("V010",), "F054": ("I518",), "F055": ("I517", "I518"), "F056": ("I519", "I520", "I521"), "F057": ("I522",),
     "F058": ("I511", "I512", "I513"), "F060": ("I304",), "F061": ("I204",), "F062": ("I205",),
 }  # fmt: skip
 """Rules of the catalogue that say of a defined interface what these rules say of a function."""
@@ -109,6 +111,11 @@ def check_function(
 def is_function_json(data: bytes, name: str) -> bool:
     """Whether a function file is Function JSON: by its name, or by its first look."""
     return name.lower().endswith(".json") or (data.lstrip()[:1] == b"{" and b'"FunctionInfo"' in data)
+
+
+def is_function_yaml(data: bytes) -> bool:
+    """Whether a text looks like a function.yaml: no tree has nodes of both names."""
+    return all(re.search(rb"^%s:" % key, data, re.MULTILINE) for key in (b"function", b"components"))
 
 
 def _function(declaration: Declaration, document: Document, catalogue: Catalogue, work: Work) -> FunctionJson:
@@ -215,7 +222,14 @@ def _release(catalogue: Catalogue) -> str | None:
 
 # -- from places in the Function JSON to places in the declaration ------------------------------------------------
 
-_KEYS = {"InitValue": "init", "Units": "unit", "Asillevel": "asil", "AsilLevel": "asil", "AsilInfo": "asil"}
+_KEYS = {
+    "RunnablesList": "runnables",
+    "InitValue": "init",
+    "Units": "unit",
+    "Asillevel": "asil",
+    "AsilLevel": "asil",
+    "AsilInfo": "asil",
+}
 """Keys of the declaration where they are not simply those of the wire format with a small first letter."""
 
 
@@ -245,4 +259,8 @@ def _with_key(origin: Pointer, rest: Pointer, work: Work) -> Pointer:
     value = work.document.value
     for part in origin:
         value = value[part]
-    return (*origin, key) if isinstance(value, dict) and key in value else origin
+    if not isinstance(value, dict) or key not in value:
+        return origin
+    items, index = value[key], rest[1] if len(rest) > 1 else None
+    is_item = isinstance(items, list) and isinstance(index, int) and index < len(items)
+    return (*origin, key, index) if is_item and index is not None else (*origin, key)

@@ -21,7 +21,8 @@ def check(function: FunctionJson, known_errors: Collection[str] = ()) -> Problem
     """Every problem of a function. `known_errors` are names of errors that others declare."""
     for one in _CHECKS:
         yield from one(function)
-    yield from _error_references(function, known_errors)
+    for other in _CHECKS_OF_ERRORS:
+        yield from other(function, known_errors)
 
 
 # -- names --------------------------------------------------------------------------------------------------------
@@ -48,6 +49,12 @@ def _variables_twice(function: FunctionJson) -> Problems:
             where = "one call" if known[0] == held[0] else f"component {placed.component.name!r}"
             message = f"The variable {item.variable!r} holds two interfaces of {where}."
             yield Problem("F031", (*pointer, "Variable"), message, "Give each a variable of its own.")
+
+
+def _calls_twice(function: FunctionJson) -> Problems:
+    named = [((*pointer, "Name"), runnable.name) for pointer, _, runnable in runnables(function)]
+    for place, name in _repeated(named):
+        yield Problem("F036", place, f"The call {name!r} is listed twice.", "Remove one, or name it otherwise.", name)
 
 
 def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str]]:
@@ -99,6 +106,25 @@ def _identifiers(function: FunctionJson) -> Problems:
             yield Problem("F033", (*pointer, "Name"), message, fix, item.name)
 
 
+def _expressions(function: FunctionJson) -> Problems:
+    for pointer, _, item in (*data(function), *parameters(function)):
+        if item.variable and not _may_be_expression(item.variable):
+            fix = "Name the variable as the code does, such as in.speed, in->speed or in[3]."
+            message = f"{item.variable!r} is no expression of C."
+            yield Problem("F037", (*pointer, "Variable"), message, fix, item.vss_path or item.name)
+
+
+def _may_be_expression(text: str) -> bool:
+    """Whether brackets are closed in order, and no digit comes first. The rest is left to the compiler."""
+    waiting: list[str] = []
+    for character in text:
+        if character in "([":
+            waiting.append(")" if character == "(" else "]")
+        elif character in ")]" and (not waiting or waiting.pop() != character):
+            return False
+    return not waiting and not text.lstrip()[:1].isdigit()
+
+
 # -- ranges -------------------------------------------------------------------------------------------------------
 
 
@@ -106,13 +132,13 @@ def _ranges(function: FunctionJson) -> Problems:
     for pointer, _, item in (*data(function), *parameters(function)):
         if item.min is not None and item.max is not None and item.min > item.max:
             message = f"The range from {item.min} to {item.max} of {item.name!r} is upside down."
-            yield Problem("F023", (*pointer, "Min"), message, path=item.name)
+            yield Problem("F023", (*pointer, "Min"), message, path=item.vss_path or item.name)
             continue
         starts = (("InitValue", item.init_value), ("Default", getattr(item, "default", None)))
         for key, value in starts:
             if value is not None and _is_outside(value, item.min, item.max):
                 message = f"`{key}` {value} of {item.name!r} lies outside its range."
-                yield Problem("F024", (*pointer, key), message, path=item.name)
+                yield Problem("F024", (*pointer, key), message, path=item.vss_path or item.name)
 
 
 def _is_outside(value: float, low: float | None, high: float | None) -> bool:
@@ -122,7 +148,7 @@ def _is_outside(value: float, low: float | None, high: float | None) -> bool:
 # -- time-outs ----------------------------------------------------------------------------------------------------
 
 
-def _time_outs(function: FunctionJson) -> Problems:
+def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
     hint = Hints()
     declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for pointer, (_, _, runnable), item in data(function):
@@ -133,10 +159,19 @@ def _time_outs(function: FunctionJson) -> Problems:
             )
             fix = "It would pass before the value can be looked at twice: make it at least the cycle time."
             yield Problem("F040", (*pointer, "Timeout"), message, fix, item.name)
+        if item.timeout_error and duration is None and item.timeout is None:
+            message = f"{item.name!r} has the time-out error {item.timeout_error!r}, but no time-out that would set it."
+            fix = "Give `timeout`, the longest time between two values in ms, or remove the error."
+            yield Problem("F043", (*pointer, "TimeoutError"), message, fix, item.name)
         if item.timeout_error and item.timeout_error not in declared:
             message = f"The function does not declare the time-out error {item.timeout_error!r} of {item.name!r}."
-            fix = hint(item.timeout_error, declared) or "Add it to the errors of the call."
+            fix = _declared_or_meant(item.timeout_error, declared, known, hint)
             yield Problem("F041", (*pointer, "TimeoutError"), message, fix, item.name)
+
+
+def _declared_or_meant(name: str, declared: Collection[str], known: Collection[str], hint: Hints) -> str:
+    """What to do about an error that no call declares: one that exists was not mistyped."""
+    return (name not in known and hint(name, declared)) or "Add it to the errors of the call."
 
 
 def _durations(function: FunctionJson) -> Problems:
@@ -190,7 +225,7 @@ def _order(function: FunctionJson) -> Problems:
                 yield Problem("F059", at, f"{name} runs after {previous}, {reason}.", path=name)
 
 
-def _supervision(function: FunctionJson) -> Problems:
+def _supervision(function: FunctionJson, known: Collection[str]) -> Problems:
     hint = Hints()
     declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for placed in runnables(function):
@@ -213,7 +248,7 @@ def _supervision(function: FunctionJson) -> Problems:
                 message = (
                     f"The function does not declare {name!r}, which the supervision of {placed.runnable.name} sets."
                 )
-                fix = hint(name, declared) or "Add it to the errors of the call."
+                fix = _declared_or_meant(name, declared, known, hint)
                 yield Problem("F056", place, message, fix, placed.runnable.name)
 
 
@@ -303,12 +338,14 @@ def _dependency_cycles(function: FunctionJson) -> Problems:
 def _modes(function: FunctionJson) -> Problems:
     hint = Hints()
     names = dict.fromkeys(placed.runnable.name for placed in runnables(function))
+    last_names = [name.removeprefix(f"{function.info.function_name}_") for name in names]
     allowed = [mode for interface in function.mode_interfaces or () for mode in interface.modes]
     for i, mode in enumerate(function.modes or ()):
         for j, name in enumerate(mode.runnables):
             if name not in names:
                 message = f"Mode {mode.name!r} runs {name!r}, which does not exist."
-                yield Problem("F070", ("ModesList", i, "RunnablesList", j), message, hint(name, names), mode.name)
+                fix = hint(name, names) or hint(name, last_names)
+                yield Problem("F070", ("ModesList", i, "RunnablesList", j), message, fix, mode.name)
         if allowed and mode.name not in allowed:
             message = f"{mode.name!r} is no mode of the mode interfaces."
             fix = hint(mode.name, allowed) or f"They allow {', '.join(dict.fromkeys(allowed))}."
@@ -326,6 +363,8 @@ def _undefined_types(function: FunctionJson) -> Problems:
 
 
 _CHECKS: tuple[Callable[[FunctionJson], Problems], ...] = (
-    _names_twice, _variables_twice, _function_name, _conventional_names, _mode_names, _identifiers, _ranges, _time_outs, _durations,
-    _complete_calls, _cycles, _order, _supervision, _asil, _dependency_cycles, _modes, _undefined_types,
+    _calls_twice, _names_twice, _variables_twice, _function_name, _conventional_names, _mode_names, _identifiers, _expressions, _ranges, _durations,
+    _complete_calls, _cycles, _order, _asil, _dependency_cycles, _modes, _undefined_types,
 )  # fmt: skip
+_CHECKS_OF_ERRORS = (_time_outs, _supervision, _error_references)
+"""Those that know which errors others declare."""

@@ -1,6 +1,6 @@
 """Interfaces that a declaration defines itself: as a layer over the catalogue, each value with its place in the file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from app.catalogue.compose import compose
@@ -49,6 +49,12 @@ class DefinedStatement(Statement):
         """Place of an attribute's value, or of the interface if it is not written."""
         key = self._node.keys.get(attribute, attribute)
         line, column = self._place((*self._node.at, key) if attribute else self._node.at)
+        return Origin(self.file.name, line, column, self.file.overlay)
+
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
+        """Place of an item of a list or mapping."""
+        key = self._node.keys.get(attribute, attribute)
+        line, column = self._place((*self._node.at, key, *steps), of_key=at_key)
         return Origin(self.file.name, line, column, self.file.overlay)
 
     def origin_of_key(self, attribute: str) -> Origin:

@@ -18,6 +18,7 @@ from app.rules.engine import found_in
 from app.rules.record import Rule, load_rules
 
 _WIDTH = 116
+_ROOM_OF_KEY = 24
 _UNSAFE = re.compile("^\\s*#|[\x85\u2028\u2029]", re.MULTILINE)
 """Lines that a text may not make: comments, which vspec reads as includes, and breaks that are no breaks elsewhere."""
 
@@ -68,10 +69,16 @@ def _pointers(nodes: Iterable[DefinedNode], document: Document) -> Mapping[Place
     found: dict[Place, Pointer] = {}
     for node in nodes:
         found.setdefault(document.place(node.at), node.at)
-        for attribute in node.values:
+        for attribute, value in node.values.items():
             at = (*node.at, node.keys.get(attribute, attribute))
-            found.setdefault(document.place(at), at)
+            for pointer in (at, *((*at, step) for step in _steps(value))):
+                found.setdefault(document.place(pointer), pointer)
     return found
+
+
+def _steps(value: Any) -> Iterable[int | str]:
+    """Indexes of a list or keys of a mapping."""
+    return range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
 
 
 # -- text ---------------------------------------------------------------------------------------------------------
@@ -94,7 +101,7 @@ _ENDLESS = 1 << 30
 
 
 class _Dumper(yaml.SafeDumper):
-    """Lists on one line, no aliases, words such as OFF in quotes as PyYAML has it."""
+    """Short lists on one line, no aliases, words such as OFF in quotes as PyYAML has it."""
 
     def ignore_aliases(self, _data: Any) -> bool:
         """Every value is written in full."""
@@ -106,7 +113,8 @@ class _Quoted(_Dumper):
 
 
 def _flow(dumper: yaml.SafeDumper, items: list[Any]) -> yaml.Node:
-    return dumper.represent_sequence("tag:yaml.org,2002:seq", items, flow_style=True)
+    is_short = sum(len(str(item)) + len("'', ") for item in items) < _WIDTH - _ROOM_OF_KEY
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", items, flow_style=is_short)
 
 
 def _in_quotes(dumper: yaml.SafeDumper, text: str) -> yaml.Node:

@@ -35,7 +35,8 @@ def _meant(reference: str, category: Category, work: Work) -> str:
     """What to write instead: an interface of a near name."""
     candidates = [name for name, path in work.interfaces.items() if category_of(path) == category]
     words = category.replace("_", " ")
-    return work.hint(reference, candidates) or f"Define it under `define`, or in an overlay of {words} interfaces."
+    hint = work.hint(reference, candidates) or work.hint(reference, work.own_names(category))
+    return hint or f"Define it under `define`, or in an overlay of {words} interfaces."
 
 
 def text_of(node: Node, name: str) -> str | None:

@@ -1,5 +1,6 @@
 """Structural defects of a document, as the models report them, turned into findings with a place."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from types import UnionType
@@ -38,7 +39,7 @@ _KINDS = (
         "Integration JSON for ROS 2",
         "It is made for build tools of ROS 2.",
     ),
-    (frozenset(("FunctionInfo",)), "Function JSON", "Make Integration JSON of it first, by `sigcat integrate`."),
+    (frozenset(("FunctionInfo",)), "Function JSON", "`sigcat function validate` and `sigcat integrate` take it."),
     (
         frozenset(("function", "components")),
         "a function.yaml",
@@ -47,6 +48,7 @@ _KINDS = (
 )
 """Keys by which documents of other kinds are known, the more special first; what they are, and what takes them."""
 _MOST_DEFECTS = 1_000
+_WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "YAML reads words such as OFF, ON, YES and NO as true or false: put quotes around a text."
 
 
@@ -102,19 +104,29 @@ def _finding(
         message = f"{key!r} is missing."
         return Finding("F002", "error", message, document.name, *place, pointer=pointer_text(pointer))
     if kind == "extra_forbidden":
-        fix = did_you_mean(key, _keys_beside(location, model))
+        beside = _keys_beside(location, model)
+        fix = did_you_mean(key, beside) or (f"Known here are {', '.join(beside)}." if beside else "")
         message = f"{key!r} is not a key that belongs here."
         place = document.place(pointer, of_key=True)
         return Finding("F003", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
     if key == "[key]":
         message = f"{_shown(defect['input'])} is no name that belongs here."
         fix = "Names are letters and digits, a letter first; a path has points between them."
+        if _WORD.fullmatch(str(defect["input"])):  # a good name, where a path is asked for
+            fix = f"Write a path, with a branch above the name: 'Branch.{defect['input']}', for example."
         return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
     value = defect["input"]
     expected = _EXPECTED.get(kind) or _worded(defect)
-    fix = _YAML_WORDS if isinstance(value, bool) and kind == "string_type" else ""
+    fix = _unquoted(value) if kind == "string_type" else ""
     message = f"{_shown(value)} is no value for {_named(pointer)}: {expected}."
     return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+
+
+def _unquoted(value: Any) -> str:
+    """What to do about a value that was meant as a text."""
+    if isinstance(value, bool):
+        return _YAML_WORDS
+    return "It is read as a number: put quotes around a text." if isinstance(value, int | float) else ""
 
 
 def _worded(defect: Any) -> str:

@@ -96,10 +96,7 @@ class TypeList:
         self._open[path] = _reference(path)
         node = self._catalogue.get(path)
         children = node.children if node else ()
-        fields = tuple(
-            TypeField(name=child.name, datatype=self._of_node(child), units=child.values.get("unit"))
-            for child in children
-        )
+        fields = tuple(self._field(child) for child in children)
         del self._open[path]
         name = f"struct {last_name(path)}"
         return self._add(
@@ -110,7 +107,19 @@ class TypeList:
                 kind="struct",
                 vss_datatype=path,
                 fields=fields,
+                description=node.values.get("description") if node else None,
             )
+        )
+
+    def _field(self, node: Node) -> TypeField:
+        values = node.values
+        limits = {name: values[name] for name in ("min", "max") if isinstance(values.get(name), int | float)}
+        return TypeField(
+            name=node.name,
+            datatype=self._of_node(node),
+            units=values.get("unit"),
+            description=values.get("description"),
+            **limits,
         )
 
     def _of_node(self, node: Node) -> str:

@@ -60,7 +60,8 @@ def resolve(item: Item, at: Pointer, work: Work) -> Value | None:
     low, high = _range(code, work)
     reference = work.types.reference(datatype, node.template, symbols, node.values.get("arraysize"))
     conversion = None if to_code == IDENTITY else to_code.inverse
-    init = _init(code, low, high, work)
+    is_sound = low is None or high is None or low <= high
+    init = _init(code, low, high, work) if is_sound else None
     return Value(node, reference, unit, _number(low), _number(high), _default(code), init, conversion)
 
 
@@ -73,7 +74,8 @@ def _data_node(path: str, at: Pointer, work: Work) -> Node | None:
         _report_unknown(path, at, work)
         return None
     if not node.is_leaf or category_of(path) != "data":
-        what = "a branch" if not node.is_leaf else f"{category_of(path)} interface".replace("_", " ")
+        words = f"{category_of(path)} interface".replace("_", " ")
+        what = "a branch" if not node.is_leaf else f"{'an' if words[0] in 'aeiou' else 'a'} {words}"
         fix = _below(node) if not node.is_leaf else "List it under errors, safetyReactions or modes."
         work.report("F011", at, f"{path!r} is {what}, not a data interface.", fix, path)
         return None
@@ -113,10 +115,12 @@ def _symbols(item: Item, at: Pointer, node: Node, work: Work) -> Symbols | None:
         return None
     missing = [name for name in symbols if name not in item.values]
     if missing:
-        work.report("F026", at, f"No number stands for {', '.join(map(repr, missing))}.")
+        fix = "Give each allowed value a number here."
+        work.report("F026", at, f"No number stands for {', '.join(map(repr, missing))}.", fix)
     for name in item.values:
         if name not in symbols:
-            work.report("F026", (*at, name), f"{name!r} is not an allowed value.", work.hint(name, symbols))
+            fix = work.hint(name, symbols) or f"The catalogue allows {', '.join(symbols)}."
+            work.report("F026", (*at, name), f"{name!r} is not an allowed value.", fix)
     if len(set(item.values.values())) < len(item.values):
         work.report("F026", at, "Two values have the same number.", "Give each value a number of its own.")
     return item.values
@@ -170,17 +174,22 @@ def _unit(item: Item, at: Pointer, node: Node, work: Work) -> tuple[str | None, 
     known = work.catalogue.vocabulary.unit(item.unit)
     if known is None:
         keys = [unit.key for unit in work.catalogue.vocabulary.distinct_units]
-        work.report("F021", at, f"{item.unit!r} is no unit.", work.hint(item.unit, keys), item.path)
+        fix = work.hint(item.unit, keys) or (_convertible(own) if own else "")
+        work.report("F021", at, f"{item.unit!r} is no unit.", fix, item.path)
         return own, IDENTITY
     if own is None:
         work.report("F021", at, f"{item.path!r} has no unit in the catalogue.", "Remove `unit`.", item.path)
         return None, IDENTITY
     conversion = between(own, known.key)
     if conversion is None:
-        kinds = same_kind(own)
-        fix = f"Use {own!r} or one that it converts to: {', '.join(kinds)}." if kinds else f"Use {own!r}."
-        work.report("F021", at, f"{own!r} cannot be converted to {known.key!r}.", fix, item.path)
+        work.report("F021", at, f"{own!r} cannot be converted to {known.key!r}.", _convertible(own), item.path)
     return known.key, conversion or IDENTITY
+
+
+def _convertible(own: str) -> str:
+    """A sentence that names the units in which a value of the catalogue's unit can be held."""
+    kinds = same_kind(own)
+    return f"Use {own!r} or one that it converts to: {', '.join(kinds)}." if kinds else f"Use {own!r}."
 
 
 def _scale(item: Item, at: Pointer, work: Work) -> Linear:
@@ -210,7 +219,8 @@ def _range(code: _Code, work: Work) -> tuple[Fraction | None, Fraction | None]:
     _check_declared(code, own, work)
     if low is not None and high is not None and low > high:
         message = f"The range from {_shown(low)} to {_shown(high)} is upside down."
-        work.report("F023", code.at, message, path=code.item.path)
+        at = code.at if code.item.min is None else (*code.at, "min")
+        work.report("F023", at, message, "Exchange `min` and `max`.", code.item.path)
     elif code.symbols is None:
         _check_loss(code, low, high, work)
     _check_symbols(code, work)
@@ -313,9 +323,11 @@ def _init(code: _Code, low: Fraction | None, high: Fraction | None, work: Work) 
     _tell_unheld(code, work)
     if given is None or _is_unheld(code, given):
         return _default(code)
-    number = _as_number(given, code.symbols)
+    is_boolean = element_of(str(code.node.values["datatype"])) == "boolean"
+    number = None if isinstance(given, bool) and not is_boolean else _as_number(given, code.symbols)
     if number is None:
-        fix = f"Use one of {', '.join(code.symbols)}." if code.symbols else "A number or a boolean belongs here."
+        kind = "True or false" if is_boolean else "A number"
+        fix = f"Use one of {', '.join(code.symbols)}." if code.symbols else f"{kind} belongs here."
         work.report("F024", at, f"{given!r} is no value of {code.item.path!r}.", fix, code.item.path)
         return None
     is_outside = (low is not None and number < low) or (high is not None and number > high)

@@ -60,6 +60,10 @@ class Work:
         """The node of an interface of the function itself, by the last name of its path."""
         return self.catalogue.get(self._own.get((category, last), ""))
 
+    def own_names(self, category: Category) -> list[str]:
+        """Last names of the function's own interfaces of a category."""
+        return [last for own, last in self._own if own == category]
+
     @cached_property
     def _own(self) -> Mapping[tuple[Category | None, str], str]:
         """Paths of the function's own interfaces by category and last name."""

@@ -7,7 +7,7 @@ from pydantic import Field, ValidationError
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.errors import InputRefused
-from app.findings import has_errors
+from app.findings import has_errors, in_order
 from app.function.document import read_yaml
 from app.function.form import DeclarationModel, Text
 from app.function.structure import structural_findings
@@ -48,7 +48,7 @@ def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> 
             return Deployment.model_validate(document.value)
         except ValidationError as error:
             findings = (*findings, *structural_findings(error, document, Deployment))
-    raise InputRefused(f"{name} is no deployment file.", findings)
+    raise InputRefused(f"{name} is no deployment file.", in_order(findings))
 
 
 def deployment_schema() -> dict[str, Any]:

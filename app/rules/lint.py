@@ -17,7 +17,7 @@ from app.catalogue.model import Catalogue
 from app.catalogue.quirks import Units, in_present_words, read_units
 from app.catalogue.vocabulary import EMPTY, Vocabulary, default_files, read_vocabulary
 from app.catalogue.yaml_document import collector_paused
-from app.data import ROOT_FILE
+from app.data import OVERLAYS, ROOT_FILE
 from app.findings import Finding, Severity, in_order
 from app.rules.baseline import compare, read_baseline
 from app.rules.choice import chosen, graded, matches, rules_for
@@ -144,6 +144,8 @@ def _units(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOptio
     for folder in dict.fromkeys(path.parent for path in overlays):
         units += tuple(folder / name for name in UNIT_FILES if (folder / name).is_file())
         quantities += tuple(folder / name for name in QUANTITY_FILES if (folder / name).is_file())
+    if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_FILES[0]):
+        units += (OVERLAYS / UNIT_FILES[0],)  # the shipped tree has them for functions, too
     units, quantities = (*units, *options.units), (*quantities, *options.quantities)
     if not units and not any("unit" in statement.values for statement in tree.statements):
         return Units(read_vocabulary((), tuple(dict.fromkeys(quantities))), is_older=False)

@@ -31,7 +31,9 @@ RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE
 
 POINT = {
     "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
-    "Fields": [{"Name": "X", "Datatype": "DT_Float32", "Units": "m"}, {"Name": "Label", "Datatype": "DT_String"}],
+    "Description": "A place.",
+    "Fields": [{"Name": "X", "Datatype": "DT_Float32", "Units": "m", "Description": "Ahead.", "Min": -2, "Max": 7.5},
+               {"Name": "Label", "Datatype": "DT_String"}],
 }  # fmt: skip
 POINTS = {
     "typeRef": "DT_Points", "category": "userdefined", "cDef": "struct Point *", "Kind": "array", "ElementType": "DT_Point",
@@ -183,6 +185,13 @@ def test_a_struct_an_array_of_it_an_enumeration_and_a_scaling_have_their_element
     assert texts(files, "VT") == ["RED", "GREEN"]
     assert texts(files, "COMPU-NUMERATOR") != []
     assert "Sets <it> & more." in texts(files, "L-2")
+
+
+def test_a_struct_says_what_it_is_and_its_members_keep_their_unit_and_limits():
+    files = made("every kind")
+    assert {"A place.", "Ahead."} <= set(texts(files, "L-2"))
+    facts = [(element.get("GID"), element.text) for element in tags(files) if element.tag.rpartition("}")[2] == "SD"]
+    assert {("Unit", "m"), ("Min", "-2"), ("Max", "7.5")} <= set(facts)
 
 
 def test_what_a_call_has_beyond_the_metamodel_stands_in_words_of_no_programming_language():

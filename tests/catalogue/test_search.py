@@ -3,6 +3,7 @@
 import pytest
 
 from app.catalogue.search import SearchIndex
+from app.names import nearest
 from tests.catalogue.trees import ROOT, catalogue_of
 
 
@@ -102,3 +103,8 @@ def test_many_nodes_and_words_are_found_as_few_are():
         expected = [f"Vehicle.S{number}" for number in range(count) if f"s{number}".startswith(prefix)]
         assert sorted(paths(index.search(prefix, limit=count))) == sorted(expected)
     assert index.search("text").total == count
+
+
+def test_a_name_that_was_cut_short_is_completed_where_nothing_is_near():
+    assert nearest("v5", ["v5.0", "v4.2", "interfaces"]) == ("v5.0",)
+    assert nearest("V1", [f"V10{number}" for number in range(9)]) == ()

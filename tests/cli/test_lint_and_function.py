@@ -124,3 +124,19 @@ def test_a_function_with_errors_is_not_built(capsys):
     assert main(["function", "build", "function.yaml", "-o", "function.json"]) == 1
     assert "Vehicle.Mass" in capsys.readouterr().err
     assert not Path("function.json").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "command"), [([], "  lint "), (["function"], "  validate"), (["generate"], "  arxml")]
+)
+def test_without_a_command_all_of_them_are_told(arguments, command, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(arguments)
+    told = capsys.readouterr()
+    assert (ended.value.code, told.out) == (2, "")
+    assert command in told.err
+
+
+def test_a_folder_is_no_function_file(folder, capsys):
+    assert main(["function", "build", str(folder)]) == 2
+    assert capsys.readouterr().err == f"sigcat: {folder} is a folder; a file belongs here\n"

@@ -332,3 +332,52 @@ def test_the_document_remembers_what_it_was_made_from():
 def test_the_document_holds_no_date_that_the_author_did_not_write():
     function, _ = build_function(declared("{path: Vehicle.Speed, role: consumed}"), "f.yaml", interfaces())
     assert "Date" not in json.loads(to_json(function))["MetaInfo"]
+
+
+@pytest.mark.parametrize(
+    ("item", "expected"),
+    [
+        (
+            "{path: Vehicle.Speed, role: consumed, init: true}",
+            ("F024", "init", "True is no value of 'Vehicle.Speed'. A number belongs here."),
+        ),
+        (
+            "{path: Vehicle.Speed, role: consumed, min: 80, max: 70, init: 0}",
+            ("F023", "min", "The range from 80 to 70 is upside down. Exchange `min` and `max`."),
+        ),
+        (
+            "{path: Vehicle.Speed, role: consumed, unit: km/hour}",
+            ("F021", "unit", "'km/hour' is no unit. Use 'km/h' or one that it converts to: m/s."),
+        ),
+        (
+            "{path: Vehicle.Function.CoreAcc.Error.AliveError, role: consumed}",
+            (
+                "F011",
+                "path",
+                (
+                    "'Vehicle.Function.CoreAcc.Error.AliveError' is an error interface, not a data interface. "
+                    "List it under errors, safetyReactions or modes."
+                ),
+            ),
+        ),
+        (
+            "{path: Vehicle.Speed, role: consumed, timeout: 100, timeoutError: ProposalTimeout}",
+            (
+                "F041",
+                "timeoutError",
+                (
+                    "The function does not declare the time-out error 'CoreAcc_ProposalTimeout_ErrorSts' of 'Speed'. "
+                    "Add it to the errors of the call."
+                ),
+            ),
+        ),
+    ],
+)
+def test_one_mistake_is_one_finding_that_says_what_to_do(item, expected):
+    found = [f for f in check_function(declared(item), "f.yaml", interfaces()) if f.rule != "F090"]
+    told = [(f.rule, f.pointer.rpartition("/")[2], f"{f.message} {f.fix}".strip()) for f in found]
+    assert told == [expected]
+
+
+def test_a_boolean_may_start_as_true():
+    assert signal("{path: Vehicle.IsMoving, role: consumed, asil: QM, init: true}")["IsMoving"]["InitValue"] == 1

@@ -96,3 +96,28 @@ def test_a_last_name_that_only_another_function_has_is_not_meant():
     )
     found = check_function(text.encode(), "f.yaml", interfaces())
     assert [(f.rule, f.path) for f in found if f.rule == "F013"] == [("F013", "AliveError")]
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (
+            "version: 1.0",
+            "1.0 is no value for `version`: a text belongs here. It is read as a number: put quotes around a text.",
+        ),
+        (
+            "define: {types: {Line: {description: A., fields: {X: {datatype: float, description: X.}}}}}",
+            "'Line' is no name that belongs here. Write a path, with a branch above the name: 'Branch.Line', for example.",
+        ),
+        (
+            "modes: {zzz: 1}",
+            "'zzz' is not a key that belongs here. Known here are interfaces, active.",
+        ),
+    ],
+)
+def test_a_value_of_the_wrong_form_is_answered_with_the_right_one(line, message):
+    text = (
+        f"function: A\ndescription: A.\nresponsible: A team\ncomponents: [{{name: A, runnables: [A_Init]}}]\n{line}\n"
+    )
+    told = read_declaration(text.encode(), "f.yaml").findings
+    assert [f"{finding.message} {finding.fix}" for finding in told] == [message]

@@ -251,3 +251,96 @@ def test_every_key_of_the_declaration_says_what_it_is():
 
 def test_an_example_with_definitions_reads_back():
     assert read_declaration(LANES, "f").declaration is not None
+
+
+# -- one finding for a cause, where the cause stands ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "rule", "pointer", "fix"),
+    [
+        (
+            "errorList: [AliveError]",
+            "errorList: [AliveErrr]",
+            "I304",
+            "/define/safetyReactions/TorqueInvalid/errorList/0",
+            "Did you mean 'LaneKeeping_AliveError_ErrorSts'?",
+        ),
+        (
+            "maxIndications: 3, error: AliveError",
+            "maxIndications: 3, error: AliveErrr",
+            "I519",
+            "/define/scheduling/Step/aliveSupervision/error",
+            "Did you mean 'LaneKeeping_AliveError_ErrorSts'?",
+        ),
+        (
+            "errors: [LaneKeeping_AliveError_ErrorSts]",
+            "errors: [AliveErrr]",
+            "F013",
+            "/components/0/runnables/2/errors/0",
+            "Did you mean 'AliveError'?",
+        ),
+        (
+            "LaneKeeping_DetectStep, LaneKeeping_Step]",
+            "LaneKeeping_DetectStep, Stap]",
+            "F070",
+            "/modes/active/0/runnables/1",
+            "Did you mean 'Step'?",
+        ),
+        (
+            "interface: LaneKeeping_DetectStep",
+            "interface: LaneKeeping_DetectStap",
+            "F013",
+            "/components/0/runnables/1",
+            "Did you mean 'LaneKeeping_DetectStep'?",
+        ),
+        (
+            "default: 0.5",
+            "default: 1.5",
+            "V010",
+            "/define/parameters/Gain/default",
+            "Change the default, or the range.",
+        ),
+    ],
+)
+def test_a_mistyped_name_is_one_finding_at_the_name_with_what_was_meant(old, new, rule, pointer, fix):
+    told = check_function(changed(old, new), "f.yaml", interfaces())
+    assert [(finding.rule, finding.pointer, finding.fix) for finding in told] == [(rule, pointer, fix)]
+
+
+def test_what_does_not_follow_from_a_mistyped_name_is_told_beside_it():
+    text = changed("interface: LaneKeeping_DetectStep", "interface: LaneKeeping_DetectStap")
+    told = found(text.replace(b"LaneKeeping_DetectStep, LaneKeeping_Step]", b"LaneKeeping_DetectStep, Nonsense]"))
+    assert sorted(rule for rule, _, _ in told) == ["F013", "F070"]
+
+
+def test_a_circle_of_calls_is_told_once():
+    circular = changed(
+        "priority: 12\n      asil: B\n      previousRunnable: Init", "asil: B\n      previousRunnable: Step"
+    )
+    told = found(
+        circular.replace(b"asil: B\n      previousRunnable: Init", b"asil: B\n      previousRunnable: DetectStep")
+    )
+    assert [rule for rule, _, _ in told] == ["I510"]
+
+
+def test_a_struct_keeps_its_words_and_the_limits_of_its_members():
+    text = changed("{datatype: float, unit: m, desc", "{datatype: float, unit: m, min: 2, max: 5.5, desc")
+    function, _ = build_function(text, "f.yaml", interfaces())
+    lane = next(datatype for datatype in function.datatypes if datatype.reference == "DT_Lane")
+    assert lane.description == "A lane."
+    assert [(f.name, f.description, f.min, f.max) for f in lane.fields or ()] == [
+        ("Width", "Width of the lane.", 2, 5.5),
+        ("Curvature", "Curvature of its middle.", None, None),
+    ]
+
+
+def test_what_is_written_as_an_overlay_is_clean_where_nothing_stands_beside_it(tmp_path):
+    long = changed(
+        "errorList: [AliveError]",
+        "errorList: [AliveError, CoreAcc_AliveError_ErrorSts, WheelSpeedCalculation_AliveError_ErrorSts]",
+    )
+    made = overlay_of(long.replace(b"unit: m,", b"unit: radians,"), "f.yaml", interfaces())
+    (tmp_path / "types.vspec").write_text(made.types)
+    assert lint_paths([tmp_path]).findings == ()
+    assert max(map(len, made.text.splitlines())) <= 120

@@ -202,3 +202,12 @@ def test_nothing_to_host_is_an_error_of_usage(folder, monkeypatch):
     Path("sigcat.toml").write_text("shipped = false\n")
     with pytest.raises(UsageError, match="no catalogue is left"):
         chosen()
+
+
+def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder):
+    assert findings(folder, '[[catalogue]]\nid = "a"\nspec = "overlays"\n') == [
+        ("C005", 3, "'overlays' is a folder.", "Name the root .vspec file in it."),
+    ]
+    assert [finding[:2] for finding in findings(folder, '[[catalogue]]\nid = "a"\ntree = "tree.vspec"\n')] == [
+        ("C002", 3)
+    ]

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
 from app.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, DATATYPES, TYPE, UNITS, Paths
-from app.adapter.arxml.tree import Package, Tag, listed, reference, tag, trace
-from app.integration.autosar_adaptive.model import Event, IntegrationModel, TypeEntry
+from app.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from app.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
 from app.integration.autosar_names import distinct, short_name
 from app.integration.datatypes import BY_ADAPTIVE
 
@@ -148,8 +148,9 @@ def _type(entry: TypeEntry, known: Library) -> Tag:
         return _alias(entry, admin, known)
     if entry.kind == "array":
         return _array(entry, admin, known)
-    members = (_member(field.name, field.type, known) for field in entry.fields or ())
-    return tag(TYPE, tag("CATEGORY", text="STRUCTURE"), admin, listed("SUB-ELEMENTS", members), name=entry.name)
+    members = listed("SUB-ELEMENTS", (_member(field, known) for field in entry.fields or ()))
+    told = description(entry.description)
+    return tag(TYPE, told, tag("CATEGORY", text="STRUCTURE"), admin, members, name=entry.name)
 
 
 def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
@@ -182,9 +183,16 @@ def _array(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
     )
 
 
-def _member(name: str, word: str, known: Library) -> Tag:
-    target = reference("TYPE-REFERENCE-REF", known.type_path(word), TYPE)
-    return tag("CPP-IMPLEMENTATION-DATA-TYPE-ELEMENT", tag("TYPE-REFERENCE", target), name=name)
+def _member(field: StructField, known: Library) -> Tag:
+    """A member of a structure. It has a type and no properties: unit and limits stand in admin data."""
+    target = reference("TYPE-REFERENCE-REF", known.type_path(field.type), TYPE)
+    return tag(
+        "CPP-IMPLEMENTATION-DATA-TYPE-ELEMENT",
+        description(field.description),
+        trace([("Unit", field.unit), ("Min", field.min), ("Max", field.max)]),
+        tag("TYPE-REFERENCE", target),
+        name=field.name,
+    )
 
 
 def _properties(*content: Tag | None) -> Tag | None:

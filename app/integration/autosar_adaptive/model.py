@@ -81,6 +81,9 @@ class StructField(WireModel):
     name: str = published("Name", "Name of the member.")
     type: str = published("Type", "Word for a primitive, or the name of a datatype of the document.")
     unit: str | None = own("Unit", "Unit of the member.")
+    description: str | None = own("Description", "What the member means.")
+    min: Number | None = own("MinValue", "Smallest value of the member.")
+    max: Number | None = own("MaxValue", "Largest value of the member.")
 
 
 class Symbol(WireModel):
@@ -109,6 +112,7 @@ class TypeEntry(WireModel):
     symbols: tuple[Symbol, ...] | None = published("EnumField", "Values, in order.", default=None, strict=False)
     storage: str | None = own("StorageType", "Word for the integer that holds an enumeration.")
     vss_datatype: str | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
+    description: str | None = own("Description", "What a struct is.")
 
     @property
     def element(self) -> str:

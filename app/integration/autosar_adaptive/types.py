@@ -77,10 +77,18 @@ class TypeTable:
         if datatype.kind == "array":
             return self._array(function, datatype, common)
         fields = tuple(
-            StructField(name=short_name(field.name), type=self.word(function, field.datatype), unit=field.units)
+            StructField(
+                name=short_name(field.name),
+                type=self.word(function, field.datatype),
+                unit=field.units,
+                description=field.description,
+                min=field.min,
+                max=field.max,
+            )
             for field in datatype.fields or ()
         )
-        return TypeEntry(**{**common, "kind": "structure"}, fields=fields, reference=datatype.reference)  # type: ignore[arg-type]
+        told = {**common, "kind": "structure", "reference": datatype.reference, "description": datatype.description}
+        return TypeEntry(**told, fields=fields)  # type: ignore[arg-type]
 
     def _array(self, function: FunctionJson, datatype: Datatype, common: dict[str, str | None]) -> TypeEntry:
         element = self.word(function, datatype.element or "")

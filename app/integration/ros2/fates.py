@@ -137,7 +137,7 @@ _MODE: Targets = {
     "RunnablesList": "Schedules: ActiveModes",
 }
 _DATATYPE: Targets = dict.fromkeys(
-    ("typeRef", "category", "cDef", "Kind", "VssDatatype", "Symbols", "ElementType", "Length", "Fields"),
+    ("typeRef", "category", "cDef", "Kind", "VssDatatype", "Symbols", "ElementType", "Length", "Fields", "Description"),
     FieldTarget("Datatypes", "messages use the catalogue's datatypes; conversions lead to these"),
 )
 _INFO: Targets = dict.fromkeys(

@@ -83,7 +83,7 @@ class MessageBook:
         if fields is None:
             return None
         datatype = self.table[reference]
-        description = f"Struct {datatype.vss_datatype or reference}."
+        description = datatype.description or f"Struct {datatype.vss_datatype or reference}."
         name = self.add(reference.removeprefix("DT_"), interface, description, fields, ())
         self._structs[reference] = name
         return name
@@ -100,7 +100,8 @@ class MessageBook:
                 return None
             name = field_name(member.name, {field.name for field in made})
             self._limits.renamed(interface, member.name, name.text, name.reason)
-            made.append(MessageField(name=name.text, datatype=written, description=member.name, units=member.units))
+            meaning = member.description or member.name
+            made.append(MessageField(name=name.text, datatype=written, description=meaning, units=member.units))
         return made
 
 

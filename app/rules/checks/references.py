@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from app.catalogue.definition import Definition
-from app.catalogue.interfaces import category_of, interface_name
-from app.names import did_you_mean
+from app.catalogue.interfaces import category_of, function_of, interface_name
+from app.names import did_you_mean, did_you_mean_last, last_name
 from app.rules.checks.kind import NodeTest, TreeTest, nested
 from app.rules.flaw import Flaw
 from app.rules.record import Rule
@@ -63,9 +63,16 @@ def _unresolved(
     definition: Definition, attribute: str, within: tuple[int, ...], named: str, category: str, tree: Tree
 ) -> Flaw:
     readable = category.replace("_", " ")
-    names = [interface for interface, d in tree.interfaces.items() if category_of(d.path) == category]
+    names = {
+        interface: last_name(d.path) for interface, d in tree.interfaces.items() if category_of(d.path) == category
+    }
     message = f"`{attribute}` names {named!r}, which is no {readable} interface of this tree."
-    fix = did_you_mean(named, names)
+    own = {
+        name: last
+        for name, last in names.items()
+        if function_of(tree.interfaces[name].path) == function_of(definition.path)
+    }
+    fix = did_you_mean_last(named, own) or did_you_mean(named, names)
     by_path = tree.definitions.get(named)
     if by_path is not None and category_of(named) == category:
         fix = f"Refer to it by its interface name {interface_name(named)!r}."

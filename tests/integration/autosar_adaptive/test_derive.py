@@ -5,7 +5,7 @@ import json
 import jsonschema
 import pytest
 
-from app.errors import UsageError
+from app.errors import InputRefused, UsageError
 from app.function.model import (
     DataQueue,
     Error,
@@ -449,8 +449,6 @@ def test_two_components_of_one_function_talk_over_a_service():
 
 
 def test_a_deployment_with_an_unknown_key_is_refused_with_its_line():
-    from app.errors import InputRefused
-
     with pytest.raises(InputRefused) as refused:
         read_deployment(b"name: X\nautosarAdaptive:\n  prot: 3\n", "deployment.yaml")
     assert [(finding.rule, finding.line) for finding in refused.value.findings] == [("F003", 3)]
@@ -468,3 +466,9 @@ def test_ten_thousand_signals_are_quick():
     start = process_time()
     derive([one])
     assert process_time() - start < 10
+
+
+def test_what_is_wrong_with_a_deployment_is_told_in_the_order_of_its_lines():
+    with pytest.raises(InputRefused) as refused:
+        read_deployment(b"pakage: X\nautosarAdaptive: {identifiers: {A: 99999999}}\nros2: {topics: x}\n", "d.yaml")
+    assert [finding.line for finding in refused.value.findings] == [1, 2, 3]

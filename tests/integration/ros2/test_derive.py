@@ -155,6 +155,16 @@ def test_structs_become_messages_and_one_that_contains_itself_is_refused():
     assert ("N200", "Vehicle.Place") in rules([function(place, datatypes=[endless])])
 
 
+def test_a_message_of_a_struct_has_the_words_of_the_catalogue():
+    point = {
+        "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
+        "Description": "A place.", "Fields": [{"Name": "X", "Datatype": "DT_Float32", "Description": "Ahead."}],
+    }  # fmt: skip
+    place = signal("Place", "Vehicle.Place", Datatype="DT_Point", VssDatatype="Types.Point")
+    made = messages([function(place, datatypes=[point])])["Point"]
+    assert (made["Description"], made["Fields"][0]["Description"]) == ("A place.", "Ahead.")
+
+
 def test_methods_become_services_that_provider_and_user_share():
     argument = {"Name": "Speed", "Datatype": "DT_Float32", "Units": "m/s"}
     method = {"Name": "SetLimit", "Description": "Sets it.", "InDataTypeList": [argument], "OutDataTypeList": []}
