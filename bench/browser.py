@@ -17,9 +17,12 @@ from bench.rows import HUNDRED_THOUSAND, Bench, Row
 _SERVE = """
 import sys
 from pathlib import Path
+from app.api.serving import run
+from app.api.settings import Settings
 from app.catalogue.hosting import Library, Source
-from app.web.serving import serve
-serve(Library([Source("big", "big", Path(sys.argv[1]))]), "127.0.0.1", 0)
+from app.web.site import create_site
+settings = Settings(port=0, log="none")
+run(create_site(Library([Source("big", "big", Path(sys.argv[1]))]), settings), settings)
 """
 _FETCH = "async () => { await (await fetch('/rows/big?path=&depth=1000', { cache: 'no-store' })).json(); }"
 _TO_THE_END = "view => { view.scrollTop = view.scrollHeight; }"

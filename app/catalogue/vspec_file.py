@@ -8,10 +8,9 @@ import re
 import sys
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
+from yaml.nodes import MappingNode, Node, ScalarNode
 
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.yaml_document import (
@@ -50,33 +49,24 @@ class SourceFile(NamedTuple):
     """SHA-256 of the bytes, in hexadecimal."""
 
 
-_NO_COLLECTIONS: Mapping[str, Node] = MappingProxyType({})
-
-
 class Statement:
     """What one file says of one node: its key and the attributes under it, in the order of the file.
 
-    Positions are packed into one integer for each attribute, aligned with `values`: a tree of 100,000 signals
-    has half a million attributes, and a position is asked for only when something is shown.
+    Positions are packed into one integer for each attribute, aligned with `values`, and after them one for each item of
+    those that hold others: a tree of 100,000 signals has half a million attributes, and a position is asked for only
+    when something is shown.
     """
 
-    __slots__ = ("_collections", "_key_mark", "_marks", "file", "path", "values")
+    __slots__ = ("_key_mark", "_marks", "file", "path", "values")
 
     def __init__(
-        self,
-        path: str,
-        file: SourceFile,
-        values: Mapping[str, Any],
-        key_mark: int,
-        marks: Sequence[int],
-        collections: Mapping[str, Node] = _NO_COLLECTIONS,
+        self, path: str, file: SourceFile, values: Mapping[str, Any], key_mark: int, marks: Sequence[int]
     ) -> None:
         self.path = path
         self.file = file
         self.values = values
         self._key_mark = key_mark
         self._marks = marks
-        self._collections = collections
 
     def __repr__(self) -> str:
         origin = self.origin()
@@ -98,19 +88,25 @@ class Statement:
 
         None if nothing is written there, as where a list is merged from elsewhere.
         """
-        node, line, column = self._collections.get(attribute), 0, 0
+        names = list(self.values)
+        mark, at, value = 0, len(names), self.values.get(attribute)
+        if value is not None:
+            at += sum(_items_in(self.values[name]) for name in names[: names.index(attribute)])
         for step in steps:
-            pair = _pair(node, step)
-            if pair is None:
+            found = _item(value, step)
+            if found is None or at + found.before >= len(self._marks):
                 return None
-            node = pair[1]
-            line, column = position(pair[0] if at_key else node)
-        return Origin(self.file.name, line, column, self.file.overlay) if line else None
+            at, value = at + found.before + 1, found.value
+            mark = self._marks[at - 1]
+        if not mark:
+            return None
+        line, column, lines_between, column_of_value = _unpack(mark)
+        line, column = (line, column) if at_key else (line + lines_between, column_of_value)
+        return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
 
     def placed(self, prefix: str) -> "Statement":
         """The same statement below `prefix`, as an include with a prefix places it."""
-        path = f"{prefix}.{self.path}"
-        return Statement(path, self.file, self.values, self._key_mark, self._marks, self._collections)
+        return Statement(f"{prefix}.{self.path}", self.file, self.values, self._key_mark, self._marks)
 
     def _mark(self, attribute: str) -> int:
         if attribute in self.values:
@@ -198,7 +194,9 @@ def _read_statement(
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
     mark = _mark(key.start_mark, key.start_mark)
-    statement = Statement(path, source, values, mark, array("Q", marks), collections or _NO_COLLECTIONS)
+    for name in filter(collections.__contains__, values):
+        marks.extend(_marks_in(collections[name], values[name]))
+    statement = Statement(path, source, values, mark, array("Q", marks))
     if includes_at is not None:
         includes.extend(_include_list(statement, *includes_at, findings))
     return statement
@@ -230,14 +228,43 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     return values, marks, collections
 
 
-def _pair(node: Node | None, step: int | str) -> tuple[Node, Node] | None:
-    """The key and the value of an item of a mapping; of a list, the item as both."""
-    if isinstance(node, SequenceNode) and isinstance(step, int):
-        return (node.value[step], node.value[step]) if step < len(node.value) else None
-    pairs: list[tuple[Node, Node]] = node.value if isinstance(node, MappingNode) else []
-    if isinstance(step, int):
-        return pairs[step] if step < len(pairs) else None
-    return next((pair for pair in pairs if isinstance(pair[0], ScalarNode) and pair[0].value == step), None)
+class _Item(NamedTuple):
+    """An item of a list or mapping, and how many items stand before it, with all that is in them."""
+
+    before: int
+    value: Any
+
+
+def _item(value: Any, step: int | str) -> _Item | None:
+    """The item at a position, or under a key."""
+    keys = list(map(str, value)) if isinstance(value, dict) else []
+    items = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
+    index = step if isinstance(step, int) else keys.index(step) if step in keys else len(items)
+    if index >= len(items):
+        return None
+    return _Item(sum(1 + _items_in(item) for item in items[:index]), items[index])
+
+
+def _items_in(value: Any) -> int:
+    """How many items a value has, with all that is in them."""
+    items = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return sum(1 + _items_in(item) for item in items)
+
+
+def _marks_in(node: Node, value: Any) -> Iterator[int]:
+    """Packed positions of the items of a value, each before those of what is in it; 0 where a key is given twice."""
+    if isinstance(value, list):
+        pairs = [(item, item) for item in node.value]
+    elif isinstance(value, dict) and isinstance(node, MappingNode):
+        pairs = merged_pairs(node)
+    else:
+        return
+    if len(pairs) != len(value):
+        yield from (0 for _ in range(_items_in(value)))
+        return
+    for (key, item), inner in zip(pairs, value.values() if isinstance(value, dict) else value, strict=True):
+        yield _mark(key.start_mark, item.start_mark)
+        yield from _marks_in(item, inner)
 
 
 def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findings: list[Finding]) -> None:

@@ -69,6 +69,28 @@ def test_items_keep_their_places_below_a_prefix():
 
 
 @pytest.mark.parametrize(
+    ("attribute", "steps", "place"),
+    [
+        ("limits", ("low", "value"), (7, 27)),
+        ("limits", (1, 0), (8, 12)),
+        ("limits", ("high", 1), (8, 20)),
+        ("names", (1,), (9, 15)),
+        ("names", (2,), None),
+        ("twice", ("A",), None),
+        ("last", (0, 0), (11, 11)),
+    ],
+)
+def test_items_within_items_have_their_places(attribute, steps, place):
+    more = (
+        "  allowed: [A]\n  limits:\n    low: {unit: V, value: 3}\n    high: [{a: 1}, 5]\n"
+        "  names: [{}, []]\n  twice: {A: 1, A: 2}\n  last: [[x]]\n"
+    )
+    (statement,) = layer_from_text(f"{STRING}{more}".encode(), "part").statements
+    found = statement.origin_within(attribute, steps)
+    assert (found and found[1:3]) == place
+
+
+@pytest.mark.parametrize(
     ("code", "text", "proposal"),
     [
         ("V101", "Vehicle.Tür: {type: branch, description: A door.}\n", "Use a name such as 'Tur'."),

@@ -1,0 +1,33 @@
+"""What `make bench` starts can be started; its figures are for people, and no test."""
+
+import gc
+import tracemalloc
+from pathlib import Path
+
+import pytest
+
+from app.catalogue.compose import read_catalogue
+from app.catalogue.export_json import tree_data, tree_json
+from bench import browser, service, trees
+
+
+@pytest.mark.parametrize("script", [browser._SERVE, service._SERVICE, service._FLOOR], ids=["site", "api", "floor"])
+def test_what_the_scripts_of_servers_import_is_there(script: str) -> None:
+    for line in script.splitlines():
+        if line.startswith(("from ", "import ")):
+            exec(line, {})
+
+
+def test_a_catalogue_takes_no_more_than_six_times_its_json(tmp_path: Path) -> None:
+    tree = trees.flat(tmp_path, 5_000)
+    size = len(tree_json(tree_data(read_catalogue(tree))).encode())
+    gc.collect()
+    tracemalloc.start()
+    try:
+        catalogue = read_catalogue(tree)
+        gc.collect()
+        held, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(catalogue.nodes) > 5_000
+    assert held < 6 * size
