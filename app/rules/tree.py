@@ -72,14 +72,23 @@ class Tree:
         """The definition of a child."""
         return self.definitions.get(f"{path}.{name}")
 
+    @cached_property
+    def uninstantiated(self) -> Mapping[str, list[Definition]]:
+        """Definitions that stand beside the instances of the branch above, by the path of that branch."""
+        found: dict[str, list[Definition]] = {}
+        for path, definition in self.definitions.items():
+            if definition.values.get("instantiate") is False:
+                found.setdefault(parent_path(path), []).append(definition)
+        return found
+
     def beside_instances(self, definition: Definition) -> Iterator[tuple[str, str]]:
         """Paths of the first instances of a branch, each with that of a node that is written to stand beside it."""
-        names = next(_levels(definition.values), frozenset())
         is_sibling = definition.values.get("instances_relation") == "sibling"
         above = parent_path(definition.path) if is_sibling else definition.path
-        for child in self.children.get(above, ()) if names else ():
-            if is_sibling or not child.values.get("instantiate", True):
-                yield from ((f"{above}.{name}", child.path) for name in sorted(names))
+        beside = (self.children if is_sibling else self.uninstantiated).get(above, ())
+        names = sorted(next(_levels(definition.values), ())) if beside else ()
+        for child in beside:
+            yield from ((f"{above}.{name}", child.path) for name in names)
 
     def resolve(self, path: str) -> Definition | None:
         """The definition that a path leads to, names of instances included."""
