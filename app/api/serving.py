@@ -40,9 +40,7 @@ class _Lines(logging.Formatter):
 def run(application: FastAPI, settings: Settings) -> None:
     """Serve until a signal comes. Logs go to standard error."""
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
-    gc.set_threshold(
-        50_000, 20
-    )  # an answer makes much and keeps nothing: looking for cycles every 700 objects is lost time
+    gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
     sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
     gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms
     _Server(uvicorn_config(application, settings)).run()
