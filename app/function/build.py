@@ -66,7 +66,7 @@ def resolved(declared: Declared, declaration: Declaration, catalogue: Catalogue)
     for problem in check(function, known):
         _report(problem, work)
     told = {(finding.rule, finding.path) for finding in findings}
-    work.findings[:] = [finding for finding in causes(work) if not _is_told(finding, told, work)]
+    work.findings[:] = [finding for finding in causes(work, declaration) if not _is_told(finding, told, work)]
     return work, function
 
 

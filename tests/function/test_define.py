@@ -314,6 +314,16 @@ def test_what_does_not_follow_from_a_mistyped_name_is_told_beside_it():
     assert sorted(rule for rule, _, _ in told) == ["F013", "F070"]
 
 
+@pytest.mark.parametrize(
+    "declared",
+    ["[AliveError]", "[{interface: AliveError}]", "[{interface: LaneKeeping_AliveError_ErrorSts}]", "[AliveErrr]"],
+)
+def test_errors_of_a_call_that_was_not_found_are_looked_for_in_every_form(declared):
+    text = changed("interface: LaneKeeping_DetectStep", f"interface: Nowhere\n        errors: {declared}")
+    told = {rule for rule, _, _ in found(text)}
+    assert {"F013"} <= told <= {"F013", "F070"}
+
+
 def test_a_circle_of_calls_is_told_once():
     circular = changed(
         "priority: 12\n      asil: B\n      previousRunnable: Init", "asil: B\n      previousRunnable: Step"
