@@ -1,6 +1,6 @@
 """Compose a catalogue: layers in, a frozen tree and findings out."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from app.catalogue.definition import BRANCH, STRUCT, Definition, Scope
@@ -76,7 +76,7 @@ def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMIT
         merged = merge_over(base.definitions, overlay, _scope_of(base, limits), limits)
         definitions = {**base.definitions, **merged.definitions}
         paths = _with_those_above([*(root.path for root in base.roots[:1]), *merged.definitions])
-        reached = {path: definition for path, definition in definitions.items() if _is_near(definition, paths)}
+        reached = _near(definitions, paths)
         reached |= {path: made for path in paths - reached.keys() if (made := _made_branch(path, base)) is not None}
         findings = [*overlay.findings, *merged.findings]
         root = draft_tree(reached, DEFAULT_LIMITS, findings)
@@ -151,9 +151,13 @@ def _made_branch(path: str, catalogue: Catalogue) -> Definition | None:
     return node.definition if node is not None and is_made else None
 
 
-def _is_near(definition: Definition, paths: set[str]) -> bool:
-    """Whether a node is one of `paths`, or a branch right below one: what a misspelled branch may have meant."""
-    return definition.path in paths or (definition.type == BRANCH and parent_path(definition.path) in paths)
+def _near(definitions: Mapping[str, Definition], paths: set[str]) -> dict[str, Definition]:
+    """The definitions at `paths`, and branches right below them: what a misspelled branch may have meant."""
+    return {
+        path: definition
+        for path, definition in definitions.items()
+        if path in paths or (definition.values.get("type") == BRANCH and path.rpartition(".")[0] in paths)
+    }
 
 
 def _with_those_above(paths: Iterable[str]) -> set[str]:

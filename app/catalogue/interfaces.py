@@ -26,6 +26,8 @@ def category_of(path: str) -> Category | None:
 
     Everything else is data: whether it is a leaf, and whether of type attribute and so a parameter, the node says.
     """
+    if FUNCTION_BRANCH not in path:
+        return "data"  # nearly every path of a tree: it need not be taken apart
     names = path.split(".")
     if len(names) < 2 or names[1] != FUNCTION_BRANCH:
         return "data"

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fnmatch import translate
+from functools import cache
 from typing import Any, NamedTuple
 
 from app.catalogue.definition import Definition
@@ -128,9 +129,14 @@ def _check_of(rule: Rule) -> Check:
     return check
 
 
+@cache
+def _matcher(glob: str) -> Callable[[str], object]:
+    return re.compile(translate(glob)).match
+
+
 def _node_rule(rule: Rule, check: NodeCheck, tree: Tree) -> NodeRule:
     needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
-    glob = re.compile(translate(rule.nodes.path)).match if rule.nodes.path else None
+    glob = _matcher(rule.nodes.path) if rule.nodes.path else None
     return NodeRule(rule, check.prepare(rule, tree), needs.partition(".")[0], glob, check.of_overlays)
 
 
