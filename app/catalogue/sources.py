@@ -103,7 +103,7 @@ def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tup
     return (*by_id.values(), *(source for source in shipped if source.id not in by_id))
 
 
-def load(source: Source, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
+def load(source: Source, limits: Limits = DEFAULT_LIMITS, *, expanded: bool = True) -> Catalogue:
     """Read and compose the catalogue of a source, of whatever release it is."""
     return read_catalogue(
         source.spec,
@@ -112,6 +112,7 @@ def load(source: Source, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
         units=source.units,
         quantities=source.quantities,
         types=source.types,
+        expanded=expanded,
         name=source.id,
         limits=limits,
         is_release=bool(source.release),

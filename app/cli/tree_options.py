@@ -45,19 +45,9 @@ def add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, m
 
 def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused."""
-    from app.catalogue.compose import read_catalogue
+    from app.catalogue.sources import load
 
-    source = tree_source(arguments)
-    catalogue = read_catalogue(
-        source.spec,
-        source.overlays,
-        include_dirs=source.include_dirs,
-        units=source.units,
-        quantities=source.quantities,
-        types=source.types,
-        expanded=expanded,
-        is_release=bool(source.release),
-    )
+    catalogue = load(tree_source(arguments), expanded=expanded)
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
     for finding in catalogue.findings:
