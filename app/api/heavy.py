@@ -4,6 +4,7 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from http import HTTPStatus
+from threading import Lock
 from typing import TypeVar
 
 from starlette.exceptions import HTTPException
@@ -26,6 +27,7 @@ class HeavyWork:
         self._most = at_once + waiting
         self._seconds = seconds
         self._threads = ThreadPoolExecutor(at_once, "sigcat-heavy")
+        self._counting = Lock()
         self.pending = 0
         """How many are under way or wait. A work whose client was told to come again counts until it ends."""
 
@@ -33,13 +35,18 @@ class HeavyWork:
         """The result of `work`. Raises Busy if too many wait already, or if it takes too long."""
         if self.pending >= self._most:
             raise Busy("More work waits than the service takes. Ask again later.")
-        self.pending += 1
-        future = asyncio.get_running_loop().run_in_executor(self._threads, work)
-        future.add_done_callback(self._ended)
+        self._count(1)
+        future = self._threads.submit(work)
+        future.add_done_callback(lambda _: self._count(-1))
+        limit = asyncio.timeout(self._seconds)
         try:
-            return await asyncio.wait_for(future, self._seconds)
+            async with limit:
+                return await asyncio.wrap_future(future)
         except TimeoutError:
+            if not limit.expired():
+                raise
             raise Busy(f"This took longer than {self._seconds:g} seconds and was given up.") from None
 
-    def _ended(self, _: object) -> None:
-        self.pending -= 1
+    def _count(self, change: int) -> None:
+        with self._counting:  # an end is counted by the thread in which it comes
+            self.pending += change

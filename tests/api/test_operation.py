@@ -146,15 +146,27 @@ def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() 
     assert asyncio.run(crowd()) == [503, {"Retry-After": "2"}, "free again"]
 
 
-def test_work_that_takes_too_long_is_given_up() -> None:
+def test_work_that_takes_too_long_is_given_up_and_counts_until_it_ends() -> None:
     release = threading.Event()
 
-    async def slow() -> None:
+    async def slow() -> tuple[int, int]:
+        heavy = HeavyWork(at_once=1, waiting=1, seconds=0.05)
         with pytest.raises(Busy, match="longer than"):
-            await HeavyWork(at_once=1, waiting=0, seconds=0.05).run(release.wait)
+            await heavy.run(release.wait)
+        while_it_runs = heavy.pending
         release.set()
+        await heavy.run(lambda: None)  # its turn comes when the first one has ended
+        return while_it_runs, heavy.pending
 
-    asyncio.run(slow())
+    assert asyncio.run(slow()) == (1, 0)
+
+
+def test_a_work_that_runs_out_of_a_time_of_its_own_says_so() -> None:
+    def work() -> None:
+        raise TimeoutError("its own")
+
+    with pytest.raises(TimeoutError, match="its own"):
+        asyncio.run(HeavyWork(at_once=1, waiting=0, seconds=10).run(work))
 
 
 def test_health_answers_while_heavy_work_runs(library: Library) -> None:
