@@ -45,6 +45,12 @@ def rules_of(request: Request) -> RuleBook:
     return rules
 
 
+def heavy_of(request: Request) -> HeavyWork:
+    """The heavy work of the service."""
+    heavy: HeavyWork = request.app.state.heavy
+    return heavy
+
+
 async def _library(request: Request) -> Library:
     return library_of(request)
 
@@ -58,8 +64,7 @@ async def _rules(request: Request) -> RuleBook:
 
 
 async def _heavy(request: Request) -> HeavyWork:
-    heavy: HeavyWork = request.app.state.heavy
-    return heavy
+    return heavy_of(request)
 
 
 async def _exports(request: Request) -> HeavyWork:
@@ -68,6 +73,7 @@ async def _exports(request: Request) -> HeavyWork:
 
 
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
+# They take what they need from the request: each dependency of a dependency costs as much as a small answer.
 TheLibrary = Annotated[Library, Depends(_library)]
 TheSettings = Annotated[Settings, Depends(_settings)]
 TheRules = Annotated[RuleBook, Depends(_rules)]
@@ -102,16 +108,14 @@ async def catalogue_at(name: str, library: Library, heavy: HeavyWork) -> tuple[H
     return await heavy.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
 
 
-async def any_catalogue(catalogue: CatalogueId, library: TheLibrary, heavy: TheHeavyWork) -> Hosted:
+async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address."""
-    return (await catalogue_at(catalogue, library, heavy))[0]
+    return (await catalogue_at(catalogue, library_of(request), heavy_of(request)))[0]
 
 
-async def hosted_catalogue(
-    catalogue: CatalogueId, library: TheLibrary, heavy: TheHeavyWork, request: Request
-) -> Hosted:
+async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
-    hosted, is_fixed = await catalogue_at(catalogue, library, heavy)
+    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), heavy_of(request))
     mark_state(request, version_of(hosted), is_fixed=is_fixed)
     request.state.hosted = hosted
     return hosted
@@ -136,14 +140,14 @@ AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
 
 
 async def named_catalogue(
-    library: TheLibrary,
-    heavy: TheHeavyWork,
+    request: Request,
     catalogue: Annotated[
         str | None, Query(max_length=200, description="Id of a hosted catalogue; without it, the default one.")
     ] = None,
 ) -> Hosted:
     """The hosted catalogue that a posted text is judged against."""
-    return library.default if catalogue is None else (await catalogue_at(catalogue, library, heavy))[0]
+    library = library_of(request)
+    return library.default if catalogue is None else (await catalogue_at(catalogue, library, heavy_of(request)))[0]
 
 
 NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
@@ -152,16 +156,17 @@ NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
 FileName = Annotated[str, Query(max_length=300, description="What findings call the text.")]
 
 
-async def posted_text(request: Request, settings: TheSettings) -> bytes:
+async def posted_text(request: Request) -> bytes:
     """The body, not longer than the limit. Its media type does not matter, as long as it is the bare text."""
     if request.headers.get("content-type", "").startswith("multipart/"):
         detail = "Post the bare text, not a form: curl --data-binary @FILE."
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
-    return await posted_body(request, settings)
+    return await posted_body(request)
 
 
-async def posted_body(request: Request, settings: TheSettings) -> bytes:
+async def posted_body(request: Request) -> bytes:
     """The body, whatever it is, not longer than the limit and within its time."""
+    settings = settings_of(request)
     if request.headers.get("content-encoding", "identity") != "identity":
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "Post the text uncompressed.")
     declared = request.headers.get("content-length", "")
@@ -170,7 +175,8 @@ async def posted_body(request: Request, settings: TheSettings) -> bytes:
     elif declared:
         _check_length(settings.body_bytes + 1, settings)
     try:
-        return await asyncio.wait_for(_read(request, settings), settings.body_seconds)
+        async with asyncio.timeout(settings.body_seconds):
+            return await _read(request, settings)
     except TimeoutError:
         detail = f"The text did not arrive within {settings.body_seconds:g} seconds."
         raise BodyRefused(HTTPStatus.REQUEST_TIMEOUT, detail, headers={"Connection": "close"}) from None
