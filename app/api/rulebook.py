@@ -10,6 +10,7 @@ from app.findings import Finding
 from app.names import nearest
 from app.rules.engine import lint_catalogue
 from app.rules.record import Rule, load_rules
+from app.rules.rule_set import RuleSet
 
 
 class RuleBook:
@@ -18,7 +19,7 @@ class RuleBook:
     def __init__(self, rules: tuple[Rule, ...]) -> None:
         self.rules = rules
         self._by_id: Mapping[str, Rule] = {rule.id: rule for rule in rules}
-        self.active = tuple(rule for rule in rules if rule.default)
+        self.active = RuleSet(rule for rule in rules if rule.default)
         """The rules that are on when nothing is configured."""
         self._findings = lru_cache(maxsize=8)(self._lint)
 

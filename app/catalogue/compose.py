@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from app.catalogue.definition import BRANCH, STRUCT, Definition, Scope
+from app.catalogue.definition import STRUCT, Definition, Scope
 from app.catalogue.instances import Draft, TooManyNodes, expand
 from app.catalogue.layers import Layer, read_layer
 from app.catalogue.limits import DEFAULT_LIMITS, Limits
 from app.catalogue.merge import merge, merge_over
-from app.catalogue.model import Catalogue
+from app.catalogue.model import Catalogue, CataloguePart
 from app.catalogue.patterns import Matching
 from app.catalogue.quirks import in_present_words, read_units, tolerant
 from app.catalogue.tree import draft_tree, frozen_tree
@@ -66,23 +66,19 @@ def compose(
         return _compose(layers, vocabulary, types, name, expanded, limits, earlier)
 
 
-def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> Catalogue:
+def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> CataloguePart:
     """What an overlay makes of a catalogue, as far as it reaches: for judging the overlay, in a fraction of the time.
 
     All definitions are there; nodes and findings only of those of which the overlay speaks, of what stands above them,
     and of the branches beside these. Instances are not expanded.
     """
     with collector_paused():
-        merged = merge_over(base.definitions, overlay, _scope_of(base, limits), limits)
-        definitions = {**base.definitions, **merged.definitions}
-        paths = _with_those_above([*(root.path for root in base.roots[:1]), *merged.definitions])
-        reached = _near(definitions, paths)
-        reached |= {path: made for path in paths - reached.keys() if (made := _made_branch(path, base)) is not None}
-        findings = [*overlay.findings, *merged.findings]
+        changed = merge_over(base.definitions, overlay, _scope_of(base, limits), limits)
+        reached = _near(base, changed.definitions)
+        findings = [*overlay.findings, *changed.findings]
         root = draft_tree(reached, DEFAULT_LIMITS, findings)
         roots = (frozen_tree(root, findings),) if root is not None else ()
-    layers = (*base.layers, overlay)
-    return Catalogue(base.name, roots, base.vocabulary, layers, in_order(findings), definitions, False)
+    return CataloguePart(base, overlay, roots, in_order(findings), changed.definitions)
 
 
 def unexpanded(catalogue: Catalogue) -> Catalogue:
@@ -144,6 +140,18 @@ def _expand(root: Draft, scope: Scope, limits: Limits, findings: list[Finding]) 
         return root
 
 
+def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
+    """What is changed and what stands above it, and branches right below these: what a misspelled one may have meant."""
+    near: dict[str, Definition] = {}
+    for path in _with_those_above([*(root.path for root in base.roots[:1]), *changed]):
+        definition = changed.get(path) or base.definitions.get(path) or _made_branch(path, base)
+        if definition is not None:
+            near[path] = definition
+        for branch in base.branches.get(path, ()):
+            near[branch.path] = changed.get(branch.path, branch)
+    return near
+
+
 def _made_branch(path: str, catalogue: Catalogue) -> Definition | None:
     """A branch that is there without a definition; that it is missing is not the fault of an overlay."""
     node = catalogue.nodes.get(path)
@@ -151,22 +159,13 @@ def _made_branch(path: str, catalogue: Catalogue) -> Definition | None:
     return node.definition if node is not None and is_made else None
 
 
-def _near(definitions: Mapping[str, Definition], paths: set[str]) -> dict[str, Definition]:
-    """The definitions at `paths`, and branches right below them: what a misspelled branch may have meant."""
-    return {
-        path: definition
-        for path, definition in definitions.items()
-        if path in paths or (definition.values.get("type") == BRANCH and path.rpartition(".")[0] in paths)
-    }
-
-
-def _with_those_above(paths: Iterable[str]) -> set[str]:
-    """The paths and those of the branches above them."""
-    found: set[str] = set()
+def _with_those_above(paths: Iterable[str]) -> Iterable[str]:
+    """The paths and those of the branches above them, each once."""
+    found: dict[str, None] = {}
     for path in paths:
         above = path
         while above and above not in found:
-            found.add(above)
+            found[above] = None
             above = parent_path(above)
     return found
 

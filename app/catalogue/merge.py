@@ -47,7 +47,8 @@ def merge(
 
 def merge_over(below: Mapping[str, Definition], layer: Layer, scope: Scope, limits: Limits = DEFAULT_LIMITS) -> Merged:
     """One more layer over definitions that are merged already: those of which it speaks, and no others."""
-    stacks: Stacks = {path: definition.statements for path, definition in below.items()}
+    needed = below if _patterns(layer) else [each.path for each in layer.statements if each.path in below]
+    stacks: Stacks = {path: below[path].statements for path in needed}
     findings: list[Finding] = []
     touched = _pile(layer, stacks, limits, findings)
     return Merged({path: define(path, stacks[path], scope) for path in touched}, tuple(findings))
@@ -68,7 +69,7 @@ def _pile(layer: Layer, stacks: Stacks, limits: Limits, findings: list[Finding])
 
 def _beyond_limit(layer: Layer, stacks: Stacks, limits: Limits, findings: list[Finding]) -> Collection[Statement]:
     """The wildcard paths of a layer that are too many for the paths that they would be compared with."""
-    patterns = [statement for statement in layer.statements if "*" in statement.path]
+    patterns = _patterns(layer)
     if not patterns:
         return ()
     written = sum(len(statement.path) for statement in layer.statements if "*" not in statement.path)
@@ -81,6 +82,11 @@ def _beyond_limit(layer: Layer, stacks: Stacks, limits: Limits, findings: list[F
     fix = "Name the nodes, or split the overlay."
     findings.append(Finding("O002", "error", message, *first.origin()[:3], first.path, fix=fix))
     return frozenset(patterns[most:])
+
+
+def _patterns(layer: Layer) -> list[Statement]:
+    """The statements of a layer that speak of every node that a wildcard path matches."""
+    return [statement for statement in layer.statements if "*" in statement.path]
 
 
 def _definition(path: str, stack: tuple[Statement, ...], scope: Scope, known: Definition | None) -> Definition:

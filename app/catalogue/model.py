@@ -1,16 +1,20 @@
 """The catalogue: a frozen tree of nodes, found by path."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections import ChainMap
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
-from app.catalogue.definition import Definition
+from app.catalogue.definition import BRANCH, Definition
+from app.catalogue.interfaces import category_of, interface_name
 from app.catalogue.layers import Layer
 from app.catalogue.vocabulary import Unit, Vocabulary
 from app.catalogue.vspec_file import Origin
 from app.findings import Finding
 from app.names import last_name, parent_path
+
+Value = TypeVar("Value")
 
 
 class Node(NamedTuple):
@@ -133,6 +137,25 @@ class Catalogue:
                     yield definition
                     break
 
+    @cached_property
+    def interfaces(self) -> Mapping[str, Definition]:
+        """Definitions of error, safety reaction, mode and scheduling interfaces by interface name; the first counts."""
+        return _interfaces(self.definitions, {})
+
+    @cached_property
+    def first_spellings(self) -> Mapping[str, str]:
+        """Of paths that differ in case only the first, by the path in lower case."""
+        return _first_spellings(self.definitions)
+
+    @cached_property
+    def branches(self) -> Mapping[str, Sequence[Definition]]:
+        """Definitions of branches by the path of the branch right above them."""
+        branches: dict[str, list[Definition]] = {}
+        for path, definition in self.definitions.items():
+            if definition.type == BRANCH:
+                branches.setdefault(parent_path(path), []).append(definition)
+        return branches
+
     def _with(self, roots: tuple[Node, ...], findings: tuple[Finding, ...], is_expanded: bool) -> "Catalogue":
         return Catalogue(self.name, roots, self.vocabulary, self.layers, findings, self.definitions, is_expanded)
 
@@ -153,3 +176,54 @@ class Catalogue:
         for unit in self.vocabulary.distinct_units:
             sha.update(repr(unit[:6]).encode("utf-8", "surrogatepass"))
         return sha.hexdigest()
+
+
+class CataloguePart(Catalogue):
+    """What an overlay makes of a catalogue, as far as it reaches. What is known of the catalogue is not found out anew."""
+
+    def __init__(
+        self,
+        below: Catalogue,
+        overlay: Layer,
+        roots: tuple[Node, ...],
+        findings: tuple[Finding, ...],
+        changed: Mapping[str, Definition],
+    ) -> None:
+        definitions = _over(below.definitions, changed)
+        layers = (*below.layers, overlay)
+        super().__init__(below.name, roots, below.vocabulary, layers, findings, definitions, is_expanded=False)
+        self.below = below
+        self.changed = changed
+        """Merged definitions of which the overlay speaks."""
+
+    @cached_property
+    def interfaces(self) -> Mapping[str, Definition]:
+        """Definitions of error, safety reaction, mode and scheduling interfaces by interface name; the first counts."""
+        return _interfaces(self.changed, self.below.interfaces)
+
+    @cached_property
+    def first_spellings(self) -> Mapping[str, str]:
+        """Of paths that differ in case only the first, by the path in lower case."""
+        return _over(_first_spellings(self.changed), self.below.first_spellings)
+
+
+def _over(below: Mapping[str, Value], above: Mapping[str, Value]) -> Mapping[str, Value]:
+    """Two mappings as one. To copy a whole tree costs more than all that an overlay asks of it."""
+    return ChainMap(above, below)  # type: ignore[arg-type] # nobody writes into it
+
+
+def _interfaces(definitions: Mapping[str, Definition], below: Mapping[str, Definition]) -> Mapping[str, Definition]:
+    found = dict(below)
+    for path, definition in definitions.items():
+        if category_of(path) not in (None, "data"):
+            name = interface_name(path)
+            if name not in found or found[name].path == path:
+                found[name] = definition
+    return found
+
+
+def _first_spellings(paths: Iterable[str]) -> dict[str, str]:
+    first: dict[str, str] = {}
+    for path in paths:
+        first.setdefault(path.lower(), path)
+    return first

@@ -15,7 +15,8 @@ from app.function.declaration import Declaration, Declared, read_declaration
 from app.function.defining import DefinedNode, defined_nodes, defined_types, layered
 from app.function.document import Document, Place, Pointer, pointer_text
 from app.rules.engine import found_in
-from app.rules.record import Rule, load_rules
+from app.rules.record import load_rules
+from app.rules.rule_set import RuleSet
 
 _WIDTH = 116
 _ROOM_OF_KEY = 24
@@ -60,8 +61,8 @@ def definition_findings(declaration: Declaration, document: Document, over: Cata
 
 
 @cache
-def _rules() -> tuple[Rule, ...]:
-    return tuple(rule for rule in load_rules(INTERFACE_RULES) if rule.default)
+def _rules() -> RuleSet:
+    return RuleSet(rule for rule in load_rules(INTERFACE_RULES) if rule.default)
 
 
 def _pointers(nodes: Iterable[DefinedNode], document: Document) -> Mapping[Place, Pointer]:

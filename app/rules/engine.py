@@ -1,25 +1,19 @@
 """The engine: rules and a catalogue in, findings out. Knows nothing of files, formats or the command line."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from fnmatch import translate
-from functools import cache
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from app.catalogue.definition import Definition
 from app.catalogue.interfaces import category_of
 from app.catalogue.model import Catalogue
-from app.catalogue.patterns import BadPattern
 from app.catalogue.vspec_file import Statement
-from app.errors import InputRefused
 from app.findings import Finding, in_order
-from app.names import did_you_mean
-from app.rules.checks import CHECKS
-from app.rules.checks.attributes import extended_attributes
-from app.rules.checks.kind import BadOption, Check, LineCheck, NodeCheck, NodeTest, TreeCheck, check_options
+from app.rules.checks.kind import NodeTest
 from app.rules.flaw import Flaw, Repair
 from app.rules.patterns import SlowPattern
-from app.rules.record import MAKERS, Rule
+from app.rules.record import Rule
+from app.rules.rule_set import Choice, NodeRule, RuleSet
 from app.rules.tree import Tree
 
 _FIELD = re.compile(r"\{(\w+)(!r)?\}")
@@ -28,135 +22,58 @@ Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
 
 
-def lint_catalogue(catalogue: Catalogue, rules: Sequence[Rule]) -> tuple[Finding, ...]:
+def lint_catalogue(catalogue: Catalogue, rules: RuleSet) -> tuple[Finding, ...]:
     """Every finding of `rules` in a catalogue, those of its composition among them, by file and line."""
     return in_order([finding for finding, _ in found_in(catalogue, rules)])
 
 
 def found_in(
     catalogue: Catalogue,
-    rules: Sequence[Rule],
+    rules: RuleSet,
     among: Iterable[Definition] | None = None,
     attributes: Iterable[str] = (),
 ) -> Iterator[Found]:
-    """Findings with their repairs. `among` are the definitions that are looked at one by one; all without it.
+    """Findings with their repairs. `among` are the definitions that are judged; all without it.
 
+    Of the others there may be findings too: who judges some of them leaves out what is told of other files.
     `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
     """
-    tree = Tree(catalogue, {*attributes, *extended_attributes(tuple(rules))})
+    tree = Tree(catalogue, rules.attributes.union(attributes), among)
     yield from _composition(catalogue, tree, rules)
-    bound = bind(rules, tree)
-    for finding in bound.findings:
+    for finding in rules.findings:
         yield finding, None
-    yield from _node_findings(bound.node_rules, tree, tree.definitions.values() if among is None else among)
-    for rule, test in bound.tree_rules:
-        yield from _guarded(rule, test())
+    yield from _node_findings(rules, tree)
+    for rule, check in rules.tree_rules:
+        yield from _guarded(rule, check.prepare(rule, tree)())
 
 
-def lint_lines(content: str, name: str, rules: Sequence[Rule]) -> Iterator[Finding]:
+def lint_lines(content: str, name: str, rules: RuleSet) -> Iterator[Finding]:
     """Findings of the rules that look at the text of a file."""
-    for rule in rules:
-        check = CHECKS.get(rule.check)
-        if isinstance(check, LineCheck):
-            for line, column, message, fix in check.prepare(rule)(content):
-                yield Finding(rule.id, rule.severity, message, name, line, column, fix=fix)
+    for rule, test in rules.line_rules:
+        for line, column, message, fix in test(content):
+            yield Finding(rule.id, rule.severity, message, name, line, column, fix=fix)
 
 
-class NodeRule(NamedTuple):
-    """A rule with its check made ready: `needs` is the attribute without which it finds nothing."""
-
-    rule: Rule
-    test: NodeTest
-    needs: str
-    path: Callable[[str], object] | None
-    of_overlays: bool
-
-    def concerns(self, definition: Definition) -> bool:
-        """Whether the datatype and the path of a node are those that the rule is about."""
-        datatypes = self.rule.nodes.datatypes
-        return (not datatypes or str(definition.values.get("datatype")) in datatypes) and (
-            self.path is None or bool(self.path(definition.path))
-        )
-
-
-class _Choice(NamedTuple):
-    """The rules for nodes of one type and category: those for all of them, and those for nodes with an attribute."""
-
-    always: Sequence[NodeRule]
-    by_need: Mapping[str, Sequence[NodeRule]]
-
-
-class Bound(NamedTuple):
-    """Rules with their checks made ready, and what was wrong with the others."""
-
-    node_rules: tuple[NodeRule, ...]
-    tree_rules: tuple[tuple[Rule, Callable[[], Iterable[Flaw]]], ...]
-    findings: tuple[Finding, ...]
-
-
-def bind(rules: Sequence[Rule], tree: Tree) -> Bound:
-    """Make the checks of rules ready for a tree. A rule whose options do not fit its check is a finding."""
-    node_rules: list[NodeRule] = []
-    tree_rules: list[tuple[Rule, Callable[[], Iterable[Flaw]]]] = []
-    findings: list[Finding] = []
-    for rule in rules:
-        if rule.check in MAKERS:
-            continue
-        try:
-            check = _check_of(rule)
-            if isinstance(check, NodeCheck):
-                node_rules.append(_node_rule(rule, check, tree))
-            elif isinstance(check, TreeCheck):
-                tree_rules.append((rule, check.prepare(rule, tree)))
-        except (BadOption, BadPattern) as error:
-            fix = error.fix if isinstance(error, BadOption) else ""
-            findings.append(Finding("L010", "error", str(error), rule.file, rule.line, 1, rule.id, fix=fix))
-    return Bound(tuple(node_rules), tuple(tree_rules), tuple(findings))
-
-
-def refuse_unusable(rules: Sequence[Rule], catalogue: Catalogue) -> None:
-    """Raises InputRefused if any rule names a check that does not exist, or options that are not its own."""
-    findings = bind(rules, Tree(catalogue)).findings
-    if findings:
-        raise InputRefused("The rules cannot be used.", findings)
-
-
-def _check_of(rule: Rule) -> Check:
-    check = CHECKS.get(rule.check)
-    if check is None:
-        raise BadOption(f"Rule {rule.id} names the unknown check {rule.check!r}.", did_you_mean(rule.check, CHECKS))
-    check_options(rule, check)
-    return check
-
-
-@cache
-def _matcher(glob: str) -> Callable[[str], object]:
-    return re.compile(translate(glob)).match
-
-
-def _node_rule(rule: Rule, check: NodeCheck, tree: Tree) -> NodeRule:
-    needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
-    glob = _matcher(rule.nodes.path) if rule.nodes.path else None
-    return NodeRule(rule, check.prepare(rule, tree), needs.partition(".")[0], glob, check.of_overlays)
-
-
-def _node_findings(rules: Sequence[NodeRule], tree: Tree, among: Iterable[Definition]) -> Iterator[Found]:
-    usable = rules if tree.overlays else [rule for rule in rules if not rule.of_overlays]
-    choices: dict[tuple[str, str], _Choice] = {}
+def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
+    has_overlays = bool(tree.overlays)
+    tests: dict[str, NodeTest] = {}
     ended: set[str] = set()
-    for definition in among:
-        key = (definition.type, category_of(definition.path) or "")
-        if key not in choices:
-            choices[key] = _choice([rule for rule in usable if _concerns(rule.rule, *key)])
-        for node_rule in _for_values(choices[key], definition.values):
-            if not node_rule.concerns(definition):
+    for definition in tree.judged:
+        category = category_of(definition.path) or ""
+        choice = rules.choice(definition.type, category, has_overlays=has_overlays)
+        for node_rule in _for_values(choice, definition.values):
+            if not (node_rule.is_for_all or node_rule.concerns(definition)):
                 continue
-            flaws = node_rule.test(definition)
-            if not node_rule.rule.trusted:
-                yield from _until_slow(node_rule.rule, flaws, ended)
+            rule = node_rule.rule
+            test = tests.get(rule.id)
+            if test is None:
+                test = tests[rule.id] = node_rule.check.prepare(rule, tree)
+            flaws = test(definition)
+            if not rule.trusted:
+                yield from _until_slow(rule, flaws, ended)
                 continue
             for flaw in flaws:
-                yield _finding(node_rule.rule, flaw), flaw.repair
+                yield _finding(rule, flaw), flaw.repair
 
 
 def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[Found]:
@@ -168,23 +85,11 @@ def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[
             yield found
 
 
-def _choice(rules: Sequence[NodeRule]) -> _Choice:
-    by_need: dict[str, list[NodeRule]] = {}
-    for rule in rules:
-        by_need.setdefault(rule.needs, []).append(rule)
-    return _Choice(by_need.pop("", []), by_need)
-
-
-def _for_values(choice: _Choice, values: Mapping[str, Any]) -> Iterator[NodeRule]:
+def _for_values(choice: Choice, values: Mapping[str, Any]) -> Iterator[NodeRule]:
     yield from choice.always
     for name, value in values.items():
         if name in choice.by_need and value is not None:
             yield from choice.by_need[name]
-
-
-def _concerns(rule: Rule, node_type: str, category: str) -> bool:
-    nodes = rule.nodes
-    return (not nodes.types or node_type in nodes.types) and (not nodes.interfaces or category in nodes.interfaces)
 
 
 def _guarded(rule: Rule, flaws: Iterable[Flaw]) -> Iterator[Found]:
@@ -234,17 +139,15 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
     return _FIELD.sub(fact, template)
 
 
-def _composition(catalogue: Catalogue, tree: Tree, rules: Sequence[Rule]) -> Iterator[Found]:
+def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
     """What composing found. A branch that is an instance is defined by its instances, so nobody has to write it."""
-    active = {rule.id for rule in rules}
-    severities = {rule.id: rule.severity for rule in rules if rule.check == "composition"}
-    replaced = "O101" in active
+    replaced = "O101" in rules.severities
     for finding in catalogue.findings:
         if finding.rule == "V020" and tree.is_instance(finding.path):
             continue
         if replaced and finding.rule == "V001" and _is_overlay_change(finding.path, tree):
             continue
-        severity = severities.get(finding.rule, finding.severity)
+        severity = rules.of_composition.get(finding.rule, finding.severity)
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
 
 

@@ -10,12 +10,12 @@ from app.catalogue.vocabulary import EMPTY, Vocabulary, read_vocabulary
 from app.findings import Finding
 from app.names import parent_path
 from app.rules.engine import found_in, lint_lines
-from app.rules.record import Rule
+from app.rules.rule_set import RuleSet
 from app.rules.suppression import apply_suppressions, read_suppressions
 
 
 def findings_of_example(
-    example: str | Mapping[str, Any], rules: Sequence[Rule], units: Vocabulary, folder: Path
+    example: str | Mapping[str, Any], rules: RuleSet, units: Vocabulary, folder: Path
 ) -> tuple[Finding, ...]:
     """All findings in an example. `folder` is an empty one, for examples that consist of files."""
     parts: dict[str, Any] = {"base": example} if isinstance(example, str) else dict(example)
@@ -25,9 +25,10 @@ def findings_of_example(
     found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules)]
     for text in texts:
         found.extend(lint_lines(text, "example.vspec", rules))
-    codes = [rule.id for rule in rules]
-    suppressions = [read_suppressions(text, layer.name, codes) for text, layer in zip(texts, layers[-1:], strict=False)]
-    kept = apply_suppressions(found, suppressions, codes)
+    suppressions = [
+        read_suppressions(text, layer.name, rules.codes) for text, layer in zip(texts, layers[-1:], strict=False)
+    ]
+    kept = apply_suppressions(found, suppressions, rules.codes)
     return (*kept.findings, *kept.about_comments)
 
 

@@ -34,6 +34,7 @@ from app.rules.engine import Found, found_in, lint_lines
 from app.rules.flaw import Repair
 from app.rules.options import LintOptions, LintResult, place_of
 from app.rules.record import Rule, parse_rules
+from app.rules.rule_set import RuleSet
 from app.rules.suppression import MARK, apply_suppressions, read_suppressions
 
 _WHOLE_TREE_CHECKS = frozenset(("reference", "reference-cycle", "companions", "asil-of-step", "deprecation-target"))
@@ -49,11 +50,14 @@ Texts = Literal["vspec", "comments", "nothing"]
 """What is looked at in the text of a file beside its values: lines and comments, comments, or nothing."""
 
 
+_AS_IT_IS = LintOptions()
+
+
 class _Lint(NamedTuple):
     """What one lint gathers: findings with repairs, and the files that were looked at."""
 
     options: LintOptions
-    rules: tuple[Rule, ...]
+    rules: RuleSet
     found: dict[Finding, Repair | None]
     files: dict[str, Texts]
 
@@ -68,7 +72,7 @@ def _linted(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
     sources = [s for s in discover(paths, options.overlays, options.types) if not _excluded(s.path, options)]
     options = options._replace(types=_types(sources, options))
-    lint = _Lint(options, chosen(every_rule, options), {}, {})
+    lint = _Lint(options, RuleSet(chosen(every_rule, options)), {}, {})
     bases = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], bases, lint)
     for source in sources:
@@ -89,7 +93,7 @@ def lint_text(
     text: bytes,
     name: str,
     base: Catalogue | None,
-    rules: Sequence[Rule],
+    rules: RuleSet,
     *,
     is_tree: bool = False,
     limits: Limits = DEFAULT_LIMITS,
@@ -97,16 +101,16 @@ def lint_text(
     """Findings in a text that stands in no file: an overlay over `base`, or a tree by itself."""
     layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
-        catalogue = compose([layer], base.vocabulary if base else EMPTY, expanded=False, limits=limits)
+        found = found_in(compose([layer], base.vocabulary if base else EMPTY, expanded=False, limits=limits), rules)
     else:
-        catalogue = compose_part(base, layer, limits)
-    found = found_in(catalogue, rules, catalogue.written_in({name}))
+        part = compose_part(base, layer, limits)
+        found = found_in(part, rules, part.changed.values())
     content = text.decode("utf-8-sig", "replace")
     findings = [f for f, _ in found if f.file == name]
     findings.extend(lint_lines(content, name, rules))
-    suppressions = [read_suppressions(content, name, [rule.id for rule in rules])] if MARK in text else []
-    grade = _Grade({rule.id: rule.severity for rule in rules}, frozenset(), LintOptions())
-    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, [rule.id for rule in rules])
+    suppressions = [read_suppressions(content, name, rules.codes)] if MARK in text else []
+    grade = _Grade(rules.severities, frozenset(), _AS_IT_IS)
+    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, rules.codes)
     return in_order((*kept.findings, *grade.all(kept.about_comments)))
 
 
@@ -248,8 +252,7 @@ def _lint_part(source: Source, lint: _Lint) -> None:
         layer = Layer(layer.name, False, layer.files, statements, layer.findings)
     vocabulary, is_older = _units(source.tree, layer, (), lint.options)
     catalogue = compose([_as_of_its_time(layer, is_older)], vocabulary, expanded=False)
-    rules = [rule for rule in lint.rules if rule.check not in _WHOLE_TREE_CHECKS]
-    found = found_in(catalogue, rules, attributes=lint.options.attributes)
+    found = found_in(catalogue, lint.rules.without(_WHOLE_TREE_CHECKS), attributes=lint.options.attributes)
     _add(((f, r) for f, r in found if f.rule not in _WHOLE_TREE_CODES), {str(source.path)}, lint)
     _look_at([str(source.path)], lint)
 
@@ -281,7 +284,7 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, complete: bool) -> No
 def _lint_rules(path: Path, lint: _Lint) -> None:
     _look_at([str(path)], lint, "nothing")
     file = parse_rules(_bytes_of(path, lint), str(path), trusted=False)
-    bound = found_in(compose([]), [rule for rule in file.rules if rule.check != "line-length"])
+    bound = found_in(compose([]), RuleSet(file.rules))
     _add(((f, None) for f in file.findings), None, lint)
     _add(bound, None, lint)
 
@@ -324,9 +327,8 @@ def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> Lin
             findings.extend(lint_lines(content, name, lint.rules))
         if MARK in data:
             suppressions.append(read_suppressions(content, name, codes))
-    grade = _Grade({rule.id: rule.severity for rule in lint.rules}, frozenset(codes), options)
-    active = [rule.id for rule in lint.rules]
-    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, active)
+    grade = _Grade(lint.rules.severities, frozenset(codes), options)
+    kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, lint.rules.codes)
     told = [*kept.findings, *grade.all(kept.about_comments)]
     known = 0
     if options.baseline is not None:

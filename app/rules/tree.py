@@ -10,7 +10,6 @@ from typing import Any
 from app.catalogue.compose import expanded_paths
 from app.catalogue.definition import Definition, instances_of
 from app.catalogue.instances import count_instances, instance_names
-from app.catalogue.interfaces import category_of, interface_name
 from app.catalogue.layers import Layer
 from app.catalogue.model import Catalogue
 from app.catalogue.vocabulary import Vocabulary
@@ -23,12 +22,16 @@ _MOST_INSTANCES = 100_000
 class Tree:
     """A composed catalogue as the checks see it: definitions before the expansion of instances."""
 
-    def __init__(self, catalogue: Catalogue, attributes: Iterable[str] = ()) -> None:
+    def __init__(
+        self, catalogue: Catalogue, attributes: Iterable[str] = (), judged: Iterable[Definition] | None = None
+    ) -> None:
         self.catalogue = catalogue
         self.definitions: Mapping[str, Definition] = catalogue.definitions
         self.vocabulary: Vocabulary = catalogue.vocabulary
         self.attributes = frozenset(attributes)
         """Extended attributes that the rules or the configuration know."""
+        self.judged = self.definitions.values() if judged is None else tuple(judged)
+        """The definitions that are judged; the others are there to be looked up."""
 
     @property
     def overlays(self) -> tuple[Layer, ...]:
@@ -59,14 +62,10 @@ class Tree:
         places = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
         return places or written
 
-    @cached_property
+    @property
     def interfaces(self) -> Mapping[str, Definition]:
         """Definitions of error, safety reaction, mode and scheduling interfaces by interface name."""
-        found = {}
-        for path, definition in self.definitions.items():
-            if category_of(path) not in (None, "data"):
-                found[interface_name(path)] = definition
-        return found
+        return self.catalogue.interfaces
 
     def below(self, path: str, name: str) -> Definition | None:
         """The definition of a child."""

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.catalogue.compose import compose, read_catalogue
+from app.catalogue.compose import compose, compose_part, read_catalogue
+from app.catalogue.layers import layer_from_text
 from app.data import INTERFACE_RULES, ROOT_FILE, VSPEC
 from app.errors import InputRefused, NotFound, UsageError
 from app.findings import Finding
@@ -17,11 +18,13 @@ from app.rules.baseline import baseline_text
 from app.rules.choice import rules_for
 from app.rules.configuration import find_configuration, read_configuration
 from app.rules.discovery import discover
+from app.rules.engine import found_in
 from app.rules.fixes import fixed_files
 from app.rules.lint import lint_paths, lint_text
 from app.rules.options import LintOptions, PerFile
 from app.rules.record import load_rules, parse_rules
 from app.rules.report import FORMATS, report, sources_of
+from app.rules.rule_set import RuleSet
 
 TREE = """\
 Vehicle:
@@ -39,7 +42,7 @@ Cabin.Noise:
   datatype: float
   description: noise in the cabin
 """
-EVERY_RULE = load_rules(INTERFACE_RULES)
+EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
 OFFICIAL = [Path(f"../shared/vss/{version}/spec/VehicleSignalSpecification.vspec") for version in ("v5.0", "v6.0")]
 
 
@@ -208,7 +211,7 @@ def test_whatever_the_bytes_are_there_are_findings_and_no_traceback(tmp_path, da
 
 def test_posted_text_gets_the_findings_of_an_overlay():
     base = read_catalogue(ROOT_FILE)
-    findings = lint_text(b"Vehicle.Speed: {max: x}\n", "posted", base, rules_for(LintOptions()))
+    findings = lint_text(b"Vehicle.Speed: {max: x}\n", "posted", base, RuleSet(rules_for(LintOptions())))
     assert [(f.file, f.line, f.column, f.rule) for f in findings] == [("posted", 1, 22, "V004")]
 
 
@@ -491,3 +494,30 @@ def test_values_of_any_kind_at_any_place_never_end_a_lint(data):
     base = compose([])
     for is_tree in (True, False):
         lint_text(json.dumps(data).encode(), "posted", base, EVERY_RULE, is_tree=is_tree)
+
+
+NODES = st.dictionaries(PATHS, st.dictionaries(ATTRIBUTES, VALUES, max_size=6), max_size=8)
+
+
+def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay():
+    tree = "Vehicle: {type: branch}\nVehicle.A: {type: sensor, datatype: uint8, allowed: [[1], 2]}\n"
+    base = compose([layer_from_text(tree.encode(), "tree", is_overlay=False)])
+    findings = lint_text(b"Vehicle.A: {type: sensor, datatype: uint8, allowed: {2: Two}}\n", "posted", base, EVERY_RULE)
+    assert "The overlay narrows `allowed`: `[1]` is no longer allowed." in {f.message for f in findings}
+
+
+@given(NODES, NODES)
+@settings(max_examples=150, deadline=None)
+def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, overlay):
+    layers = [
+        layer_from_text(json.dumps(nodes).encode(), name, is_overlay=name == "posted")
+        for name, nodes in (("tree", {"Vehicle": {"type": "branch"}, **tree}), ("posted", overlay))
+    ]
+    base, whole = compose(layers[:1]), compose(layers, expanded=False)
+    missing = base.nodes.keys() - base.definitions.keys()
+    part = compose_part(base, layers[1])
+    in_part, in_whole = (
+        {finding for finding, _ in found if finding.file == "posted" and finding.path not in missing}
+        for found in (found_in(part, EVERY_RULE, part.changed.values()), found_in(whole, EVERY_RULE))
+    )
+    assert in_part == in_whole, (tree, overlay)

@@ -62,7 +62,7 @@ def changes(rule: Rule, _tree: Tree) -> NodeTest:
     attributes = tuple(rule.options["attributes"])
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for attribute in attributes:
+        for attribute in attributes if _in_base(definition) else ():
             base = _base_value(definition, attribute)
             statement = _last_of_overlay(definition, attribute)
             if base is not None and statement is not None and _differs(statement.values[attribute], base):
@@ -78,12 +78,11 @@ def narrows(_rule: Rule, _tree: Tree) -> NodeTest:
     """An overlay does not take values away: a higher `min`, a lower `max`, fewer `allowed`, fewer of an `enum`."""
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        for attribute in ("min", "max", "allowed", "enum"):
+        for attribute in ("min", "max", "allowed", "enum") if _in_base(definition) else ():
             statement = _last_of_overlay(definition, attribute)
-            base = _base_value(definition, attribute)
-            if statement is None or (base is None and not _in_base(definition)):
+            if statement is None:
                 continue
-            reason = _narrowed(attribute, base, definition.values.get(attribute))
+            reason = _narrowed(attribute, _base_value(definition, attribute), definition.values.get(attribute))
             if reason:
                 yield Flaw(statement, f"The overlay narrows `{attribute}`: {reason}.", attribute)
 
@@ -116,14 +115,14 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
     def test() -> Iterator[Flaw]:
         effective: set[str] = set()
         first: dict[str, Statement] = {}
-        written = (d for d in tree.definitions.values() if d.statements and d.statements[-1].file.overlay)
+        written = (d for d in tree.judged if d.statements and d.statements[-1].file.overlay)
         for definition in written:
             before: dict[str, Any] = {}
             for statement in definition.statements:
                 overlay = statement.file.overlay
                 after = overlaid(before, statement.values)
                 if overlay and overlay not in effective:
-                    first.setdefault(overlay, statement)
+                    first[overlay] = min(first.get(overlay, statement), statement, key=Statement.origin)
                     if after != before:
                         effective.add(overlay)
                 before = after
@@ -162,6 +161,12 @@ def _narrowed(attribute: str, base: Any, now: Any) -> str:
     if attribute in ("allowed", "enum") and isinstance(now, list | dict):
         if not isinstance(base, list | dict):
             return "every value was allowed"
-        gone = [str(item) for item in base if item not in now]
+        kept = {_comparable(item) for item in now}
+        gone = [str(item) for item in base if _comparable(item) not in kept]
         return f"{listed(gone)} {'is' if len(gone) == 1 else 'are'} no longer allowed" if gone else ""
     return ""
+
+
+def _comparable(item: Any) -> Any:
+    """A label as it is; of a collection, which is none, its text."""
+    return str(item) if isinstance(item, list | dict) else item

@@ -101,9 +101,9 @@ def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
     """No two paths differ in case only."""
 
     def test() -> Iterator[Flaw]:
-        seen: dict[str, str] = {}
-        for path, definition in tree.definitions.items():
-            other = seen.setdefault(path.lower(), path)
+        first = tree.catalogue.first_spellings
+        for definition in tree.judged:
+            path, other = definition.path, first[definition.path.lower()]
             if other != path and not _follows(path, other):
                 message = f"Path {path!r} differs from {other!r} in case only."
                 yield Flaw(definition, message, fix="Rename one of the two.", facts={"other": other})
@@ -129,7 +129,7 @@ def twice_written(rule: Rule, tree: Tree) -> TreeTest:
     ignored = frozenset(rule.options.get("ignored", ()))
 
     def test() -> Iterator[Flaw]:
-        for definition in tree.definitions.values():
+        for definition in tree.judged:
             base = [s for s in definition.statements if not s.file.overlay] if len(definition.statements) > 1 else []
             for earlier, later in pairwise(base):
                 both = [k for k in later.values if k in earlier.values and k not in ignored]
