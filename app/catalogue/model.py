@@ -148,6 +148,11 @@ class Catalogue:
         return _first_spellings(self.definitions)
 
     @cached_property
+    def overlaid(self) -> Collection[Definition]:
+        """Definitions of which an overlay speaks last."""
+        return [d for d in self.definitions.values() if d.statements and d.statements[-1].file.overlay]
+
+    @cached_property
     def branches(self) -> Mapping[str, Sequence[Definition]]:
         """Definitions of branches by the path of the branch right above them."""
         branches: dict[str, list[Definition]] = {}
@@ -195,6 +200,11 @@ class CataloguePart(Catalogue):
         self.below = below
         self.changed = changed
         """Merged definitions of which the overlay speaks."""
+
+    @cached_property
+    def overlaid(self) -> Collection[Definition]:
+        """Definitions of which this overlay speaks."""
+        return self.changed.values()
 
     @cached_property
     def interfaces(self) -> Mapping[str, Definition]:

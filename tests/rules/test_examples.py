@@ -63,3 +63,7 @@ def test_every_code_that_the_linter_emits_has_a_record():
     for file in (APP / "rules").glob("**/*.py"):
         emitted.update(re.findall(r'"(L0[0-9]{2})"', file.read_text(encoding="utf-8")))
     assert emitted == {rule.id for rule in RULES if rule.check == "lint"}
+
+
+def test_the_checks_of_shipped_rules_take_their_options():
+    assert RuleSet(rule._replace(trusted=False) for rule in RULES).findings == ()

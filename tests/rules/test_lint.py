@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from app.catalogue.compose import compose, compose_part, read_catalogue
 from app.catalogue.layers import layer_from_text
-from app.data import INTERFACE_RULES, ROOT_FILE, VSPEC
+from app.data import INTERFACE_RULES, OVERLAYS, ROOT_FILE, VSPEC
 from app.errors import InputRefused, NotFound, UsageError
 from app.findings import Finding
 from app.rules.baseline import baseline_text
@@ -458,6 +458,11 @@ def test_the_shipped_tree_has_no_errors():
     assert [f.line_of_text for f in lint_paths([VSPEC]).findings if f.severity == "error"] == []
 
 
+@pytest.mark.parametrize("overlay", sorted(OVERLAYS.glob("*.vspec")), ids=lambda path: path.stem)
+def test_a_shipped_overlay_is_clean_by_itself_though_it_shares_a_file_with_the_others(overlay):
+    assert [f.line_of_text for f in lint_paths([overlay]).findings] == []
+
+
 # -- input of any kind -----------------------------------------------------------------------------------
 
 
@@ -506,18 +511,22 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
     assert "The overlay narrows `allowed`: `[1]` is no longer allowed." in {f.message for f in findings}
 
 
-@given(NODES, NODES)
+@given(NODES, NODES, NODES)
 @settings(max_examples=150, deadline=None)
-def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, overlay):
+def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, other, overlay):
+    named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [
-        layer_from_text(json.dumps(nodes).encode(), name, is_overlay=name == "posted")
-        for name, nodes in (("tree", {"Vehicle": {"type": "branch"}, **tree}), ("posted", overlay))
+        layer_from_text(json.dumps(nodes).encode(), name, is_overlay=name != "tree") for name, nodes in named.items()
     ]
-    base, whole = compose(layers[:1]), compose(layers, expanded=False)
+    base, whole = compose(layers[:2]), compose(layers, expanded=False)
     missing = base.nodes.keys() - base.definitions.keys()
-    part = compose_part(base, layers[1])
-    in_part, in_whole = (
+    part = compose_part(base, layers[2])
+    in_part, in_those_of_the_file, in_all = (
         {finding for finding, _ in found if finding.file == "posted" and finding.path not in missing}
-        for found in (found_in(part, EVERY_RULE, part.changed.values()), found_in(whole, EVERY_RULE))
+        for found in (
+            found_in(part, EVERY_RULE, part.changed.values()),
+            found_in(whole, EVERY_RULE, whole.written_in({"posted"})),
+            found_in(whole, EVERY_RULE),
+        )
     )
-    assert in_part == in_whole, (tree, overlay)
+    assert in_part == in_those_of_the_file == in_all

@@ -115,8 +115,7 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
     def test() -> Iterator[Flaw]:
         effective: set[str] = set()
         first: dict[str, Statement] = {}
-        written = (d for d in tree.judged if d.statements and d.statements[-1].file.overlay)
-        for definition in written:
+        for definition in tree.catalogue.overlaid:
             before: dict[str, Any] = {}
             for statement in definition.statements:
                 overlay = statement.file.overlay
