@@ -13,7 +13,6 @@ Sources: the changelogs of VSS and of vss-tools. Tools before 5.0 checked neithe
 duplicate keys; what a tree of that time has of these is a warning.
 """
 
-import copy
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -206,9 +205,7 @@ def _in_present_words(statement: Statement, findings: list[Finding]) -> Statemen
             findings.append(Finding("V026", "warning", message, *statement.origin(name)[:3], statement.path))
     if values == dict(statement.values):
         return statement
-    renamed = copy.copy(statement)  # positions go by the order of the values, which stays
-    renamed.values = values
-    return renamed
+    return statement.with_values(values)
 
 
 def _present(name: str, value: Any, values: Mapping[str, Any]) -> tuple[str, Any]:

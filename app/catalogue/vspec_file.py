@@ -108,6 +108,10 @@ class Statement:
         """The same statement below `prefix`, as an include with a prefix places it."""
         return Statement(f"{prefix}.{self.path}", self.file, self.values, self._key_mark, self._marks)
 
+    def with_values(self, values: Mapping[str, Any]) -> "Statement":
+        """The same statement with other names or values of its attributes. They keep their order, and so their places."""
+        return Statement(self.path, self.file, values, self._key_mark, self._marks)
+
     def _mark(self, attribute: str) -> int:
         if attribute in self.values:
             return self._marks[list(self.values).index(attribute)]
