@@ -4,12 +4,12 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 _MUCH_FARTHER = 12.0
-_CAMEL_WORD = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+")
+_CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"
 
 
 def words(name: str) -> list[str]:
     """Words of a CamelCase, snake_case or dotted name: `ABSIsActive` → `ABS`, `Is`, `Active`."""
-    return _CAMEL_WORD.findall(name)
+    return re.findall(_CAMEL_WORD, name)
 
 
 def camel_case(name: str) -> str:

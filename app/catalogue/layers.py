@@ -51,6 +51,7 @@ class _Reading(NamedTuple):
     allowed: tuple[Path, ...]
     limits: Limits
     real: dict[Path, Path]
+    inside: dict[Path, bool]
     files: dict[Path, VspecFile]
     statements: list[Statement]
     findings: list[Finding]
@@ -70,7 +71,7 @@ def read_layer(
     """
     folders = (path.parent, *include_dirs)
     allowed = tuple(folder.resolve() for folder in folders)
-    reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, [], [])
+    reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, {}, [], [])
     file = _read_file(path, reading, None)
     if file is not None:
         if not (file.statements or file.includes or file.findings):
@@ -109,7 +110,7 @@ def _apply(file: VspecFile, path: Path, prefix: str, reading: _Reading, above: t
     for include in file.includes:
         for found, target in _included(file, path, include, reading, above):
             deeper = ".".join(part for part in (prefix, include.prefix) if part)
-            _apply(found, target, deeper, reading, (*above, _real(target, reading)))
+            _apply(found, target, deeper, reading, (*above, reading.real[target]))
 
 
 def _included(
@@ -118,14 +119,15 @@ def _included(
     """The file that an include names, or nothing and a finding."""
     place = (file.source.name, include.line, include.column)
     target = _find(include.target, (*reading.folders, path.parent))
-    if target is None:
+    real = _real(target, reading) if target is not None else None
+    if target is None or real is None:
         looked = ", ".join(f"'{folder}'" for folder in dict.fromkeys((*reading.folders, path.parent)))
         message = f"Include {include.target!r} does not exist; looked in {looked}."
         reading.findings.append(Finding("R008", "error", message, *place))
-    elif _real(target, reading) in above:
+    elif real in above:
         message = f"Include {include.target!r} leads back to a file that includes this one."
         reading.findings.append(Finding("R009", "error", message, *place))
-    elif not any(folder in _real(target, reading).parents for folder in reading.allowed):
+    elif not _is_inside(real.parent, reading):
         message = f"Include {include.target!r} leaves the folders that may be read."
         fix = "Add its folder as an include folder (-I)."
         reading.findings.append(Finding("R010", "error", message, *place, fix=fix))
@@ -147,6 +149,13 @@ def _real(path: Path, reading: _Reading) -> Path:
         known = _real(path.parent, reading) / path.name if is_plain else path.resolve()
         reading.real[path] = known
     return known
+
+
+def _is_inside(folder: Path, reading: _Reading) -> bool:
+    """Whether a folder, its links resolved, is one of those that may be read, or stands below one."""
+    if folder not in reading.inside:
+        reading.inside[folder] = any(allowed == folder or allowed in folder.parents for allowed in reading.allowed)
+    return reading.inside[folder]
 
 
 def _too_many(reading: _Reading) -> bool:

@@ -7,9 +7,9 @@ from typing import Any
 
 SECONDS_PER_MATCH = 0.1
 _MOST_PARTS = 10_000
-_TOKENS = re.compile(r"\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|.", re.DOTALL)
-_COUNT = re.compile(r"\{([^,}]*)")
-_UNUSUAL = re.compile(r"\(\?[^:=!<P]|\[:")
+_TOKENS = r"(?s)\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|."
+_COUNT = r"\{([^,}]*)"
+_UNUSUAL = r"\(\?[^:=!<P]|\[:"
 """Flags, comments and classes of POSIX, with which groups are not told apart so simply."""
 
 
@@ -55,10 +55,10 @@ def _parts(text: str) -> int:
     """How many parts a compiled expression has at least: the compiler writes the least count of a repetition out."""
     if len(text) > _MOST_PARTS:
         return len(text)
-    if _UNUSUAL.search(text):
-        return len(text) * math.prod(max(_number(count), 1) for count in _COUNT.findall(text))
+    if re.search(_UNUSUAL, text):
+        return len(text) * math.prod(max(_number(count), 1) for count in re.findall(_COUNT, text))
     groups, last = [0], 0
-    for token in _TOKENS.finditer(text):
+    for token in re.finditer(_TOKENS, text):
         if token[1]:
             groups[-1] += last * (_number(token[1]) - 1)
         elif token[0] == "(":

@@ -33,9 +33,7 @@ _SHALLOW_OPENERS = 2_000
 """So many openers cannot exhaust the stack, however they nest; a file with fewer needs no exact count."""
 _INDENTATION = " " * 200
 _ITEM = r"""(?:'[^'\n]*+'|"[^"\\\n]*+"|[^\s'"\[\]{}#,][^'"\[\]{}#,\n]*+)"""
-_LIST_ON_A_LINE = re.compile(
-    rf"""[^\n\[\]{{}}'"#]*+\[[ \t]*+(?:{_ITEM}[ \t]*+(?:,[ \t]*+{_ITEM}[ \t]*+)*+)?+\][ \t]*+"""
-)
+_LIST_ON_A_LINE = rf"""[^\n\[\]{{}}'"#]*+\[[ \t]*+(?:{_ITEM}[ \t]*+(?:,[ \t]*+{_ITEM}[ \t]*+)*+)?+\][ \t]*+"""
 """A line with one list, opened and closed: `allowed: [LOW, 'HIGH']`. Quoted parts close on the line and no other bracket
 stands in it, so whatever came before, the line leaves the depth as it was. Linear: nothing is tried twice."""
 _BOOLEANS = {"yes": True, "true": True, "on": True, "no": False, "false": False, "off": False}
@@ -285,7 +283,8 @@ def _too_many(values: int) -> _BeyondLimit:
 def _refuse_deep_nesting(text: str, limits: Limits) -> None:
     openers = sum(map(text.count, _OPENERS))
     if openers > _SHALLOW_OPENERS:
-        openers -= sum(1 for line in text.split("\n") if "[" in line and _LIST_ON_A_LINE.fullmatch(line))
+        is_list_on_a_line = re.compile(_LIST_ON_A_LINE).fullmatch
+        openers -= sum(1 for line in text.split("\n") if "[" in line and is_list_on_a_line(line))
     if openers <= _SHALLOW_OPENERS and _INDENTATION not in text:
         return
     depth = count = 0

@@ -65,6 +65,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     return status
 
 
+vars(argparse)["_"] = str
+"""Messages of argparse stay English, as all others are: `_Parser` reads them, and to look for translations takes 2 ms."""
+
+
 class _Parser(argparse.ArgumentParser):
     """A parser that asks for the width of the terminal itself: argparse loads all of shutil for it."""
 

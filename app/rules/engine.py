@@ -16,7 +16,7 @@ from app.rules.record import Rule
 from app.rules.rule_set import Choice, NodeRule, RuleSet
 from app.rules.tree import Tree
 
-_FIELD = re.compile(r"\{(\w+)(!r)?\}")
+_FIELD = r"\{(\w+)(!r)?\}"
 
 Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
@@ -136,7 +136,7 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
         value = facts[match[1]]
         return repr(value) if match[2] else str(value)
 
-    return _FIELD.sub(fact, template)
+    return re.sub(_FIELD, fact, template)
 
 
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:

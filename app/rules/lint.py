@@ -19,7 +19,6 @@ from app.catalogue.vocabulary import EMPTY, Vocabulary, default_files, read_voca
 from app.catalogue.yaml_document import collector_paused
 from app.data import OVERLAYS, ROOT_FILE
 from app.findings import Finding, Severity, in_order
-from app.rules.baseline import compare, read_baseline
 from app.rules.choice import chosen, graded, matches, rules_for
 from app.rules.discovery import (
     QUANTITY_FILES,
@@ -332,6 +331,8 @@ def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> Lin
     told = [*kept.findings, *grade.all(kept.about_comments)]
     known = 0
     if options.baseline is not None:
+        from app.rules.baseline import compare, read_baseline
+
         compared = compare(told, read_baseline(options.baseline), options.root, complete=complete)
         told, known = [*compared.findings, *grade.all(compared.stale)], compared.known
     unused = ((f, r) for finding, r in kept.unused for f in grade.all([finding]))

@@ -16,8 +16,8 @@ MAKERS = frozenset(("composition", "configuration", "export", "function", "integ
 """What may stand as `check` where the finding is not made by a check of this room."""
 SIGNALS = ("sensor", "actuator", "attribute")
 
-_CODE = re.compile(r"[A-Z]+[0-9]{3}")
-_NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+_CODE = r"[A-Z]+[0-9]{3}"
+_NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
 _REQUIRED = ("name", "title", "severity", "why", "check", "source")
 _KEYS = (*_REQUIRED, "category", "default", "nodes", "options", "message", "fix", "good", "bad", "example")
 _NODE_KEYS = ("types", "datatypes", "interfaces", "path")
@@ -144,7 +144,7 @@ def _position_of(node: Any, key: str) -> tuple[int, int] | None:
 
 
 def _rule(code: str, values: Any, category: str, file: str, line: int, *, trusted: bool) -> Rule:
-    if not _CODE.fullmatch(code):
+    if not re.fullmatch(_CODE, code):
         raise _Bad(f"{code!r} is no code of a rule.", fix="Use capital letters and three digits, such as ACME001.")
     if not isinstance(values, dict):
         raise _Bad(f"Rule {code} has no fields: a mapping belongs here.")
@@ -180,7 +180,7 @@ def _check_keys(code: str, values: dict[str, Any]) -> None:
             raise _Bad(f"Rule {code} needs a text as {key!r}.", key)
     if values["severity"] not in SEVERITIES:
         raise _Bad(f"{values['severity']!r} is no severity.", "severity", f"Use one of {', '.join(SEVERITIES)}.")
-    if not _NAME.fullmatch(values["name"]):
+    if not re.fullmatch(_NAME, values["name"]):
         raise _Bad(f"Name {values['name']!r} is not in kebab-case.", "name")
     for key, kind in (("message", str), ("fix", str), ("category", str), ("default", bool), ("options", dict)):
         if key in values and not isinstance(values[key], kind):

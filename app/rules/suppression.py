@@ -14,8 +14,8 @@ from app.rules.flaw import Repair
 
 MARK = b"sigcat:"
 
-_COMMENT = re.compile(r"#\s*sigcat:\s*(?P<what>[\w-]*)\s*(?:\[(?P<codes>[^\]\n]*)\])?(?P<rest>[^\r\n]*)")
-_CODE = re.compile(r"[A-Z]+[0-9]*")
+_COMMENT = r"#\s*sigcat:\s*(?P<what>[\w-]*)\s*(?:\[(?P<codes>[^\]\n]*)\])?(?P<rest>[^\r\n]*)"
+_CODE = r"[A-Z]+[0-9]*"
 
 
 class Suppression(NamedTuple):
@@ -54,7 +54,7 @@ def read_suppressions(text: str, file: str, codes: Sequence[str]) -> Suppression
     for number, line in enumerate(lines, 1):
         if "sigcat:" not in line:
             continue
-        for match in _COMMENT.finditer(line):
+        for match in re.finditer(_COMMENT, line):
             named, problem = _codes(match, codes)
             column = match.start() + 1
             if problem:
@@ -90,7 +90,7 @@ def without_codes(line: str, column: int, codes: Iterable[str]) -> str:
 
     A line that says nothing else is left empty.
     """
-    match = _COMMENT.match(line, column - 1)
+    match = re.compile(_COMMENT).match(line, column - 1)
     if match is None:
         return line
     unwanted = set(codes)
@@ -130,7 +130,7 @@ def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...],
     named = [code.strip() for code in (match["codes"] or "").split(",") if code.strip()]
     if not named:
         return (), f"The comment names no codes; write `sigcat: {match['what']}[CODE]`."
-    good = tuple(code for code in named if _CODE.fullmatch(code) and any(rule.startswith(code) for rule in known))
+    good = tuple(code for code in named if re.fullmatch(_CODE, code) and any(rule.startswith(code) for rule in known))
     bad = [code for code in named if code not in good]
     hint = did_you_mean(bad[0], known) if bad else ""
     return good, f"No rule has the code {bad[0]!r}. {hint}".strip() if bad else ""

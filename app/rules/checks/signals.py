@@ -12,8 +12,8 @@ from app.rules.patterns import compile_pattern
 from app.rules.record import Rule
 from app.rules.tree import Tree
 
-_RANGE = re.compile(r"\[(\d+),(\d+)\]$")
-_TARGET = re.compile(r"moved to\s+([A-Za-z0-9_]+(?:\.[A-Za-z0-9_]+)+)")
+_RANGE = r"\[(\d+),(\d+)\]$"
+_TARGET = r"moved to\s+([A-Za-z0-9_]+(?:\.[A-Za-z0-9_]+)+)"
 
 
 def deprecated_unit(_rule: Rule, tree: Tree) -> NodeTest:
@@ -51,7 +51,7 @@ def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
     """
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        match = _TARGET.search(str(definition.values["deprecation"]))
+        match = re.search(_TARGET, str(definition.values["deprecation"]))
         if match and not _leads_somewhere(match[1], definition.path, tree):
             message = f"The node is said to have moved to {match[1]!r}, which does not exist."
             yield Flaw(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
@@ -71,7 +71,7 @@ def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Flaw]:
         for within, entry in labels_of(definition.values):
-            match = _RANGE.search(entry) if isinstance(entry, str) else None
+            match = re.search(_RANGE, entry) if isinstance(entry, str) else None
             if match and int(match[1]) != first and int(match[1]) <= int(match[2]):
                 message = f"Range {shown(entry)} starts at {int(match[1])}, not at {first}."
                 yield Flaw(definition, message, "instances", f"Count instances from {first}.", within=within)

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from app.findings import SEVERITIES, Finding
 from app.rules.record import Rule
 
-_TOKEN = re.compile(r"[\w.\[\]/%-]+")
-_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+_WORD = r"[\w.\[\]/%-]+"
+_CONTROL = r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]"
 _MOST = 160
 """Characters of a line that are shown."""
 _COLOURS = {"error": "31", "warning": "33", "info": "36", "bold": "1", "dim": "2"}
@@ -59,7 +59,7 @@ def _excerpt(finding: Finding, lines: list[str], colour: bool) -> str:
     start = max(finding.column - 1, 0)
     left = max(0, start - _MOST // 2) if len(line) > _MOST else 0
     shown = _visible(line[left : left + _MOST].replace("\t", " "))
-    token = _TOKEN.match(line, start)
+    token = re.compile(_WORD).match(line, start)
     width = min(max(len(token[0]) if token else 1, 1), _MOST - (start - left))
     gutter = f"{finding.line:>5} | "
     caret = " " * len(gutter) + " " * (start - left) + _painted("^" * width, finding.severity, colour)
@@ -68,7 +68,7 @@ def _excerpt(finding: Finding, lines: list[str], colour: bool) -> str:
 
 def _visible(text: str) -> str:
     """Control characters as escapes: a file must not steer the terminal."""
-    return _CONTROL.sub(lambda match: f"\\x{ord(match[0]):02x}", text)
+    return re.sub(_CONTROL, lambda match: f"\\x{ord(match[0]):02x}", text)
 
 
 def _painted(text: str, style: str, colour: bool) -> str:
