@@ -13,12 +13,13 @@ from app.api.cursors import cursor_of, offset_of
 from app.api.problems import problem_documentation
 from app.api.requests import TheCatalogue, TheLibrary, TheSettings
 from app.api.settings import Settings
+from app.catalogue.definition import TYPES
 from app.catalogue.hosting import Hosted
-from app.catalogue.interfaces import category_of
+from app.catalogue.interfaces import CATEGORIES, category_of
 from app.catalogue.model import Catalogue, Node
 from app.catalogue.search import FACETS, SearchResult
 from app.errors import NotFound, UsageError
-from app.names import nearest
+from app.names import did_you_mean, nearest
 
 listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
@@ -165,7 +166,7 @@ async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
     """One page of what a query finds, and the cursor of the next one."""
-    _check_text(query, settings)
+    _check(query, settings)
     digest = hosted.catalogue.digest
     offset = offset_of(query.cursor, digest) if query.cursor else 0
     limit = min(query.limit or _PAGE, settings.results)
@@ -181,13 +182,18 @@ def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
 
 
 def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:
-    _check_text(query, settings)
+    _check(query, settings)
     return hosted.search_index.search(query.q, query.filters, limit=len(hosted.catalogue.nodes)).nodes
 
 
-def _check_text(query: SearchQuery, settings: Settings) -> None:
+def _check(query: SearchQuery, settings: Settings) -> None:
+    """Raises UsageError for a text that is too long, and for a type or category that no tree can have."""
     if len(query.q) > settings.query_characters:
         raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
+    for name, value, known in (("type", query.type, TYPES), ("category", query.category, CATEGORIES)):
+        if value is not None and value not in known:
+            hint = did_you_mean(value[:_LONGEST_NAME], known)
+            raise UsageError(f"There is no {name} {value[:100]!r}; there are {', '.join(known)}. {hint}".rstrip())
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

@@ -4,7 +4,9 @@ from typing import Any
 
 import pytest
 
+from app.catalogue.definition import TYPES
 from app.catalogue.hosting import Library
+from app.catalogue.interfaces import CATEGORIES
 from app.web.site import create_site
 from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 
@@ -63,6 +65,23 @@ def test_a_cursor_of_another_state_is_refused(ask: Ask) -> None:
 )
 def test_a_hostile_path_is_a_path_that_does_not_exist(ask: Ask, path: str) -> None:
     problem(ask, f"{SMALL}/nodes/{path}", 404)
+
+
+@pytest.mark.parametrize("page", ["search?", "nodes?", "nodes?fields=path&"])
+@pytest.mark.parametrize(
+    ("wrong", "detail"),
+    [
+        ("type=senso", f"There is no type 'senso'; there are {', '.join(TYPES)}. Did you mean 'sensor'?"),
+        ("category=modes", f"There is no category 'modes'; there are {', '.join(CATEGORIES)}. Did you mean 'mode'?"),
+    ],
+)
+def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing(
+    ask: Ask, page: str, wrong: str, detail: str
+) -> None:
+    for accept in ("application/json", "text/csv"):
+        answer = ask(f"{SMALL}/{page}{wrong}", headers={"Accept": accept})
+        assert (answer.status_code, answer.json()["detail"]) == (400, detail)
+    assert ask(f"{SMALL}/{page}type=struct").json()["total"] == 0
 
 
 def test_a_text_to_search_for_has_a_limit(ask: Ask) -> None:
