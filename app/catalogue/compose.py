@@ -149,7 +149,23 @@ def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Defin
             near[path] = definition
         for branch in base.branches.get(path, ()):
             near[branch.path] = changed.get(branch.path, branch)
-    return near
+    near.update(_below_retyped(base, changed))
+    new = {path: len(base.positions) + place for place, path in enumerate(changed)}
+    return {path: near[path] for path in sorted(near, key=lambda path: base.positions.get(path, new.get(path, -1)))}
+
+
+def _below_retyped(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
+    """What stands below nodes to which an overlay gives a type: it may have no place there any more."""
+    retyped = {path for path, made in changed.items() if made.origin("type").overlay and _may_have_below(path, base)}
+    if not retyped:
+        return {}
+    below = {path: own for path, own in base.definitions.items() if not retyped.isdisjoint(_with_those_above([path]))}
+    return {path: changed.get(path, own) for path, own in below.items()}
+
+
+def _may_have_below(path: str, base: Catalogue) -> bool:
+    node = base.nodes.get(path)
+    return bool(node.children) if node is not None else path in base.definitions
 
 
 def _made_branch(path: str, catalogue: Catalogue) -> Definition | None:

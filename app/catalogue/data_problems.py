@@ -26,15 +26,20 @@ def shown(value: Any) -> str:
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
-def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
+def unknown_unit(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
+    """That the unit is none, which can be told without a datatype."""
     name = values.get("unit")
-    if name is None:
-        return
-    unit = scope.vocabulary.unit(name)
-    if unit is None:
+    if name is not None and scope.vocabulary.unit(name) is None:
         known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
         yield Problem("V006", "unit", f"{name!r} is no unit.", did_you_mean(name, known))
-    elif datatype not in DATATYPES:
+
+
+def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
+    yield from unknown_unit(values, scope)
+    unit = scope.vocabulary.unit(values["unit"]) if values.get("unit") is not None else None
+    if unit is None:
+        return
+    if datatype not in DATATYPES:
         yield Problem("V007", "unit", f"A struct such as {datatype} has no unit.", "Remove it.")
     elif not any(belongs_to(element_of(datatype), allowed) for allowed in unit.allowed_datatypes):
         allowed = ", ".join(unit.allowed_datatypes)

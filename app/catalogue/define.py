@@ -5,11 +5,11 @@ with problems is kept, so that everything wrong with a tree can be told at once.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from app.catalogue.attribute_values import CONVERSIONS, EXPECTED, NO_VALUE, text
-from app.catalogue.data_problems import data_problems, shown
+from app.catalogue.data_problems import data_problems, shown, unknown_unit
 from app.catalogue.datatypes import DATATYPES, element_of, is_array
 from app.catalogue.definition import (
     BRANCH,
@@ -31,10 +31,63 @@ from app.names import did_you_mean, last_name, parent_path
 
 def define(path: str, statements: tuple[Statement, ...], scope: Scope) -> Definition:
     """Fold statements, first to last, into a checked definition."""
+    definition = checked(path, statements, _folded(statements), scope)
+    if not definition.problems or len(statements) == 1:
+        return definition
+    below = define(path, statements[:-1], scope)
+    return _blaming(definition, below, _without_last(path, statements, scope))
+
+
+def blaming(definition: Definition, below: Definition, scope: Scope) -> Definition:
+    """The definition, what it has beside the problems of `below` told of the statements that it has beside those."""
+    return _blaming(definition, below, _without_last(definition.path, definition.statements, scope))
+
+
+def _folded(statements: tuple[Statement, ...]) -> Mapping[str, Any]:
     values = statements[0].values
     for statement in statements[1:]:
         values = overlaid(values, statement.values)
-    return checked(path, statements, values, scope)
+    return values
+
+
+Less = Callable[[str], Iterable[Problem]]
+"""Problems that there would be if the last statement did not give an attribute."""
+
+
+def _without_last(path: str, statements: tuple[Statement, ...], scope: Scope) -> Less:
+    last = statements[-1]
+
+    def less(attribute: str) -> Iterable[Problem]:
+        rest = {name: value for name, value in last.values.items() if name != attribute}
+        return checked(path, statements, overlaid(_folded(statements[:-1]), rest), scope).problems
+
+    return less
+
+
+def _blaming(definition: Definition, below: Definition, less: Less) -> Definition:
+    """Problems that the last statement brought to an attribute of an earlier one, told where it brought them."""
+    last = definition.statements[-1].values
+    known = {(problem.rule, problem.attribute): problem for problem in below.problems}
+    problems = []
+    for problem in definition.problems:
+        earlier = known.get((problem.rule, problem.attribute))
+        if earlier is not None:
+            problems.append(problem._replace(brought_by=earlier.brought_by))
+        elif problem.attribute in last or not last:
+            problems.append(problem)
+        else:
+            problems.append(problem._replace(brought_by=_culprit(problem, last, less)))
+    return Definition(
+        definition.path, definition.statements, definition.values, tuple(problems), definition.is_instance
+    )
+
+
+def _culprit(problem: Problem, last: Mapping[str, Any], less: Less) -> str:
+    """The attribute of the last statement without which there would be no such problem."""
+    for attribute in last:
+        if not any((other.rule, other.attribute) == (problem.rule, problem.attribute) for other in less(attribute)):
+            return attribute
+    return next(iter(last))
 
 
 def checked(
@@ -131,10 +184,12 @@ def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: li
     datatype = values.get("datatype")
     if not isinstance(datatype, str):
         problems.append(Problem("V002", "", "The node has no `datatype`.", "Add one, such as uint8, float or string."))
+        problems.extend(unknown_unit(values, scope))
         return
     resolved = resolved_datatype(datatype, path, scope.structs)
     if resolved is None:
         fix = did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
         problems.append(Problem("V003", "datatype", f"{datatype!r} is no datatype.", fix))
+        problems.extend(unknown_unit(values, scope))
         return
     problems.extend(data_problems(values, resolved, scope))

@@ -33,6 +33,8 @@ class Problem(NamedTuple):
     severity: Severity = "error"
     within: tuple[int, ...] = ()
     """Steps from the attribute to the item that the problem is about; of a mapping, to its key."""
+    brought_by: str = ""
+    """The attribute that a later statement gave, and that made a problem of one that was there: it is told there."""
 
 
 class Scope(NamedTuple):
@@ -89,6 +91,10 @@ class Definition:
                     return place
         return self.origin(attribute)
 
+    def last_written(self, attributes: Sequence[str]) -> str:
+        """Of attributes that make a problem together, the one that was written last."""
+        return next((name for s in reversed(self.statements) for name in attributes if name in s.values), attributes[0])
+
     def history(self, attribute: str) -> tuple[tuple[Any, Origin], ...]:
         """Every value that the layers gave an attribute, first to last, with its origin."""
         return tuple(
@@ -104,7 +110,8 @@ class Definition:
 
     def finding(self, problem: Problem, path: str = "") -> Finding:
         """A problem as a finding at the place where it was written."""
-        place = self.origin_within(problem.attribute, problem.within, at_key=True)[:3]
+        within = () if problem.brought_by else problem.within
+        place = self.origin_within(problem.brought_by or problem.attribute, within, at_key=True)[:3]
         return Finding(problem.rule, problem.severity, problem.message, *place, path or self.path, fix=problem.fix)
 
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from app.catalogue.define import checked
+from app.catalogue.define import blaming, checked
 from app.catalogue.definition import BRANCH, Definition, Scope, instances_of, overlaid
 from app.catalogue.limits import Limits
 
@@ -210,7 +210,8 @@ def _refined_definition(definition: Definition, refinement: Definition, scope: S
         defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
         update = {**_where_present(defaults, definition.values), **update}
     statements = definition.statements + refinement.statements
-    return checked(definition.path, statements, overlaid(definition.values, update), scope, definition.is_instance)
+    refined = checked(definition.path, statements, overlaid(definition.values, update), scope, definition.is_instance)
+    return blaming(refined, definition, scope) if refined.problems and refinement.statements else refined
 
 
 def _where_present(defaults: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

@@ -148,6 +148,16 @@ class Catalogue:
         return _first_spellings(self.definitions)
 
     @cached_property
+    def attributes(self) -> frozenset[str]:
+        """Names of all attributes that nodes have."""
+        return frozenset(name for definition in self.definitions.values() for name in definition.values)
+
+    @cached_property
+    def positions(self) -> Mapping[str, int]:
+        """Where each definition stands among all, by path."""
+        return {path: position for position, path in enumerate(self.definitions)}
+
+    @cached_property
     def overlaid(self) -> Collection[Definition]:
         """Definitions of which an overlay speaks last."""
         return [d for d in self.definitions.values() if d.statements and d.statements[-1].file.overlay]

@@ -137,4 +137,6 @@ def _findings(definition: Definition, path: str, above: Definition | None) -> It
         if above.type not in allowed:
             message = f"A node of type {definition.type} cannot stand below one of type {above.type}."
             fix = f"Only {' or '.join(allowed)} can have it below."
-            yield Finding("V019", "error", message, *definition.origin("type")[:3], path, fix=fix)
+            own, others = definition.origin("type"), above.origin("type")
+            place = others if others.overlay and not own.overlay else own  # of the one that a layer above made so
+            yield Finding("V019", "error", message, *place[:3], path, fix=fix)

@@ -105,7 +105,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     options = _options(arguments, paths)
     result = lint_paths(paths, options)
     if arguments.write_baseline is not None:
-        return _write_baseline(result, options, arguments.write_baseline)
+        return _write_baseline(result, options, paths, arguments.write_baseline)
     if arguments.diff or arguments.fix:
         result = _repaired(result, arguments)
         if arguments.diff:
@@ -154,10 +154,10 @@ def _check_functions(files: "Sequence[tuple[bytes, str]]", is_whole: bool) -> "S
     return check_functions(files, load(shipped_sources()[0]), is_whole=is_whole)
 
 
-def _write_baseline(result: "LintResult", options: "LintOptions", file: Path) -> int:
+def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequence[Path]", file: Path) -> int:
     from app.rules.baseline import baseline_text
 
-    write_text(baseline_text(result.findings, options.root), file)
+    write_text(baseline_text(result.findings, options.root, paths), file)
     print(f"{file}: {len(result.findings)} findings are known from now on", file=sys.stderr)
     return 0
 

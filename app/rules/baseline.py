@@ -20,6 +20,8 @@ class Baseline(NamedTuple):
 
     file: str
     known: Counter[tuple[str, str]]
+    paths: tuple[str, ...] = ()
+    """What was linted when it was written, relative to the root; nothing in a file that does not say."""
 
 
 class Compared(NamedTuple):
@@ -30,13 +32,14 @@ class Compared(NamedTuple):
     stale: tuple[Finding, ...]
 
 
-def baseline_text(findings: Iterable[Finding], root: Path) -> str:
-    """The content of a baseline file for these findings."""
+def baseline_text(findings: Iterable[Finding], root: Path, paths: Iterable[Path] = ()) -> str:
+    """The content of a baseline file for these findings, which a lint of `paths` made."""
     import json
 
     counts = Counter(_key(finding, root) for finding in findings)
     entries = [{"rule": rule, "path": path, "count": count} for (rule, path), count in sorted(counts.items())]
-    return json.dumps({"version": VERSION, "findings": entries}, indent=2) + "\n"
+    linted = [_within(path, root) for path in paths]
+    return json.dumps({"version": VERSION, "paths": linted, "findings": entries}, indent=2) + "\n"
 
 
 def read_baseline(path: Path) -> Baseline:
@@ -48,11 +51,19 @@ def read_baseline(path: Path) -> Baseline:
         known: Counter[tuple[str, str]] = Counter()
         for entry in _entries(data):
             known[(str(entry["rule"]), str(entry["path"]))] += int(entry.get("count", 1))
+        paths = tuple(map(str, data.get("paths", ())))
     except OSError as error:
         raise InputRefused(f"The baseline {str(path)!r} cannot be read: {error.strerror}.") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         raise InputRefused(f"{str(path)!r} is no baseline; write it with `sigcat lint --write-baseline`.") from None
-    return Baseline(str(path), known)
+    return Baseline(str(path), known, paths)
+
+
+def covers(paths: Iterable[Path], baseline: Baseline, root: Path) -> bool:
+    """Whether a lint of `paths` looks at all that was looked at when the baseline was written."""
+    named = [path.resolve() for path in paths]
+    written = [(root / path).resolve() for path in baseline.paths]
+    return all(any(path == name or name in path.parents for name in named) for path in written)
 
 
 def compare(findings: Iterable[Finding], baseline: Baseline, root: Path, *, complete: bool = True) -> Compared:
@@ -76,13 +87,14 @@ def compare(findings: Iterable[Finding], baseline: Baseline, root: Path, *, comp
 
 
 def _key(finding: Finding, root: Path) -> tuple[str, str]:
-    if finding.path:
-        return finding.rule, finding.path
+    return finding.rule, finding.path or _within(Path(finding.file), root)
+
+
+def _within(path: Path, root: Path) -> str:
     try:
-        file = Path(finding.file).resolve().relative_to(root.resolve()).as_posix()
+        return path.resolve().relative_to(root.resolve()).as_posix()
     except ValueError:
-        file = finding.file
-    return finding.rule, file
+        return str(path)
 
 
 def _entries(data: Any) -> list[Any]:

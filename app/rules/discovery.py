@@ -204,19 +204,28 @@ def _top(path: Path, named: bool, includes: _Includes) -> Source:
     """A vspec file that no other of the list includes."""
     if path.name == ROOT_NAME:
         return Source(path, "tree", named)
-    is_of_types = _has_structs_only(path)
-    if OVERLAY_FOLDERS & set(path.absolute().parts[:-1]):
-        return Source(path, "types" if is_of_types else "overlay", named)
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
-    if is_of_types:
+    if _has_structs_only(path):
         return Source(path, "types", named)
+    if _is_in_overlay_folder(path):
+        return Source(path, "overlay", named)
     has_units = _has_units(path.parent)
     if has_units and (path.parent / ROOT_NAME).is_file():
         return Source(path, "overlay", named)
     signs = (has_units, bool(includes.get(path)), _has_own_root(path))
     return Source(path, "tree" if sum(signs) > 1 else "overlay", named)
+
+
+def _is_in_overlay_folder(path: Path) -> bool:
+    """Whether the file stands below a folder for overlays; what is above the repository does not count."""
+    for folder in Path(os.path.abspath(path)).parents:  # noqa: PTH100 — without `..`, and links as they are
+        if folder.name in OVERLAY_FOLDERS:
+            return True
+        if (folder / ".git").exists():
+            break
+    return False
 
 
 def _has_structs_only(path: Path) -> bool:

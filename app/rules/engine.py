@@ -154,4 +154,6 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
 def _is_overlay_change(path: str, tree: Tree) -> bool:
     """Whether the node is unknown and an overlay changes it: rule O101 says so, and better."""
     definition = tree.definitions.get(path)
-    return definition is not None and bool(definition.statements[0].file.overlay) and "type" not in definition.values
+    if definition is None or definition.values.get("delete"):
+        return False
+    return bool(definition.statements[0].file.overlay) and "type" not in definition.values

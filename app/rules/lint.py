@@ -5,7 +5,8 @@ that it is made for, together with the overlays beside it; a part of a tree that
 changed files, is checked by itself, at the place that its tree gives it. Findings are told for named files only.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Literal, NamedTuple
 
@@ -35,9 +36,10 @@ from app.rules.options import LintOptions, LintResult, place_of
 from app.rules.record import Rule, parse_rules
 from app.rules.rule_set import RuleSet
 from app.rules.suppression import MARK, apply_suppressions, read_suppressions
+from app.rules.tree import Tree
 
 _WHOLE_TREE_CHECKS = frozenset(("reference", "reference-cycle", "companions", "asil-of-step", "deprecation-target"))
-_WHOLE_TREE_CODES = frozenset(("V020", "V021", "V022", "R010"))
+_WHOLE_TREE_CODES = frozenset(("V020", "V021", "V022", "R010", "O001"))
 """What composing says of a part alone only because the rest of its tree is not there."""
 
 _ABOUT_RULES = frozenset(("L010", "L011"))
@@ -85,7 +87,7 @@ def _linted(paths: Sequence[Path], options: LintOptions) -> LintResult:
             _lint_vocabulary(source.path, lint)
     complete = any(path.is_dir() for path in paths)
     _lint_functions([s.path for s in sources if s.kind == "function"], lint, complete=complete)
-    return _finished(lint, every_rule, complete=complete)
+    return _finished(lint, every_rule, paths if complete else ())
 
 
 def lint_text(
@@ -98,12 +100,17 @@ def lint_text(
     limits: Limits = DEFAULT_LIMITS,
 ) -> tuple[Finding, ...]:
     """Findings in a text that stands in no file: an overlay over `base`, or a tree by itself."""
+    if not text.strip():
+        return (Finding("Q003", "error", "The text is empty.", name, 1, 1, fix="Send the file: nothing of it came."),)
     layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
-        found = found_in(compose([layer], base.vocabulary if base else EMPTY, expanded=False, limits=limits), rules)
+        compose_text = partial(compose, [layer], base.vocabulary if base else EMPTY, limits=limits)
+        alone = compose_text(expanded=False)
+        found = found_in(_with_instances(alone, alone.definitions.values(), compose_text), rules)
     else:
         part = compose_part(base, layer, limits)
-        found = found_in(part, rules, part.changed.values())
+        judged = part.changed.values()
+        found = found_in(_with_instances(part, judged, partial(_composed_over, base, layer, limits)), rules, judged)
     content = text.decode("utf-8-sig", "replace")
     findings = [f for f, _ in found if f.file == name]
     findings.extend(lint_lines(content, name, rules))
@@ -111,6 +118,26 @@ def lint_text(
     grade = _Grade(rules.severities, frozenset(), _AS_IT_IS)
     kept = apply_suppressions(in_order(list(grade.all(findings))), suppressions, rules.codes)
     return in_order((*kept.findings, *grade.all(kept.about_comments)))
+
+
+def _composed_over(base: Catalogue, layer: Layer, limits: Limits) -> Catalogue:
+    layers = [*base.tree_layers, layer]
+    return compose(layers, base.vocabulary, base.type_layers, name=base.name, limits=limits, earlier=base)
+
+
+def _with_instances(catalogue: Catalogue, judged: Iterable[Definition], expanded: Callable[[], Catalogue]) -> Catalogue:
+    """The catalogue, and where instances are made or refined, what is wrong with them: only `expanded` shows that."""
+    tree = Tree(catalogue)
+    if not any("instances" in definition.values or tree.is_instance(definition.path) for definition in judged):
+        return catalogue
+    known = {_without_path(finding) for finding in catalogue.findings}
+    more = [finding for finding in expanded().findings if _without_path(finding) not in known]
+    return catalogue.with_findings(in_order([*catalogue.findings, *more])) if more else catalogue
+
+
+def _without_path(finding: Finding) -> tuple[str, str, int, int, str]:
+    """A problem stands in one place, and has the path of every instance that has it."""
+    return (finding.rule, finding.file, finding.line, finding.column, finding.message)
 
 
 def _lint_trees(roots: Sequence[Path], lint: _Lint) -> dict[Path, Catalogue]:
@@ -129,7 +156,10 @@ def _compose_tree(root: Path, overlays: Sequence[Path], options: LintOptions) ->
     tree = read_layer(root, options.include_dirs)
     vocabulary, is_older = _units(root, tree, overlays, options)
     types = _type_layers((root,), options)
-    return compose([_as_of_its_time(tree, is_older)], vocabulary, types, expanded=False, name=root.stem)
+    layers = [_as_of_its_time(tree, is_older)]
+    catalogue = compose(layers, vocabulary, types, expanded=False, name=root.stem)
+    expanded = partial(compose, layers, vocabulary, types, name=root.stem, earlier=catalogue)
+    return _with_instances(catalogue, catalogue.definitions.values(), expanded)
 
 
 def _as_of_its_time(layer: Layer, is_older: bool) -> Layer:
@@ -186,7 +216,9 @@ def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
     named = {str(path) for path in group}
     files = {file.name for layer in overlays if layer.name in named for file in layer.files} | named
     beside = {file.name for file in vocabulary.files if Path(file.name).parent in {path.parent for path in group}}
-    found = found_in(catalogue, lint.rules, catalogue.written_in(files), options.attributes)
+    judged = tuple(catalogue.written_in(files))
+    expanded = partial(compose, [tree, *overlays], vocabulary, types, name=base.stem, earlier=catalogue)
+    found = found_in(_with_instances(catalogue, judged, expanded), lint.rules, judged, options.attributes)
     _add(found, files | (beside - set(lint.files)), lint)
     _look_at([*files, *beside], lint)
 
@@ -310,7 +342,7 @@ def _excluded(path: Path, options: LintOptions) -> bool:
     return any(matches(str(path), glob, options.root) for glob in options.exclude)
 
 
-def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> LintResult:
+def _finished(lint: _Lint, every_rule: Sequence[Rule], complete: Sequence[Path]) -> LintResult:
     """Lines, suppressions, severities of folders and the baseline: what does not depend on the kind of file."""
     options = lint.options
     codes = [rule.id for rule in every_rule]
@@ -331,9 +363,11 @@ def _finished(lint: _Lint, every_rule: Sequence[Rule], *, complete: bool) -> Lin
     told = [*kept.findings, *grade.all(kept.about_comments)]
     known = 0
     if options.baseline is not None:
-        from app.rules.baseline import compare, read_baseline
+        from app.rules.baseline import compare, covers, read_baseline
 
-        compared = compare(told, read_baseline(options.baseline), options.root, complete=complete)
+        baseline = read_baseline(options.baseline)
+        is_complete = bool(complete) and covers(complete, baseline, options.root)
+        compared = compare(told, baseline, options.root, complete=is_complete)
         told, known = [*compared.findings, *grade.all(compared.stale)], compared.known
     unused = ((f, r) for finding, r in kept.unused for f in grade.all([finding]))
     repairs = {place_of(f): r for f, r in (*lint.found.items(), *unused) if r is not None}

@@ -113,18 +113,24 @@ def _resolve(names: list[str], definitions: Mapping[str, Definition]) -> Definit
 
 
 def _without_instances(names: list[str], definitions: Mapping[str, Definition]) -> list[str] | None:
-    """The names without those of instances; None where one is neither a child nor an instance."""
+    """The names without those of instances; None where one is neither a child nor an instance.
+
+    Below an instance stands what is instantiated, once all levels of instances are named.
+    """
     plain: list[str] = []
     left: list[frozenset[str]] = []
+    is_below_instance = False
     for name in names:
-        path = ".".join((*plain, name))
-        if path in definitions and not (left and name in left[0]):
-            plain.append(name)
-            left = list(_levels(definitions[path].values))
-        elif left and name in left[0]:
+        if left and name in left[0]:
             left = left[1:]
-        else:
+            is_below_instance = True
+            continue
+        child = definitions.get(".".join((*plain, name)))
+        if child is None or (is_below_instance and (left or child.values.get("instantiate") is False)):
             return None
+        plain.append(name)
+        left = list(_levels(child.values))
+        is_below_instance = False
     return plain
 
 

@@ -32,6 +32,7 @@ CHECKS: Mapping[str, Check] = {
         attributes.backed, {"attribute": str, "by": str, "value": str}, ("attribute", "by", "value"), "attribute"
     ),
     "ordered": NodeCheck(attributes.ordered, {"attributes": list}, ("attributes",)),
+    "default-first": NodeCheck(attributes.default_first, {}, (), "=default"),
     "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": list}),
     "required-fields": NodeCheck(fields.required_fields, {"fields": dict}, ("fields",)),
     "field-values": NodeCheck(fields.field_values, {"fields": dict}, ("fields",)),

@@ -5,7 +5,7 @@ from typing import Any
 
 from app.catalogue.definition import CORE_ATTRIBUTES, Definition
 from app.names import did_you_mean, nearest
-from app.rules.checks.kind import NodeTest, is_number, listed, nested
+from app.rules.checks.kind import NodeTest, is_number, listed, nested, shown
 from app.rules.flaw import Flaw, Repair
 from app.rules.record import Rule
 from app.rules.tree import Tree
@@ -112,6 +112,23 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
                 fix = f"Raise `{name}`, or lower `{before}`."
                 yield Flaw(definition, message, top, fix, within=tuple(within))
             before = name
+
+    return test
+
+
+def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
+    """Where a single value has `allowed` and `default`, the default stands first; `vspec --strict` asks for it."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        values = definition.values
+        allowed, default = values.get("allowed"), values["default"]
+        is_single = not str(values.get("datatype", "")).endswith("[]")
+        if is_single and isinstance(allowed, list) and allowed and default != allowed[0]:
+            if default and default not in allowed:
+                return  # told as V011
+            message = f"The default {shown(default)} does not stand first in `allowed`; {shown(allowed[0])} does."
+            fix = "Put it first: generated enumerations begin with it."
+            yield Flaw(definition, message, definition.last_written(("default", "allowed")), fix)
 
     return test
 

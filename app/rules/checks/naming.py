@@ -1,5 +1,6 @@
 """Checks of names: of nodes and of the instances of branches."""
 
+import re
 from collections.abc import Iterator
 
 from app.catalogue.definition import Definition, labels_of
@@ -9,6 +10,8 @@ from app.rules.flaw import Flaw
 from app.rules.patterns import Pattern, compile_pattern
 from app.rules.record import Rule
 from app.rules.tree import Tree
+
+_RANGE = r"\[\d+,\d+\]$"
 
 
 def name(rule: Rule, _tree: Tree) -> NodeTest:
@@ -37,7 +40,7 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Flaw]:
         for within, entry in labels_of(definition.values):
-            label = str(entry).partition("[")[0] if str(entry).endswith("]") else str(entry)
+            label = re.sub(_RANGE, "", str(entry))
             if not pattern.matches(label):
                 proposal = camel_case(_plain(label))
                 message = f"Instance {label!r} does not follow the naming convention {pattern.text}."
