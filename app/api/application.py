@@ -59,7 +59,7 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     app.state.rules = rule_book(INTERFACE_RULES)
     app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
     app.state.exports = HeavyWork(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
-    app.state.metrics = Metrics(library, app.state.heavy)
+    app.state.metrics = Metrics(library, app.state.heavy, app.state.exports)
     for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router)
     install_problems(app)
@@ -72,7 +72,8 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(KeptAnswers, library=library, most_bytes=settings.cache_bytes)
-    if settings.origins:
+    app.add_middleware(Entrance, settings=settings, metrics=app.state.metrics)
+    if settings.origins:  # around the entrance: a page has to be able to read why it was refused
         app.add_middleware(
             CORSMiddleware,
             allow_origins=list(settings.origins),
@@ -80,7 +81,6 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
             expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
         )
-    app.add_middleware(Entrance, settings=settings, metrics=app.state.metrics)
 
 
 def _operation_id(route: APIRoute) -> str:

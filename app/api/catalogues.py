@@ -1,6 +1,6 @@
 """Routes that read catalogues: trees, nodes, search, units."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
@@ -11,13 +11,15 @@ from app.api import presenting, schemas
 from app.api.answers import answer, csv_stream, is_table, offered, rows
 from app.api.cursors import cursor_of, offset_of
 from app.api.problems import problem_documentation
-from app.api.requests import TheCatalogue, TheLibrary, TheSettings
+from app.api.requests import TheCatalogue, TheLibrary, TheSettings, rules_of
 from app.api.settings import Settings
-from app.catalogue.definition import TYPES
+from app.catalogue.datatypes import DATATYPES
+from app.catalogue.definition import CORE_ATTRIBUTES, TYPES
+from app.catalogue.digest import digest_of
 from app.catalogue.hosting import Hosted
 from app.catalogue.interfaces import CATEGORIES, category_of
 from app.catalogue.model import Catalogue, Node
-from app.catalogue.search import FACETS, SearchResult
+from app.catalogue.search import FACETS, SearchResult, overlay_name
 from app.errors import NotFound, UsageError
 from app.names import did_you_mean, nearest
 
@@ -26,6 +28,10 @@ router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
 _LONGEST_NAME = 500
 _DEEPEST = 64
 _PAGE = 50
+_MOST_TOLD = 12
+"""Values of a filter that are listed where none of them was given."""
+_OWN_FIELDS = ("path", "name", "category")
+"""Fields of a node that are no attributes."""
 
 NodePath = Annotated[str, Path(description="Path of a node.", examples=["Vehicle.Speed"])]
 
@@ -114,6 +120,7 @@ async def search_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
 ) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
+    _refuse_repeated(request)
     result, cursor = found(hosted, settings, query)
     nodes = [presenting.node_summary(node) for node in result.nodes]
     page = schemas.SearchPage(
@@ -136,6 +143,8 @@ async def list_nodes(
 ) -> Response:
     """Nodes with the fields that are asked for, and nothing else. CSV without a limit has all of them, as a stream."""
     fields = query.chosen_fields
+    _refuse_repeated(request)
+    _refuse_unknown_fields(request, hosted.catalogue, fields)
     if query.limit is None and query.cursor is None and is_table(request):
         return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
     result, cursor = found(hosted, settings, query)
@@ -166,13 +175,19 @@ async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
     """One page of what a query finds, and the cursor of the next one."""
-    _check(query, settings)
-    digest = hosted.catalogue.digest
-    offset = offset_of(query.cursor, digest) if query.cursor else 0
+    _check(hosted, settings, query)
+    state = searched_state(hosted, query)
+    offset = offset_of(query.cursor, state) if query.cursor else 0
     limit = min(query.limit or _PAGE, settings.results)
     result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
     following = offset + len(result.nodes)
-    return result, cursor_of(following, digest) if result.nodes and following < result.total else None
+    return result, cursor_of(following, state) if result.nodes and following < result.total else None
+
+
+def searched_state(hosted: Hosted, query: SearchQuery) -> str:
+    """What a cursor of a search belongs to: the state of the catalogue, the words and the filters."""
+    asked = repr((hosted.catalogue.digest, query.q, sorted(query.filters.items())))
+    return digest_of(asked.encode("utf-8", "replace"))
 
 
 def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
@@ -182,18 +197,47 @@ def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
 
 
 def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:
-    _check(query, settings)
+    _check(hosted, settings, query)
     return hosted.search_index.search(query.q, query.filters, limit=len(hosted.catalogue.nodes)).nodes
 
 
-def _check(query: SearchQuery, settings: Settings) -> None:
-    """Raises UsageError for a text that is too long, and for a type or category that no tree can have."""
+def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
+    """Raises UsageError for a text that is too long, and for a filter with a value that no node here can have."""
     if len(query.q) > settings.query_characters:
         raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
-    for name, value, known in (("type", query.type, TYPES), ("category", query.category, CATEGORIES)):
-        if value is not None and value not in known:
+    for facet, value in query.filters.items():
+        known = dict.fromkeys((*_possible(facet, hosted.catalogue), *hosted.search_index.values_of(facet)))
+        if value not in known:
+            told = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_TOLD else ""
             hint = did_you_mean(value[:_LONGEST_NAME], known)
-            raise UsageError(f"There is no {name} {value[:100]!r}; there are {', '.join(known)}. {hint}".rstrip())
+            raise UsageError(f"There is no {facet} {value[:100]!r} in this catalogue{told}. {hint}".rstrip())
+
+
+def _possible(facet: str, catalogue: Catalogue) -> Iterable[str]:
+    """Values of a filter that a node may have, whether or not one has it."""
+    fixed: Mapping[str, Iterable[str]] = {
+        "type": TYPES, "category": CATEGORIES, "datatype": DATATYPES, "asil": ("QM", "A", "B", "C", "D"),
+        "deprecated": ("yes", "no"), "unit": (unit.key for unit in catalogue.vocabulary.distinct_units),
+        "overlay": (overlay_name(layer.name) for layer in catalogue.overlays),
+    }  # fmt: skip
+    return fixed[facet]
+
+
+def _refuse_repeated(request: Request) -> None:
+    """Raises UsageError for a parameter that is given twice, of which only one could count."""
+    names = [name for name, _ in request.query_params.multi_items()]
+    for name in names:
+        if names.count(name) > 1:
+            raise UsageError(f"The parameter {name[:100]!r} is given {names.count(name)} times; it takes one value.")
+
+
+def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Iterable[str]) -> None:
+    """Raises UsageError for a field that is no attribute of VSS, of the rules, or of any node of the catalogue."""
+    known = {*_OWN_FIELDS, *CORE_ATTRIBUTES, *rules_of(request).active.attributes, *catalogue.attributes}
+    for field in fields:
+        if field not in known:
+            hint = did_you_mean(field[:_LONGEST_NAME], sorted(known))
+            raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

@@ -20,5 +20,7 @@ def offset_of(cursor: str, digest: str) -> int:
     except ValueError:
         raise UsageError("The cursor is none that this service gave. Take it from `next_cursor` as it is.") from None
     if state != digest[:_STATE_CHARACTERS] or number < 0:
-        raise UsageError("The catalogue changed since the cursor was given. Start again without one.")
+        raise UsageError(
+            "The cursor belongs to another search or another state of the catalogue. Start again without one."
+        )
     return number

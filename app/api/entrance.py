@@ -1,5 +1,6 @@
 """What every request passes: an id, who may come in, and a note of how it went."""
 
+import asyncio
 import json
 import logging
 import re
@@ -12,6 +13,7 @@ from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.access import check_scope
+from app.api.heavy import Busy
 from app.api.metrics import Metrics
 from app.api.problems import answer_problem
 from app.api.settings import Settings
@@ -38,24 +40,33 @@ class Entrance:
             await self._app(scope, receive, send)
             return
         began = perf_counter()
-        state: dict[str, Any] = scope.setdefault("state", {})
-        request_id = state["request_id"] = _request_id(scope)
+        method = scope["method"]
+        asked = {**scope, "method": "GET"} if method == "HEAD" else scope  # HEAD is GET of which the body is not sent
+        state: dict[str, Any] = asked.setdefault("state", {})
+        request_id = state["request_id"] = _request_id(asked)
         header = (b"x-request-id", request_id.encode())
-        status = 500
+        status = 0
 
         async def noting_send(message: Message) -> None:
             nonlocal status
             if message["type"] == "http.response.start":
                 status = message["status"]
                 message["headers"] = [*message.get("headers", ()), header]
+            elif method == "HEAD":
+                message = {**message, "body": b""}
             await send(message)
 
         try:
-            if self._is_closed and not _is_open(scope) and not await self._may_read(scope, receive, noting_send):
+            if self._is_closed and not _is_open(asked) and not await self._may_read(asked, receive, noting_send):
                 return
-            await self._app(scope, receive, noting_send)
+            await self._app(asked, receive, noting_send)
+        except asyncio.CancelledError:  # the server stops, and `stop_seconds` are over
+            if status:
+                raise
+            response = await answer_problem(Request(asked), Busy("The service stops. Ask again."))
+            await response(asked, receive, noting_send)
         finally:
-            self._note(scope, status, perf_counter() - began)
+            self._note(asked, method, status or 500, perf_counter() - began)
 
     async def _may_read(self, scope: Scope, receive: Receive, send: Send) -> bool:
         """Whether the token allows reading; if not, the problem is sent."""
@@ -68,14 +79,14 @@ class Entrance:
             return False
         return True
 
-    def _note(self, scope: Scope, status: int, seconds: float) -> None:
+    def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
         route = state.get("route") or getattr(scope.get("route"), "path", "") or "(none)"
-        self._metrics.count(scope["method"], route, status, seconds)
+        self._metrics.count(method, route, status, seconds)
         if self._is_logged:
             client = scope.get("client") or ("", 0)
             record = {
-                "request_id": state["request_id"], "method": scope["method"], "path": scope["path"][:500],
+                "request_id": state["request_id"], "method": method, "path": scope["path"][:500],
                 "route": route, "status": status, "ms": round(seconds * 1000, 2), "client": client[0],
             }  # fmt: skip
             _log.info("%s", json.dumps(record, ensure_ascii=True))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Query
+from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
 from app.api import schemas
@@ -83,9 +83,10 @@ async def generate_arxml(
 
 
 @router.get("/schemas", responses=problem_documentation(404))
-def list_schemas() -> schemas.SchemaAddresses:
+def list_schemas(request: Request) -> schemas.SchemaAddresses:
     """Addresses of the JSON Schemas of every file format for functions."""
-    return schemas.SchemaAddresses([f"{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
+    below = request.scope.get("root_path", "").rstrip("/")
+    return schemas.SchemaAddresses([f"{below}{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
 
 
 @router.get("/schemas/{name}.json", responses=problem_documentation(404))

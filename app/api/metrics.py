@@ -20,7 +20,7 @@ _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 
 class Metrics:
     """Counts of one service; a process may have several, as tests do."""
 
-    def __init__(self, library: Library, heavy: HeavyWork) -> None:
+    def __init__(self, library: Library, heavy: HeavyWork, exports: HeavyWork) -> None:
         self.registry = CollectorRegistry()
         self._requests = Counter(
             "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
@@ -31,6 +31,8 @@ class Metrics:
         )  # fmt: skip
         pending = Gauge("sigcat_heavy_pending", "Heavy work under way or waiting.", registry=self.registry)
         pending.set_function(lambda: heavy.pending)
+        exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
+        exporting.set_function(lambda: exports.pending)
         self.registry.register(_Hosted(library))
 
     def count(self, method: str, route: str, status: int, seconds: float) -> None:
@@ -46,15 +48,20 @@ class _Hosted(Collector):
         self._library = library
 
     def collect(self) -> Iterable[GaugeMetricFamily]:
-        """Nodes of each catalogue, and whether a newer state was refused."""
+        """Nodes and errors of each catalogue, and whether a newer state was refused."""
         nodes = GaugeMetricFamily("sigcat_catalogue_nodes", "Nodes of a catalogue.", labels=("catalogue", "digest"))
         rejected = GaugeMetricFamily(
             "sigcat_catalogue_rejected", "1 if a newer state of the files has errors.", labels=("catalogue",)
         )
+        errors = GaugeMetricFamily(
+            "sigcat_catalogue_errors", "Errors in the state that is served.", labels=("catalogue",)
+        )
         for hosted in self._library:
+            wrong = sum(finding.severity == "error" for finding in hosted.catalogue.findings)
+            errors.add_metric((hosted.source.id,), wrong)
             nodes.add_metric((hosted.source.id, hosted.catalogue.digest), len(hosted.catalogue.nodes))
             rejected.add_metric((hosted.source.id,), float(bool(hosted.rejected)))
-        return nodes, rejected
+        return nodes, errors, rejected
 
 
 @router.get("/metrics", include_in_schema=False)

@@ -1,6 +1,7 @@
 """Every error as RFC 9457 problem details, `application/problem+json`."""
 
 import logging
+import re
 from collections.abc import Iterable
 from http import HTTPStatus
 from typing import Any
@@ -110,6 +111,9 @@ def _invalid(error: dict[str, Any]) -> Finding:
     name = where[-1] if where else ""
     pointer = "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in where)
     reason = error["msg"].removeprefix("Value error, ").rstrip(".")
+    choices = re.fullmatch(r"\^\(([\w|]+)\)\$", str(error.get("ctx", {}).get("pattern", "")))
+    if choices:
+        reason = f"it takes {choices[1].replace('|', ' or ')}"
     if error["type"] == "extra_forbidden":
         return Finding("Q001", "error", f"There is no parameter {name!r}.", pointer=pointer)
     return Finding("Q001", "error", f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer)

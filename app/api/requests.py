@@ -12,7 +12,7 @@ from app.api.heavy import HeavyWork
 from app.api.problems import BodyRefused
 from app.api.rulebook import RuleBook
 from app.api.settings import Settings
-from app.api.versions import version_of
+from app.api.versions import state_of, version_of
 from app.catalogue.hosting import Hosted, Library
 from app.catalogue.variants import MARK, find_hosted
 from app.errors import NotFound
@@ -23,7 +23,7 @@ __all__ = [
     "settings_of", "text_body", "version_of",
 ]  # fmt: skip
 
-_NEVER_CHANGES = "public, max-age=31536000, immutable"
+_NEVER_CHANGES = "max-age=31536000, immutable"
 TEXT_TYPES = ("application/yaml", "text/yaml")
 
 
@@ -100,7 +100,7 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     if version != current:
         message = f"Catalogue {catalogue_id!r} is not hosted in the version {version[:80]!r}; now it is {current!r}."
         raise NotFound(message, (f"{catalogue_id}@{current}",))
-    return hosted, True
+    return hosted._replace(rejected=()) if hosted.rejected else hosted, True
 
 
 async def catalogue_at(name: str, library: Library, heavy: HeavyWork) -> tuple[Hosted, bool]:
@@ -116,14 +116,19 @@ async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
 async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
     hosted, is_fixed = await catalogue_at(catalogue, library_of(request), heavy_of(request))
-    mark_state(request, version_of(hosted), is_fixed=is_fixed)
+    mark_state(request, state_of(hosted), is_fixed=is_fixed)
     request.state.hosted = hosted
     return hosted
 
 
 def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
-    """Keep the headers for the answer. Raises a 304 if the client holds this state."""
-    headers = {"ETag": f'W/"{version}"', "Cache-Control": _NEVER_CHANGES if is_fixed else "no-cache"}
+    """Keep the headers for the answer. Raises a 304 if the client holds this state.
+
+    Where reading needs a token, no cache may keep an answer for others.
+    """
+    reach = "private" if settings_of(request).reading == "token" else "public"
+    lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
+    headers = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
     if is_known(request.headers.get("if-none-match", ""), version):
         raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": "Accept"})
     request.state.caching = headers

@@ -9,6 +9,9 @@ import uvicorn
 from fastapi import FastAPI
 
 from app.api.settings import Settings
+from app.catalogue.hosting import tell_errors
+
+_log = logging.getLogger("sigcat")
 
 
 class _Server(uvicorn.Server):
@@ -38,12 +41,26 @@ class _Lines(logging.Formatter):
 
 
 def run(application: FastAPI, settings: Settings) -> None:
-    """Serve until a signal comes. Logs go to standard error."""
+    """Serve until a signal comes. Logs go to standard error. Ends the process with 2 if it cannot listen."""
+    prepare(application, settings)
+    try:
+        _Server(uvicorn_config(application, settings)).run()
+    except SystemExit as ended:
+        raise SystemExit(_COULD_NOT_RUN if ended.code else 0) from None
+
+
+_COULD_NOT_RUN = 2
+
+
+def prepare(application: FastAPI, settings: Settings) -> None:
+    """What a process needs that serves: its log, what is wrong with its catalogues told there, and a calm collector."""
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
+    tell_errors(application.state.library)
+    if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
+        _log.warning("reading needs a token, and none of `tokens` has the scope read: nobody can read")
     gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
     sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
     gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms
-    _Server(uvicorn_config(application, settings)).run()
 
 
 def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
@@ -71,3 +88,4 @@ def log_as_json(level: int) -> None:
         logger = logging.getLogger(name)
         logger.handlers, logger.propagate = [handler], False
         logger.setLevel(least)
+    logging.getLogger("uvicorn.access").disabled = True  # requests are logged by the service, each once

@@ -53,12 +53,12 @@ class Settings(BaseModel):
     )
     body_seconds: float = Field(default=20.0, description="Seconds in which a body has to arrive; later: 408.", gt=0)
     nesting: int = Field(
-       default=64, description="Levels of collections inside each other in a posted text; more is refused with 422.",
+       default=64, description="Levels of collections inside each other in a posted text; more is an error (R004).",
         ge=4, le=256,
     )  # fmt: skip
     values: int = Field(
         default=100_000,
-        description="Values in a posted text, aliases counted as often as they are used; more is refused with 422.",
+        description="Values in a posted text, aliases counted as often as they are used; more is an error (R014).",
         ge=1_000,
     )
     nodes: int = Field(

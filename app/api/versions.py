@@ -6,23 +6,28 @@ from weakref import WeakKeyDictionary
 from app import __version__
 from app.catalogue.hosting import Hosted
 from app.catalogue.model import Catalogue
-from app.findings import Finding
 
-_versions: "WeakKeyDictionary[Catalogue, tuple[str, tuple[Finding, ...], str]]" = WeakKeyDictionary()
+_versions: "WeakKeyDictionary[Catalogue, tuple[str, str]]" = WeakKeyDictionary()
 
 
 def version_of(hosted: Hosted) -> str:
-    """A digest of all that is shown of a catalogue: content, files with their positions, findings."""
+    """A digest of a catalogue: content, files with their positions, findings. A newer state with errors is no part."""
     known = _versions.get(hosted.catalogue)
-    if known is None or (known[0], known[1]) != (hosted.source.title, hosted.rejected):
-        known = (hosted.source.title, hosted.rejected, _version(hosted))
+    if known is None or known[0] != hosted.source.title:
+        known = (hosted.source.title, _version(hosted))
         _versions[hosted.catalogue] = known
-    return known[2]
+    return known[1]
+
+
+def state_of(hosted: Hosted) -> str:
+    """The version, and with it what is told of a newer state that was not taken."""
+    if not hosted.rejected:
+        return version_of(hosted)
+    return f"{version_of(hosted)}-{hashlib.sha256(repr(hosted.rejected).encode('utf-8', 'replace')).hexdigest()[:8]}"
 
 
 def _version(hosted: Hosted) -> str:
     parts = [__version__, hosted.source.title, hosted.catalogue.digest]
     parts += [layer.digest for layer in hosted.catalogue.layers]
     parts += [file.digest for file in hosted.catalogue.vocabulary.files]
-    parts += [repr(hosted.rejected)] if hosted.rejected else []
     return hashlib.sha256("\n".join(parts).encode("utf-8", "replace")).hexdigest()[:24]

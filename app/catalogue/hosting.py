@@ -1,7 +1,7 @@
 """The catalogues that one process hosts: where each comes from, and its latest good state."""
 
 import logging
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from threading import Event, Lock, Thread
 from types import TracebackType
@@ -15,7 +15,7 @@ from app.errors import NotFound
 from app.findings import Finding, has_errors
 from app.names import nearest
 
-__all__ = ["Hosted", "Library", "Source", "Watch", "load", "shipped_sources"]
+__all__ = ["Hosted", "Library", "Source", "Watch", "load", "shipped_sources", "tell_errors"]
 
 Marks = frozenset[tuple[str, int, int, int]]
 """Files and folders with time of change, size and inode: different as soon as one of them changes."""
@@ -67,7 +67,8 @@ class Library:
         with self._lock:
             hosted = self._reloaded(self.get(catalogue_id))
             self._hosted = {**self._hosted, catalogue_id: hosted}
-            return hosted
+        _tell(hosted)
+        return hosted
 
     def reload_changed(self) -> tuple[str, ...]:
         """Reload every catalogue of which a file changed since it was read; their ids."""
@@ -119,10 +120,18 @@ class Watch:
     def _run(self) -> None:
         while not self._stop.wait(self._seconds):
             try:
-                for catalogue_id in self._library.reload_changed():
-                    _tell(self._library.get(catalogue_id))
+                self._library.reload_changed()
             except Exception:  # noqa: BLE001 - the next look may succeed, and the catalogues stay as they are
                 _log.exception("the files of the catalogues could not be read again")
+
+
+def tell_errors(library: Library) -> None:
+    """Log the errors of the catalogues that are hosted with them, as one that starts anew has to."""
+    for hosted in library:
+        errors = [finding for finding in hosted.catalogue.findings if finding.severity == "error"]
+        if errors:
+            _log.warning("%s: the files have errors, and there is no earlier state", hosted.source.id)
+            _tell_findings(errors)
 
 
 def _tell(hosted: Hosted) -> None:
@@ -130,8 +139,18 @@ def _tell(hosted: Hosted) -> None:
         _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
         return
     _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
-    for finding in hosted.rejected:
+    _tell_findings(hosted.rejected)
+
+
+def _tell_findings(findings: Sequence[Finding]) -> None:
+    for finding in findings[:_MOST_TOLD]:
         _log.warning("%s", finding.line_of_text)
+    if len(findings) > _MOST_TOLD:
+        _log.warning("and %d more", len(findings) - _MOST_TOLD)
+
+
+_MOST_TOLD = 100
+"""Lines of the log about one state of a catalogue."""
 
 
 def _with_files(hosted: Hosted, fresh: Catalogue, before: Marks) -> Hosted:

@@ -112,6 +112,10 @@ class SearchIndex:
         chosen = _common(allowed.values(), self._everything)
         return SearchResult(nodes, total, facets, self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen))
 
+    def values_of(self, facet: str) -> Iterable[str]:
+        """The values by which a filter finds nodes."""
+        return self._facets[facet]
+
     def _counted(self, facet: str, allowed: Mapping[str, Bits], found: Bits, unfiltered: Bits) -> dict[str, int]:
         """Counts by value; those of a filter that is set say what each other value would give in its place."""
         others = (bits for other, bits in allowed.items() if other != facet)

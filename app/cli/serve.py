@@ -1,7 +1,8 @@
 """`sigcat serve`."""
 
 import argparse
-from contextlib import nullcontext
+import atexit
+from contextlib import ExitStack, nullcontext
 from typing import TYPE_CHECKING
 
 from app.cli.catalogue_options import add_catalogue_options
@@ -46,10 +47,18 @@ def serve(arguments: argparse.Namespace) -> int:
 
 def application() -> "FastAPI":
     """The service as another server loads it: `uvicorn --factory app.cli.serve:application --workers 4`."""
-    from app.catalogue.hosting import Library
+    from app.api.serving import prepare
+    from app.catalogue.hosting import Library, Watch
     from app.web.site import create_site
 
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
     configuration, settings = chosen_settings(parser.parse_args([]))
-    return create_site(Library(configuration.sources), settings)
+    library = Library(configuration.sources)
+    service = create_site(library, settings)
+    prepare(service, settings)
+    if configuration.is_watching:
+        watching = ExitStack()
+        watching.enter_context(Watch(library))
+        atexit.register(watching.close)
+    return service

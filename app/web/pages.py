@@ -7,7 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, RedirectResponse, Response
 
-from app.api.catalogues import SearchQuery, find_node
+from app.api.catalogues import SearchQuery, find_node, searched_state
 from app.api.cursors import cursor_of, offset_of
 from app.api.presenting import catalogue_detail, node_detail, rule_detail
 from app.api.problems import KINDS
@@ -89,8 +89,8 @@ def show_search(
 ) -> Response:
     """Search results with the counts of every filter."""
     text = query.q[: settings.query_characters]
-    digest = hosted.catalogue.digest
-    offset = offset_of(query.cursor, digest) if query.cursor else 0
+    state = searched_state(hosted, query)
+    offset = offset_of(query.cursor, state) if query.cursor else 0
     result = hosted.search_index.search(text, query.filters, limit=min(query.limit, settings.results), offset=offset)
     following = offset + len(result.nodes)
     return page(
@@ -103,7 +103,7 @@ def show_search(
         facets=_facets(result.facets, query.filters, result.total),
         result=result,
         offset=offset,
-        cursor=cursor_of(following, digest) if result.nodes and following < result.total else None,
+        cursor=cursor_of(following, state) if result.nodes and following < result.total else None,
     )
 
 

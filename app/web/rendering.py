@@ -43,12 +43,18 @@ _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
+def mounted_below(request: Request) -> str:
+    """The path below which the whole service is offered; below a mounted folder, Starlette keeps it apart."""
+    scope = request.scope
+    return str(scope.get("app_root_path", scope.get("root_path", "")))
+
+
 def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:
     """A page. With `part` in the query only the part of it that changes while one stays on it."""
     part = template.replace(".html", ".part.html")
     name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
     context.setdefault("hosted", None)
-    to = Addresses(request.scope.get("root_path", ""))
+    to = Addresses(mounted_below(request))
     text = _ENVIRONMENT.get_template(name).render(
         to=to,
         for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),

@@ -48,6 +48,22 @@ def test_metrics_count_by_route_and_not_by_address(library: Library) -> None:
     assert 'sigcat_catalogue_nodes{catalogue="small"' in text
 
 
+def test_metrics_tell_of_errors_and_of_exports_that_wait(library: Library) -> None:
+    text = asker(create_app(library))("/metrics").text
+    assert 'sigcat_catalogue_errors{catalogue="broken"} 1.0' in text
+    assert "sigcat_exports_pending 0.0" in text
+
+
+def test_head_is_get_without_the_body(ask: Ask) -> None:
+    for path in ("nodes/Vehicle.Speed", "nodes?limit=2", "export/json", "nodes/Nothing"):
+        head, get = (ask(f"{SMALL}/{path}", method) for method in ("HEAD", "GET"))
+        kept = {"etag", "content-type", "cache-control"}
+        assert (head.status_code, head.content) == (get.status_code, b"")
+        assert {k: v for k, v in head.headers.items() if k in kept} == {
+            k: v for k, v in get.headers.items() if k in kept
+        }
+
+
 def test_metrics_can_be_turned_off(library: Library) -> None:
     assert asker(create_app(library, Settings(metrics=False)))("/metrics").status_code == 404
 
@@ -63,6 +79,21 @@ def test_a_request_is_one_line_of_json_in_the_log(ask: Ask, caplog: pytest.LogCa
 @pytest.fixture
 def closed(library: Library) -> Ask:
     return asker(create_app(library, Settings(reading="token", tokens=(TOKEN,))))
+
+
+def test_no_shared_cache_keeps_what_is_closed(closed: Ask, ask: Ask) -> None:
+    headers = {"Authorization": f"Bearer {SECRET}"}
+    version = closed(SMALL, headers=headers).json()["version"]
+    fixed = f"{SMALL}@{version}/nodes/Vehicle.Speed"
+    assert closed(fixed, headers=headers).headers["cache-control"] == "private, max-age=31536000, immutable"
+    assert closed(SMALL, headers=headers).headers["cache-control"] == "private, no-cache"
+    assert ask(fixed).headers["cache-control"] == "public, max-age=31536000, immutable"
+
+
+def test_a_page_of_an_allowed_origin_can_read_that_it_needs_a_token(library: Library) -> None:
+    app = create_app(library, Settings(reading="token", tokens=(TOKEN,), origins=("https://a.example",)))
+    refused = asker(app)(SMALL, headers={"Origin": "https://a.example"})
+    assert (refused.status_code, refused.headers["access-control-allow-origin"]) == (401, "https://a.example")
 
 
 def test_reading_can_be_closed(closed: Ask) -> None:

@@ -56,7 +56,7 @@ def test_a_cursor_that_is_made_up_is_refused(ask: Ask, cursor: str) -> None:
 
 def test_a_cursor_of_another_state_is_refused(ask: Ask) -> None:
     cursor = ask(f"{SMALL}/search?limit=2").json()["next_cursor"]
-    assert "changed" in problem(ask, f"/api/v1/catalogues/bare/search?cursor={cursor}", 400)["detail"]
+    assert "another state" in problem(ask, f"/api/v1/catalogues/bare/search?cursor={cursor}", 400)["detail"]
 
 
 @pytest.mark.parametrize(
@@ -71,8 +71,18 @@ def test_a_hostile_path_is_a_path_that_does_not_exist(ask: Ask, path: str) -> No
 @pytest.mark.parametrize(
     ("wrong", "detail"),
     [
-        ("type=senso", f"There is no type 'senso'; there are {', '.join(TYPES)}. Did you mean 'sensor'?"),
-        ("category=modes", f"There is no category 'modes'; there are {', '.join(CATEGORIES)}. Did you mean 'mode'?"),
+        (
+            "type=senso",
+            f"There is no type 'senso' in this catalogue; there are {', '.join(TYPES)}. Did you mean 'sensor'?",
+        ),
+        (
+            "category=modes",
+            f"There is no category 'modes' in this catalogue; there are {', '.join(CATEGORIES)}. Did you mean 'mode'?",
+        ),
+        ("unit=km/g", "There is no unit 'km/g' in this catalogue; there are km/h. Did you mean 'km/h'?"),
+        ("datatype=flot", "There is no datatype 'flot' in this catalogue. Did you mean 'float'?"),
+        ("asil=E", "There is no asil 'E' in this catalogue; there are QM, A, B, C, D."),
+        ("type=sensor&type=actuator", "The parameter 'type' is given 2 times; it takes one value."),
     ],
 )
 def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing(
@@ -82,6 +92,24 @@ def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing
         answer = ask(f"{SMALL}/{page}{wrong}", headers={"Accept": accept})
         assert (answer.status_code, answer.json()["detail"]) == (400, detail)
     assert ask(f"{SMALL}/{page}type=struct").json()["total"] == 0
+
+
+def test_a_field_that_no_node_can_have_is_refused(ask: Ask) -> None:
+    detail = problem(ask, f"{SMALL}/nodes?fields=path,untit", 400)["detail"]
+    assert detail == "There is no field 'untit'. Did you mean 'unit'?"
+    assert ask(f"{SMALL}/nodes?fields=path,ASILlevel").status_code == 200
+
+
+def test_a_cursor_belongs_to_its_search(ask: Ask) -> None:
+    cursor = ask(f"{SMALL}/nodes?limit=1").json()["next_cursor"]
+    assert ask(f"{SMALL}/nodes?limit=2&cursor={cursor}").status_code == 200
+    assert "another search" in problem(ask, f"{SMALL}/nodes?limit=1&q=speed&cursor={cursor}", 400)["detail"]
+
+
+def test_a_choice_that_is_none_is_answered_with_the_choices(ask: Ask) -> None:
+    assert (
+        problem(ask, f"{SMALL}/search?deprecated=maybe", 422)["detail"] == "Parameter 'deprecated': it takes yes or no."
+    )
 
 
 def test_a_text_to_search_for_has_a_limit(ask: Ask) -> None:

@@ -7,7 +7,7 @@ import pytest
 from app.api.application import create_app
 from app.api.settings import Settings
 from app.api.tokens import new_token, token_from_text, token_named
-from app.catalogue.hosting import Library, Source
+from app.catalogue.hosting import Library, Source, tell_errors
 from tests.api.conftest import Ask, asker
 
 SECRET, TOKEN = new_token("ci", ["reload"])
@@ -44,6 +44,27 @@ def test_a_broken_edit_keeps_the_last_good_state_and_says_so(mine: Ask, tree: Pa
     answer = mine(ADDRESS, "POST", headers=bearer(SECRET)).json()
     assert (answer["nodes"], answer["problems"]) == (1, [])
     assert [finding["rule"] for finding in answer["rejected"]] == ["V001"]
+
+
+def test_a_broken_edit_is_logged_and_leaves_addresses_with_a_version_as_they_are(
+    mine: Ask, tree: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    before = mine("/api/v1/catalogues/mine")
+    fixed = f"/api/v1/catalogues/mine@{before.json()['version']}"
+    tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
+    mine(ADDRESS, "POST", headers=bearer(SECRET))
+    after = mine("/api/v1/catalogues/mine")
+    assert "V001" in caplog.text
+    assert (mine(fixed).json(), after.json()["version"]) == (before.json(), before.json()["version"])
+    assert after.headers["etag"] != before.headers["etag"]
+    assert after.json()["rejected"]
+
+
+def test_errors_that_are_there_from_the_start_are_logged(tree: Path, caplog: pytest.LogCaptureFixture) -> None:
+    tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
+    tell_errors(Library([Source("mine", "Mine", tree)]))
+    assert "no earlier state" in caplog.text
+    assert "V001" in caplog.text
 
 
 @pytest.mark.parametrize("headers", [{}, bearer("guess"), {"Authorization": f"Basic {SECRET}"}, bearer("")])

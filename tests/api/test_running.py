@@ -10,8 +10,8 @@ import sys
 import tempfile
 import time
 import urllib.request
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import urlsplit
@@ -87,6 +87,74 @@ def test_what_is_under_way_is_finished_when_the_service_stops() -> None:
         assert service.process.wait(10) in (0, -signal.SIGTERM)
 
 
+def test_who_waits_longer_than_the_service_takes_to_stop_is_told_to_come_again() -> None:
+    with served(TREE / "tree.vspec", SIGCAT_STOP_SECONDS="1") as service:
+        parts = urlsplit(service.address)
+        with socket.create_connection((parts.hostname, parts.port), timeout=10) as connection:
+            connection.sendall(b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\nVeh")
+            time.sleep(0.3)
+            service.process.send_signal(signal.SIGTERM)
+            answer = connection.recv(65536)
+        assert answer.startswith(b"HTTP/1.1 503 ")
+        assert b"retry-after: 2" in answer.lower()
+        assert "Traceback" not in service.log.read_text()
+
+
+def test_an_export_ends_with_the_service_and_leaves_nothing(tmp_path: Path) -> None:
+    with served(TREE / "tree.vspec", TMPDIR=str(tmp_path)) as service:
+        parts = urlsplit(service.address)
+        with socket.create_connection((parts.hostname, parts.port), timeout=10) as connection:
+            connection.sendall(b"GET /api/v1/catalogues/interfaces/export/id HTTP/1.1\r\nHost: a\r\n\r\n")
+            until = time.monotonic() + 20
+            while not list(tmp_path.glob("sigcat-export-*/source/request")) and time.monotonic() < until:
+                time.sleep(0.01)
+            assert list(tmp_path.glob("sigcat-export-*"))
+            time.sleep(0.3)  # the worker is there
+            service.process.kill()
+            until = time.monotonic() + 20
+            while list(tmp_path.glob("sigcat-export-*")) and time.monotonic() < until:
+                time.sleep(0.05)
+    assert list(tmp_path.glob("sigcat-export-*")) == []
+
+
+def test_a_port_that_is_taken_is_said_and_ends_with_2() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        command = [sys.executable, "-m", "app.cli", "serve", "--port", str(taken.getsockname()[1])]
+        ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert ended.returncode == 2
+    assert "in use" in ended.stderr
+
+
+def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: Path) -> None:
+    tree, settings = tmp_path / "tree.vspec", tmp_path / "sigcat.toml"
+    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n")
+    settings.write_text('watch = true\n[[catalogue]]\nid = "own"\ntitle = "Own"\nspec = "tree.vspec"\n')
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    command = [sys.executable, "-m", "uvicorn", "--factory", "app.cli.serve:application", "--port", str(port)]
+    environment = {**os.environ, "SIGCAT_CONFIG": str(settings)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as process:
+        try:
+            assert _nodes(port, lambda nodes: nodes == 1) == 1
+            tree.write_text(tree.read_text() + OVERLAY.decode())
+            assert _nodes(port, lambda nodes: nodes == 2) == 2
+        finally:
+            process.terminate()
+            assert process.stderr is not None
+            lines = [json.loads(line) for line in process.stderr if line.startswith("{")]
+    assert any(line.get("route") == "/api/v1/catalogues/{catalogue}" for line in lines)
+
+
+def _nodes(port: int, is_wanted: Callable[[int], bool]) -> int:
+    """Nodes of the catalogue, as soon as they are as many as wanted."""
+    nodes, until = 0, time.monotonic() + 30
+    while not is_wanted(nodes) and time.monotonic() < until:
+        time.sleep(0.2)
+        with suppress(httpx.TransportError):
+            nodes = httpx.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own").json()["nodes"]
+    return nodes
+
+
 def test_each_request_is_a_line_of_json_with_the_id_that_its_problem_carries(behind_a_proxy: Service) -> None:
     answer = httpx.get(f"{behind_a_proxy.address}/api/v1/catalogues/local/nodes/Nothing")
     lines = behind_a_proxy.logged(request_id=answer.json()["request_id"])
@@ -114,6 +182,9 @@ def test_pages_document_and_links_stand_below_the_path_that_a_proxy_offers(behin
         assert not [link for link in links if link.startswith("/") and not link.startswith("/signals")], page
     document = httpx.get(f"{behind_a_proxy.address}/openapi.json").json()
     assert document["servers"][0]["url"] == "/signals"
+    schemas = httpx.get(f"{behind_a_proxy.address}/api/v1/schemas").json()
+    assert all(address.startswith("/signals/api/v1/") for address in schemas)
+    assert "/signals/static/sigcat.css" in httpx.get(f"{behind_a_proxy.address}/static/nope").text
 
 
 SIGNAL = "Vehicle.S{0}: {{type: sensor, datatype: float, description: Signal number {0} of a large tree.}}\n"

@@ -1,6 +1,7 @@
 """Run an exporter of vss-tools on a catalogue, in a process of its own and a temporary folder."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -72,12 +73,16 @@ def _work(request: Mapping[str, Any], places: _Places, format_: Format, timeout:
     file = places.source / "request"
     file.write_text(json.dumps(request), encoding="utf-8")
     command = [sys.executable, "-P", "-X", "utf8", str(_WORKER), str(file)]
+    alive, held = os.pipe()  # the worker ends when `held` is closed, as it is when this process is killed
     try:
         worker = subprocess.run(  # noqa: S603 - our own script, with a file of our own as its argument
-            command, cwd=places.beside, stdin=subprocess.DEVNULL, capture_output=True, timeout=timeout, check=False
+            command, cwd=places.beside, stdin=alive, capture_output=True, timeout=timeout, check=False
         )
     except subprocess.TimeoutExpired:
         return f"vss-tools took longer than {timeout:g} s to export {format_.name}; it was stopped."
+    finally:
+        os.close(alive)
+        os.close(held)
     if worker.returncode not in (0, 1):
         return f"vss-tools crashed while it exported {format_.name} (exit status {worker.returncode})."
     return f"vss-tools could not export {format_.name}." if worker.returncode else ""

@@ -2,7 +2,8 @@
 
 REQUEST is a JSON file with `format`, `arguments` (of `vspec export FORMAT`), `log` (a file to write) and `instances`
 (by path; put back at the branches after the expansion). Each line of the log is a JSON list of level and message.
-Exit status: 0 exported, 1 refused; the log says why.
+Exit status: 0 exported, 1 refused; the log says why. Standard input stays open as long as somebody wants the export:
+when it ends, the folder that REQUEST stands in is removed with all beside it, and the process ends.
 
 This script imports nothing of ours, so that it runs wherever vss-tools is installed.
 """
@@ -10,7 +11,10 @@ This script imports nothing of ours, so that it runs wherever vss-tools is insta
 import importlib
 import json
 import logging
+import os
+import shutil
 import sys
+import threading
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -73,5 +77,13 @@ def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
     exporter.get_trees = with_instances
 
 
+def _end_with_parent(folder: Path) -> None:
+    """Wait for the end of standard input: whoever asked has been killed, and nobody else would clean up."""
+    os.read(sys.stdin.fileno(), 1)  # not through `sys.stdin`: its lock would still be held when the export is done
+    shutil.rmtree(folder, ignore_errors=True)
+    os._exit(1)
+
+
 if __name__ == "__main__":
+    threading.Thread(target=_end_with_parent, args=(Path(sys.argv[1]).parent.parent,), daemon=True).start()
     sys.exit(main(sys.argv[1]))
