@@ -26,6 +26,7 @@ from fastapi.responses import Response
 from app.api.serving import run
 from app.api.settings import Settings
 application = FastAPI()
+application.state.library = ()
 BODY = b"x" * 2000
 @application.get("/floor")
 async def floor() -> Response:

@@ -176,12 +176,13 @@ async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
     """One page of what a query finds, and the cursor of the next one."""
     _check(hosted, settings, query)
-    state = searched_state(hosted, query)
-    offset = offset_of(query.cursor, state) if query.cursor else 0
+    offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
     limit = min(query.limit or _PAGE, settings.results)
     result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
     following = offset + len(result.nodes)
-    return result, cursor_of(following, state) if result.nodes and following < result.total else None
+    if not result.nodes or following >= result.total:
+        return result, None
+    return result, cursor_of(following, searched_state(hosted, query))
 
 
 def searched_state(hosted: Hosted, query: SearchQuery) -> str:
@@ -225,7 +226,10 @@ def _possible(facet: str, catalogue: Catalogue) -> Iterable[str]:
 
 def _refuse_repeated(request: Request) -> None:
     """Raises UsageError for a parameter that is given twice, of which only one could count."""
-    names = [name for name, _ in request.query_params.multi_items()]
+    given = request.query_params
+    names = [name for name, _ in given.multi_items()]
+    if len(names) == len(given):
+        return
     for name in names:
         if names.count(name) > 1:
             raise UsageError(f"The parameter {name[:100]!r} is given {names.count(name)} times; it takes one value.")
