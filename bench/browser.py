@@ -17,10 +17,10 @@ from bench.rows import HUNDRED_THOUSAND, Bench, Row
 _SERVE = """
 import sys
 from pathlib import Path
-from app.api.serving import run
-from app.api.settings import Settings
-from app.catalogue.hosting import Library, Source
-from app.web.site import create_site
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.web.site import create_site
 settings = Settings(port=0, log="none")
 run(create_site(Library([Source("big", "big", Path(sys.argv[1]))]), settings), settings)
 """

@@ -71,11 +71,11 @@ def _function(number: int) -> str:
 
 def derive_all(folder: Path) -> None:
     """Everything, from the files of the set to the files of the platform."""
-    from app.adapter.arxml.generate import generate
-    from app.catalogue.compose import read_catalogue
-    from app.function.build import build_function
-    from app.integration.autosar_adaptive.derive import derive
-    from app.integration.autosar_adaptive.model import to_json
+    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+    from sigcat.catalogue.composing.compose import read_catalogue
+    from sigcat.function.build.build import build_function
+    from sigcat.integration.autosar_adaptive.derive import derive
+    from sigcat.integration.autosar_adaptive.model import to_json
 
     catalogue = read_catalogue(folder / "tree.vspec")
     paths = sorted(folder.glob("function*.yaml"))

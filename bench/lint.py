@@ -4,10 +4,10 @@ import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from app.data import OVERLAYS, ROOT_FILE, VSPEC
 from bench import trees
 from bench.measuring import command, interleaved
 from bench.rows import Bench, Row
+from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 
 OFFICIAL = Path("../shared/vss/v6.0/spec")
 """The official tree, if there is a checkout of it; the shipped one stands in for it otherwise."""

@@ -24,7 +24,7 @@ def get_trees(tree: Path) -> float:
 
 def compose(tree: Path) -> float:
     """Seconds that sigcat takes from files to a frozen catalogue."""
-    from app.catalogue.compose import read_catalogue
+    from sigcat.catalogue.composing.compose import read_catalogue
 
     start = perf_counter()
     read_catalogue(tree)
@@ -35,7 +35,7 @@ def floor(tree: Path) -> float:
     """Seconds that libyaml takes to compose the same files, with nothing made of them."""
     import yaml
 
-    from app.catalogue.compose import read_catalogue
+    from sigcat.catalogue.composing.compose import read_catalogue
 
     catalogue = read_catalogue(tree)
     sources = [*(file for layer in catalogue.layers for file in layer.files), *catalogue.vocabulary.files]
@@ -48,8 +48,8 @@ def floor(tree: Path) -> float:
 
 def memory(tree: Path) -> float:
     """Bytes that a catalogue holds."""
-    from app.catalogue.compose import read_catalogue
-    from app.data import ROOT_FILE
+    from sigcat.catalogue.composing.compose import read_catalogue
+    from sigcat.data import ROOT_FILE
 
     read_catalogue(ROOT_FILE)  # what is loaded once and for all is not part of a catalogue
     gc.collect()

@@ -7,15 +7,15 @@ from statistics import median
 from time import perf_counter
 from typing import NamedTuple
 
-from app.catalogue.compose import compose, read_catalogue
-from app.catalogue.export_json import tree_data, tree_json
-from app.catalogue.layers import read_layer
-from app.catalogue.search import SearchIndex
-from app.catalogue.sources import shipped_sources
-from app.data import ROOT_FILE
 from bench import trees
 from bench.integration import write_set
 from bench.measuring import command, interleaved, probe
+from sigcat.catalogue.composing.compose import compose, read_catalogue
+from sigcat.catalogue.exporting.export_json import tree_data, tree_json
+from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.reading.layers import read_layer
+from sigcat.catalogue.search import SearchIndex
+from sigcat.data import ROOT_FILE
 
 TWENTY_THOUSAND = 20_000
 HUNDRED_THOUSAND = 100_000
@@ -47,7 +47,7 @@ def standard(bench: Bench) -> Row:
 def standard_command(bench: Bench) -> Row:
     """The same as a command."""
     tree, output = str(ROOT_FILE), str(bench.folder / "out.json")
-    ours = command(sys.executable, "-m", "app.cli", "export", "json", "-s", tree, "-o", output)
+    ours = command(sys.executable, "-m", "sigcat.cli", "export", "json", "-s", tree, "-o", output)
     vspec = command(str(Path(sys.executable).with_name("vspec")), "export", "json", "-s", tree, "-o", output)
     return _faster("`sigcat export json`", *_split(interleaved([ours, vspec], bench.runs), "`vspec export json`"), 6)
 

@@ -23,8 +23,8 @@ from bench.measuring import ROOT
 _FLOOR = """
 from fastapi import FastAPI
 from fastapi.responses import Response
-from app.api.serving import run
-from app.api.settings import Settings
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
 application = FastAPI()
 application.state.library = ()
 BODY = b"x" * 2000
@@ -34,10 +34,10 @@ async def floor() -> Response:
 run(application, Settings(port=0, log="none"))
 """
 _SERVICE = """
-from app.api.application import create_app
-from app.api.serving import run
-from app.api.settings import Settings
-from app.catalogue.hosting import Library, shipped_sources
+from sigcat.api.application import create_app
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library, shipped_sources
 settings = Settings(port=0, log="none")
 run(create_app(Library(shipped_sources()[1:]), settings), settings)
 """
@@ -213,8 +213,8 @@ async def _client(place: str, waiting: Iterator[bytes], seconds: list[float]) ->
 
 
 def _paths() -> list[str]:
-    from app.catalogue.compose import read_catalogue
-    from app.data import ROOT_FILE
+    from sigcat.catalogue.composing.compose import read_catalogue
+    from sigcat.data import ROOT_FILE
 
     return list(read_catalogue(ROOT_FILE).nodes)
 

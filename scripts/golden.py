@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[1]
 
 def build(example: Path, folder: Path) -> None:
     """Run the example's build with this checkout's sigcat."""
-    environment = {**os.environ, "SIGCAT": f"{sys.executable} -m app.cli", "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "SIGCAT": f"{sys.executable} -m sigcat.cli", "PYTHONPATH": str(ROOT / "app")}
     subprocess.run([str(example / "build"), str(folder)], check=True, env=environment)
 
 

@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from app.api.application import create_app
-from app.api.openapi_changes import breaking_changes
-from app.catalogue.hosting import Library
+from sigcat.api.application import create_app
+from sigcat.api.openapi_changes import breaking_changes
+from sigcat.catalogue.hosting.library import Library
 
 ROOT = Path(__file__).parent.parent
 FILE = ROOT / "docs" / "openapi.json"

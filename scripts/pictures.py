@@ -19,10 +19,10 @@ ROOT = Path(__file__).parent.parent
 SHOWN = ROOT / "docs" / "pictures"
 OTHERS = ROOT / "build" / "pictures"
 _SERVE = """
-from app.catalogue.hosting import Library, shipped_sources
-from app.api.serving import run
-from app.api.settings import Settings
-from app.web.site import create_site
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
+from sigcat.web.site import create_site
 settings = Settings(port=0)
 run(create_site(Library(shipped_sources()), settings), settings)
 """

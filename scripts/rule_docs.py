@@ -3,11 +3,9 @@
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
-
-from app.data import INTERFACE_RULES
-from app.rules.pages import rule_book
-from app.rules.record import load_rules
+from sigcat.data import INTERFACE_RULES
+from sigcat.rules.pages import rule_book
+from sigcat.rules.record import load_rules
 
 TARGET = Path(__file__).parents[1] / "docs" / "rules.md"
 

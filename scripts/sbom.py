@@ -8,8 +8,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from app import __version__
 from scripts.shipped import OURS, ROOT, Package, licences_in, shipped
+from sigcat import __version__
 
 FILE = ROOT / "build" / "sbom.json"
 

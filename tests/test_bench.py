@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from app.catalogue.compose import read_catalogue
-from app.catalogue.export_json import tree_data, tree_json
 from bench import browser, service, trees
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.exporting.export_json import tree_data, tree_json
 
 
 @pytest.mark.parametrize("script", [browser._SERVE, service._SERVICE, service._FLOOR], ids=["site", "api", "floor"])

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.releases.archives import saved, tar_bytes
+from tests.catalogue.hosting.archives import saved, tar_bytes
 
 ROOT = Path(__file__).parents[1]
-SIGCAT = (sys.executable, "-m", "app.cli")
+SIGCAT = (sys.executable, "-m", "sigcat.cli")
 SHOWN_AT = "http://127.0.0.1:8000"
 DOCUMENTS = ("README.md", "docs/api.md", "docs/exports.md")
 BEYOND = ("make ", "sigcat pull", "openapi-python-client ", "npx ")
@@ -45,7 +45,7 @@ def shell_blocks() -> Iterator[tuple[str, str]]:
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
     """An environment in which the release that the documents name was pulled."""
     data = tmp_path_factory.mktemp("data")
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "XDG_DATA_HOME": str(data)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "app"), "XDG_DATA_HOME": str(data)}
     archive = saved(tmp_path_factory.mktemp("archive"), tar_bytes())
     subprocess.run([*SIGCAT, "pull", "v5.0", "--from", str(archive)], env=environment, check=True, capture_output=True)
     return environment

@@ -18,7 +18,7 @@ def contents(folder):
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.name)
 def test_an_example_is_built_as_expected(example, tmp_path):
-    environment = {**os.environ, "SIGCAT": f"{sys.executable} -m app.cli", "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "SIGCAT": f"{sys.executable} -m sigcat.cli", "PYTHONPATH": str(ROOT / "app")}
     subprocess.run([example / "build", tmp_path], check=True, env=environment)
     made, expected = contents(tmp_path), contents(example / "expected")
     assert list(made) == list(expected)

@@ -66,7 +66,20 @@ def service(installed, environment, tmp_path_factory):
 
 def test_the_data_travels_inside(installed):
     for file in ("vspec/VehicleSignalSpecification.vspec", "overlays/error.vspec", "interface_rules/vss.yaml"):
-        assert (installed / "app" / "_data" / file).is_file()
+        assert (installed / "sigcat" / "_data" / file).is_file()
+
+
+def test_it_lives_beside_another_package_called_app(installed, environment, tmp_path):
+    """Many web projects have a package of that name; nothing of sigcat is in its way."""
+    (tmp_path / "app").mkdir()
+    (tmp_path / "app" / "__init__.py").write_text("OWNER = 'another project'\n")
+    assert not (installed / "app").exists()
+    assert (installed / "sigcat" / "py.typed").is_file()
+    code = "import app, sigcat.names; print(app.OWNER, '|', sigcat.names.camel_case('wheel_speed'))"
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment, check=True
+    )
+    assert result.stdout == "another project | WheelSpeed\n"
 
 
 def test_the_command_explains_itself(run):

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.adapter.arxml.generate import generate
-from app.cli import main
-from app.errors import InputRefused
-from app.integration.autosar_adaptive.derive import derive
-from app.integration.autosar_adaptive.document import read_integration
-from app.integration.autosar_adaptive.model import to_json
+from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.cli import main
+from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.derive import derive
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_adaptive.model import to_json
 from tests.adapter.arxml_judge import (
     dangling,
     doubled_names,

@@ -9,9 +9,9 @@ from typing import Any
 import httpx
 import pytest
 
-from app.api.application import create_app
-from app.api.settings import Settings
-from app.catalogue.hosting import Library, Source
+from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library, Source
 
 TREE = Path(__file__).parent / "tree"
 SOURCES = (

@@ -8,9 +8,9 @@ import re
 import pytest
 import yaml
 
-from app.api.application import create_app
-from app.catalogue.hosting import Library, Source
-from app.web.site import create_site
+from sigcat.api.application import create_app
+from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.web.site import create_site
 from tests.api.conftest import Ask, asker
 
 HOSTILE = {

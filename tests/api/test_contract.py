@@ -17,9 +17,9 @@ from schemathesis.specs.openapi.checks import (
     status_code_conformance,
 )
 
-from app.api.application import create_app
-from app.api.settings import Settings
-from app.catalogue.hosting import Library, Source
+from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library, Source
 
 EXAMPLES = int(os.environ.get("SIGCAT_FUZZ", "8"))
 TREE = Path(__file__).parent / "tree"

@@ -5,11 +5,11 @@ import zipfile
 
 import pytest
 
-from app.api import tree_stream
-from app.api.application import create_app
-from app.api.tree_stream import json_parts
-from app.catalogue.export_json import tree_data, tree_json
-from app.catalogue.hosting import Library, Source, load, shipped_sources
+from sigcat.api.answers import tree_stream
+from sigcat.api.answers.tree_stream import json_parts
+from sigcat.api.application import create_app
+from sigcat.catalogue.exporting.export_json import tree_data, tree_json
+from sigcat.catalogue.hosting.library import Library, Source, load, shipped_sources
 from tests.api.conftest import Ask, asker
 
 CLEAN = "/api/v1/catalogues/clean"

@@ -21,10 +21,10 @@ from tests.timing import is_within
 pytestmark = pytest.mark.xdist_group("hostile")
 _SERVE = """
 import sys
-from app.api.application import create_app
-from app.api.serving import run
-from app.api.settings import Settings
-from app.catalogue.hosting import Library
+from sigcat.api.application import create_app
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import SOURCES
 settings = Settings(port=0, body_seconds=0.5, log="none")
 run(create_app(Library(SOURCES), settings), settings)
@@ -264,7 +264,7 @@ def test_a_posted_text_includes_no_files(service: Service) -> None:
 
 @pytest.mark.parametrize("address", ADDRESSES)
 def test_no_address_in_a_request_is_ever_asked(service: Service, address: str) -> None:
-    """Fetching is for `sigcat pull` alone; tests/releases/test_download.py has what that refuses."""
+    """Fetching is for `sigcat pull` alone; tests/catalogue/hosting/test_download.py has what that refuses."""
     with socket.create_server(("127.0.0.1", 0)) as listening:
         target = f"http://127.0.0.1:{listening.getsockname()[1]}/secrets"
         text = f"#include {target}\n$ref: {target}\nsource: {target}\nVehicle: {{type: branch, includes: [{target}]}}\n"

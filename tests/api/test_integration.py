@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from app.api.application import create_app
-from app.api.settings import DEFAULT_SETTINGS
-from app.catalogue.hosting import Library, shipped_sources
-from app.data import EXAMPLES
-from app.integration.schemas import SCHEMAS
+from sigcat.api.application import create_app
+from sigcat.api.settings import DEFAULT_SETTINGS
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.data import EXAMPLES
+from sigcat.integration.schemas import SCHEMAS
 from tests.api.conftest import asker
 
 CORE_ACC = (EXAMPLES / "core_acc" / "function.yaml").read_text(encoding="utf-8")

@@ -2,9 +2,9 @@
 
 import pytest
 
-from app.api.application import create_app
-from app.api.settings import Settings
-from app.catalogue.hosting import Library
+from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import Ask, asker
 
 LINT, TRIAL = "/api/v1/lint", "/api/v1/catalogues/small/trial"

@@ -11,11 +11,11 @@ from typing import Any
 import jsonschema
 import pytest
 
-from app.api.application import create_app
-from app.api.document import operations
-from app.api.openapi_changes import breaking_changes
-from app.catalogue.hosting import Library, shipped_sources
 from scripts.openapi import RELEASED, release
+from sigcat.api.application import create_app
+from sigcat.api.document import operations
+from sigcat.api.openapi_changes import breaking_changes
+from sigcat.catalogue.hosting.library import Library, shipped_sources
 from tests.api.conftest import Ask, asker
 
 ROOT = Path(__file__).parents[2]
@@ -103,7 +103,7 @@ def test_every_example_works_and_is_answered_as_the_schema_says(
 
 
 def test_linting_does_not_load_the_service() -> None:
-    code = "import sys, app.rules, app.catalogue.compose; print('fastapi' in sys.modules, 'app.api' in sys.modules)"
+    code = "import sys, sigcat.rules, sigcat.catalogue.composing.compose; print('fastapi' in sys.modules, 'sigcat.api' in sys.modules)"
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert result.stdout.split() == ["False", "False"]
 

@@ -9,14 +9,14 @@ from pathlib import Path
 import httpx
 import pytest
 
-from app.api.application import create_app
-from app.api.configuring import read_settings, shown
-from app.api.heavy import Busy, HeavyWork
-from app.api.serving import uvicorn_config
-from app.api.settings import Settings
-from app.api.tokens import new_token
-from app.catalogue.hosting import Library, Source
-from app.errors import InputRefused
+from sigcat.api.application import create_app
+from sigcat.api.configuring import read_settings, shown
+from sigcat.api.heavy_work import Busy, HeavyWork
+from sigcat.api.serving import uvicorn_config
+from sigcat.api.settings import Settings
+from sigcat.api.tokens import new_token
+from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.errors import InputRefused
 from tests.api.conftest import Ask, asker
 
 SMALL = "/api/v1/catalogues/small"

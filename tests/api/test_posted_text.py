@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from app.api.application import create_app
-from app.catalogue.hosting import Library, shipped_sources
-from app.data import EXAMPLES
+from sigcat.api.application import create_app
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.data import EXAMPLES
 from tests.api.conftest import Ask, asker
 
 DECLARATION = (EXAMPLES / "core_acc" / "function.yaml").read_bytes()

@@ -4,10 +4,10 @@ from typing import Any
 
 import pytest
 
-from app.catalogue.definition import TYPES
-from app.catalogue.hosting import Library
-from app.catalogue.interfaces import CATEGORIES
-from app.web.site import create_site
+from sigcat.catalogue.hosting.library import Library
+from sigcat.catalogue.model.definition import TYPES
+from sigcat.catalogue.model.interfaces import CATEGORIES
+from sigcat.web.site import create_site
 from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 
 SMALL = "/api/v1/catalogues/small"
@@ -125,6 +125,6 @@ def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: py
     def fail(*_: object) -> None:
         raise RuntimeError("secret")
 
-    monkeypatch.setattr("app.api.presenting.node_detail", fail)
+    monkeypatch.setattr("sigcat.api.answers.presenting.node_detail", fail)
     body = problem(ask, f"{SMALL}/nodes/Vehicle.Door.Left", 500)
     assert "secret" not in str(body)

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from app.api.application import create_app
-from app.api.settings import Settings
-from app.api.tokens import new_token, token_from_text, token_named
-from app.catalogue.hosting import Library, Source, tell_errors
+from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
+from sigcat.api.tokens import new_token, token_from_text, token_named
+from sigcat.catalogue.hosting.library import Library, Source, tell_errors
 from tests.api.conftest import Ask, asker
 
 SECRET, TOKEN = new_token("ci", ["reload"])

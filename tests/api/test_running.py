@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 import httpx
 import pytest
 
-from app.api.settings import Settings
+from sigcat.api.settings import Settings
 from tests.api.conftest import TREE
 
 pytestmark = pytest.mark.xdist_group("running")
@@ -52,7 +52,7 @@ class Service(NamedTuple):
 
 @contextmanager
 def served(tree: Path, **variables: str) -> Iterator[Service]:
-    command = [sys.executable, "-m", "app.cli", "serve", "--port", "0", "-s", str(tree)]
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
     environment = {**os.environ, **variables}
     with (
         tempfile.NamedTemporaryFile("w") as log,
@@ -119,7 +119,7 @@ def test_an_export_ends_with_the_service_and_leaves_nothing(tmp_path: Path) -> N
 
 def test_a_port_that_is_taken_is_said_and_ends_with_2() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
-        command = [sys.executable, "-m", "app.cli", "serve", "--port", str(taken.getsockname()[1])]
+        command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", str(taken.getsockname()[1])]
         ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert ended.returncode == 2
     assert "in use" in ended.stderr
@@ -131,7 +131,7 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
     settings.write_text('watch = true\n[[catalogue]]\nid = "own"\ntitle = "Own"\nspec = "tree.vspec"\n')
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
-    command = [sys.executable, "-m", "uvicorn", "--factory", "app.cli.serve:application", "--port", str(port)]
+    command = [sys.executable, "-m", "uvicorn", "--factory", "sigcat.cli.serve:application", "--port", str(port)]
     environment = {**os.environ, "SIGCAT_CONFIG": str(settings)}
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as process:
         try:
@@ -221,7 +221,7 @@ def test_a_long_answer_begins_at_once_and_takes_no_memory(large: Service, path: 
 
 
 def test_settings_of_the_environment_are_those_that_the_command_prints() -> None:
-    command = [sys.executable, "-m", "app.cli", "config"]
+    command = [sys.executable, "-m", "sigcat.cli", "config"]
     printed = subprocess.run(
         command, env={**os.environ, "SIGCAT_VALUES": "5000"}, capture_output=True, text=True, check=True
     )

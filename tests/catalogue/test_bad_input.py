@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from app.catalogue.compose import compose, read_catalogue
-from app.catalogue.layers import layer_from_text, read_layer
-from app.catalogue.limits import Limits
-from app.catalogue.vocabulary import read_vocabulary
+from sigcat.catalogue.composing.compose import compose, read_catalogue
+from sigcat.catalogue.model.vocabulary import read_vocabulary
+from sigcat.catalogue.reading.layers import layer_from_text, read_layer
+from sigcat.limits import Limits
 from tests.catalogue.trees import ROOT, findings_of
 
 BAD = Path(__file__).parent / "bad"

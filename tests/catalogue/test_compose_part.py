@@ -5,10 +5,10 @@ import json
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.catalogue.compose import compose, compose_part
-from app.catalogue.layers import layer_from_text
-from app.catalogue.vocabulary import EMPTY
-from tests.catalogue.diff.running import signal
+from sigcat.catalogue.composing.compose import compose, compose_part
+from sigcat.catalogue.model.vocabulary import EMPTY
+from sigcat.catalogue.reading.layers import layer_from_text
+from tests.catalogue.comparing.running import signal
 from tests.catalogue.trees import ROOT, catalogue_of
 
 PATHS = st.sampled_from(

@@ -4,12 +4,12 @@ import time
 
 import pytest
 
-from app.catalogue.compose import compose, compose_part
-from app.catalogue.layers import layer_from_text
-from app.catalogue.limits import Limits
-from app.catalogue.model import Catalogue
-from app.catalogue.patterns import BadPattern, Matching, compile_bounded
-from app.findings import Finding
+from sigcat.catalogue.composing.compose import compose, compose_part
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.layers import layer_from_text
+from sigcat.findings import Finding
+from sigcat.limits import Limits
+from sigcat.patterns import BadPattern, Matching, compile_bounded
 
 TREE = b"Vehicle: {type: branch, description: A vehicle.}\n" + b"".join(
     b"Vehicle.S%d: {type: sensor, datatype: float, description: A signal.}\n" % n for n in range(100)

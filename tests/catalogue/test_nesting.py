@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.catalogue.yaml_document import read_document
+from sigcat.catalogue.reading.yaml_document import read_document
 
 MANY = 5000
 SHALLOW = "a: [LOW, 'HIGH, or higher', \"[not a list]\"]\n" * MANY

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from app.catalogue.compose import read_catalogue
-from app.cli import main
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.cli import main
 from tests.catalogue.judging import OFFICIAL, Job, verdicts
 
 pytestmark = [

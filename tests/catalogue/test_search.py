@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.catalogue.search import SearchIndex
-from app.names import nearest
+from sigcat.catalogue.search import SearchIndex
+from sigcat.names import nearest
 from tests.catalogue.trees import ROOT, catalogue_of
 
 

@@ -7,9 +7,9 @@ from functools import cache
 import pytest
 import yaml
 
-from app.catalogue.compose import read_catalogue
-from app.catalogue.export_json import tree_data
-from app.data import ROOT_FILE, VSPEC
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.exporting.export_json import tree_data
+from sigcat.data import ROOT_FILE, VSPEC
 from tests.catalogue.judging import OFFICIAL, Job, verdicts
 
 TEXTS = ("description", "comment")

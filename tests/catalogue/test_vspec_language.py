@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from app.cli import main
+from sigcat.cli import main
 from tests.catalogue.judging import Job, verdicts
 
 CASES = Path(__file__).parent / "cases"

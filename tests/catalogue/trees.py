@@ -1,9 +1,9 @@
 """Small trees for the tests: text in, catalogue out."""
 
-from app.catalogue.compose import compose
-from app.catalogue.layers import layer_from_text
-from app.catalogue.model import Catalogue
-from app.catalogue.vocabulary import EMPTY
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.vocabulary import EMPTY
+from sigcat.catalogue.reading.layers import layer_from_text
 
 ROOT = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 

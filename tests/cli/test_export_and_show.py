@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.cli import main
+from sigcat.cli import main
 from tests.catalogue.trees import ROOT
 
 SPEED = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
@@ -25,11 +25,11 @@ def tree(tmp_path, monkeypatch):
 def sigcat(*arguments: str, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
     """Run the command as a process of its own."""
     return subprocess.run(
-        [sys.executable, "-m", "app.cli", *arguments],
+        [sys.executable, "-m", "sigcat.cli", *arguments],
         capture_output=True,
         text=True,
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "app")},
         check=False,
     )
 
@@ -133,7 +133,7 @@ def test_show_prints_every_attribute_with_its_origin(tree, capsys):
 
 def test_a_reader_that_goes_away_is_no_error():
     process = subprocess.Popen(
-        [sys.executable, "-m", "app.cli", "export", "json"],
+        [sys.executable, "-m", "sigcat.cli", "export", "json"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         cwd=Path(__file__).parents[2],

@@ -6,9 +6,9 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from app.cli import main
-from app.data import EXAMPLES, ROOT_FILE
-from app.integration.schemas import SCHEMAS
+from sigcat.cli import main
+from sigcat.data import EXAMPLES, ROOT_FILE
+from sigcat.integration.schemas import SCHEMAS
 
 CORE_ACC = str(EXAMPLES / "core_acc" / "function.yaml")
 MPC = str(EXAMPLES / "eco_control_mpc" / "function.yaml")

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from app.cli import main
-from app.rules.report import FORMATS
+from sigcat.cli import main
+from sigcat.rules.report import FORMATS
 from tests.catalogue.trees import ROOT
 from tests.timing import is_within
 
@@ -27,13 +27,13 @@ ACME001:
   options: {pattern: 'Acme.*'}
   source: Naming guide
 """
-COMMAND = [sys.executable, "-m", "app.cli", "lint"]
+COMMAND = [sys.executable, "-m", "sigcat.cli", "lint"]
 
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("PYTHONPATH", str(PROJECT))
+    monkeypatch.setenv("PYTHONPATH", str(PROJECT / "app"))
     return tmp_path
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from app.cli import main
+from sigcat.cli import main
 from tests.catalogue.trees import ROOT
 
 PROJECT = Path(__file__).parents[2]
@@ -86,11 +86,15 @@ def test_the_configuration_is_found_upwards(monkeypatch):
 def test_the_linter_loads_neither_web_nor_models_nor_vss_tools():
     Path("tree.vspec").write_text(ROOT + SIGNAL)
     program = (
-        "import sys; from app.cli import main; main(['lint', 'tree.vspec']);"
+        "import sys; from sigcat.cli import main; main(['lint', 'tree.vspec']);"
         "print([name for name in ('fastapi', 'pydantic', 'vss_tools', 'sqlite3', 'jinja2') if name in sys.modules])"
     )
     result = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True, env={"PYTHONPATH": str(PROJECT)}
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={"PYTHONPATH": str(PROJECT / "app")},
     )
     assert result.stdout.endswith("[]\n")
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 import yaml
 
-from app.cli import main
-from app.rules.choice import chosen, rules_for
-from app.rules.configuration import read_configuration
-from app.rules.record import parse_rules
+from sigcat.cli import main
+from sigcat.rules.linting.configuration import read_configuration
+from sigcat.rules.linting.selection import chosen, rules_for
+from sigcat.rules.record import parse_rules
 
 PROJECT = Path(__file__).parents[2]
 TEXT = (PROJECT / "docs" / "linting.md").read_text(encoding="utf-8")

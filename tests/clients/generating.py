@@ -13,7 +13,11 @@ ROOT = Path(__file__).parents[2]
 CASES = Path(__file__).parent / "cases"
 NODE_FOLDER = ROOT / ".venv" / "node"
 DECLARATION = ROOT / "examples" / "core_acc" / "function.yaml"
-_ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+_ENVIRONMENT = {
+    **os.environ,
+    "PYTHONPATH": str(ROOT / "app"),
+    "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+}
 
 
 class NoNode(Exception):
@@ -23,7 +27,7 @@ class NoNode(Exception):
 @contextmanager
 def running_service() -> Iterator[str]:
     """Address of a service with the shipped catalogues, in a process of its own."""
-    command = [sys.executable, "-m", "app.cli", "serve", "--port", "0"]
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
     with subprocess.Popen(command, cwd=ROOT, env=_ENVIRONMENT, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         match = re.search(r"http://\S+", process.stdout.readline())

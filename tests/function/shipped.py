@@ -2,9 +2,9 @@
 
 from functools import cache
 
-from app.catalogue.hosting import load, shipped_sources
-from app.catalogue.model import Catalogue
-from app.data import EXAMPLES
+from sigcat.catalogue.hosting.library import load, shipped_sources
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.data import EXAMPLES
 
 FUNCTIONS = sorted(EXAMPLES.glob("*/function.yaml"))
 

@@ -8,11 +8,11 @@ from typing import Any
 import jsonschema
 import pytest
 
-from app.catalogue.compose import compose
-from app.catalogue.layers import layer_from_text
-from app.errors import InputRefused
-from app.function.build import build_function, check_function
-from app.function.model import function_schema, to_json
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.reading.layers import layer_from_text
+from sigcat.errors import InputRefused
+from sigcat.function.build.build import build_function, check_function
+from sigcat.function.function_json.model import function_schema, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 
 PUBLISHED_SCHEMA = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_json_schema.json"

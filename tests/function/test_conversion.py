@@ -4,9 +4,9 @@ from fractions import Fraction
 
 import pytest
 
-from app.catalogue.vocabulary import read_vocabulary
-from app.data import OVERLAYS, VSPEC
-from app.function.conversion import _TO_BASE, Linear, as_text, between
+from sigcat.catalogue.model.vocabulary import read_vocabulary
+from sigcat.data import OVERLAYS, VSPEC
+from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_text, between
 
 UNITS = read_vocabulary([VSPEC / "units.yaml", OVERLAYS / "units.yaml"], [VSPEC / "quantities.yaml"])
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from app.catalogue.datatypes import PRIMITIVES as VSS
-from app.function.asil import level_of, rank
-from app.function.datatypes import PRIMITIVES, CType, agree, c_type, reference_type
+from sigcat.asil import level_of, rank
+from sigcat.catalogue.model.datatypes import PRIMITIVES as VSS
+from sigcat.function.function_json.datatypes import PRIMITIVES, CType, agree, c_type, reference_type
 
 
 def test_every_vss_datatype_has_a_row():

@@ -6,8 +6,8 @@ import jsonschema
 import pytest
 import yaml
 
-from app.function.build import build, check_function
-from app.function.declaration import declaration_schema, read_declaration
+from sigcat.function.build.build import build, check_function
+from sigcat.function.declaration.declaration import declaration_schema, read_declaration
 from tests.function.shipped import FUNCTIONS, interfaces
 
 HEAD = "function: F\ndescription: Does.\nresponsible: Team\ncomponents: [{name: F, runnables: [F_Step]}]\n"

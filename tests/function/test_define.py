@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 import yaml
 
-from app.catalogue.compose import read_catalogue
-from app.data import ROOT_FILE
-from app.errors import InputRefused, UsageError
-from app.function.build import build_function, check_function
-from app.function.declaration import declaration_schema, read_declaration
-from app.function.model import to_json
-from app.function.overlay import overlay_of
-from app.function.scaffold import SCHEMA_FILE, scaffold
-from app.function.validate import validate_function_json
-from app.rules.lint import lint_paths
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.data import ROOT_FILE
+from sigcat.errors import InputRefused, UsageError
+from sigcat.function.build.build import build_function, check_function
+from sigcat.function.build.overlay import overlay_of
+from sigcat.function.checks.validate import validate_function_json
+from sigcat.function.declaration.declaration import declaration_schema, read_declaration
+from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold
+from sigcat.function.function_json.model import to_json
+from sigcat.rules.linting.lint import lint_paths
 from tests.function.shipped import interfaces
 from tests.overlays.test_overlays import EXTENDED, UNITS
 
@@ -108,7 +108,7 @@ def test_the_overlay_lints_clean(tmp_path):
     (tmp_path / "overlays").mkdir()
     (tmp_path / "overlays" / "lanes.vspec").write_text(made.text)
     (tmp_path / "types.vspec").write_text(made.types)
-    from app.rules.options import LintOptions
+    from sigcat.rules.linting.options import LintOptions
 
     options = LintOptions(types=(tmp_path / "types.vspec",), base=ROOT_FILE, units=UNITS[1:])
     assert lint_paths([tmp_path / "overlays" / "lanes.vspec"], options).findings == ()

@@ -3,8 +3,8 @@
 import re
 from pathlib import Path
 
-from app.cli import main
-from app.function.declaration import declaration_schema
+from sigcat.cli import main
+from sigcat.function.declaration.declaration import declaration_schema
 
 TEXT = (Path(__file__).parents[2] / "docs" / "functions.md").read_text(encoding="utf-8")
 

@@ -4,8 +4,8 @@ import time
 
 import pytest
 
-from app.catalogue.limits import Limits
-from app.function.document import pointer_text, read_json, read_yaml
+from sigcat.function.document.document import pointer_text, read_json, read_yaml
+from sigcat.limits import Limits
 from tests.timing import is_within
 
 JSON = b'{\n  "a": [1, {"b/c": "x"}],\n  "d~": {}\n}\n'

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.function.build import build_function, check_function
-from app.function.document import Pointer
-from app.function.model import to_json
-from app.function.validate import read_function_json, validate_function_json
+from sigcat.function.build.build import build_function, check_function
+from sigcat.function.checks.validate import read_function_json, validate_function_json
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.model import to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 
 LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)

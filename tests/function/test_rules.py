@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from app.data import INTERFACE_RULES
-from app.function.build import check_function
-from app.function.sets import check_functions
-from app.function.severities import SEVERITIES
-from app.rules.record import load_rule_files
+from sigcat.data import INTERFACE_RULES
+from sigcat.function.build.build import check_function
+from sigcat.function.document.severities import SEVERITIES
+from sigcat.function.sets.sets import check_functions
+from sigcat.rules.record import load_rule_files
 from tests.function.shipped import interfaces
 
 RULES = load_rule_files([INTERFACE_RULES / "function.yaml"], trusted=True)
@@ -45,6 +45,6 @@ def test_code_and_record_agree_on_the_severity(rule):
 
 def test_every_code_that_this_room_emits_has_a_record():
     emitted = set()
-    for file in (Path(__file__).parents[2] / "app" / "function").glob("*.py"):
+    for file in (Path(__file__).parents[2] / "app" / "sigcat" / "function").rglob("*.py"):
         emitted.update(re.findall(r'"(F[01][0-9]{2})"', file.read_text(encoding="utf-8")))
     assert emitted == {rule.id for rule in RULES} == set(SEVERITIES)

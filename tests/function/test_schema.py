@@ -7,9 +7,9 @@ from typing import Any
 import jsonschema
 import pytest
 
-from app.function import model
-from app.function.model import FunctionJson, function_schema, to_json
-from app.function.wire import WireModel
+from sigcat.function.function_json import model
+from sigcat.function.function_json.model import FunctionJson, function_schema, to_json
+from sigcat.function.function_json.wire import WireModel
 
 PUBLISHED = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_json_schema.json"
 MODELS: dict[str, type[WireModel]] = {

@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from app.function.build import build_function
-from app.function.model import FunctionJson
-from app.integration.deployment import DEFAULT_DEPLOYMENT
-from app.integration.platforms import integrate
+from sigcat.function.build.build import build_function
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.deployment import DEFAULT_DEPLOYMENT
+from sigcat.integration.platforms import integrate
 from tests.function.shipped import interfaces
 
 ARRAY = "Vehicle.ADAS.EcoControl.Gains"

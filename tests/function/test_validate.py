@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from app.function.build import build_function, check_function
-from app.function.model import milliseconds, to_json
-from app.function.validate import read_function_json, validate_function_json
+from sigcat.function.build.build import build_function, check_function
+from sigcat.function.checks.validate import read_function_json, validate_function_json
+from sigcat.function.function_json.model import milliseconds, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 
 PUBLISHED = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_model_core_acc.json"

@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from app.function.model import FunctionJson
-from app.function.wiring import connect
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.sets.wiring import connect
 
 
 def function(name: str, *signals: dict[str, Any], cycle: int = 10, reactions: tuple[str, ...] = ()) -> FunctionJson:

@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from app.catalogue.datatypes import INTEGER_RANGES
-from app.function.datatypes import PRIMITIVES
-from app.integration.datatypes import BY_VSS, SPELLINGS, of_reference
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES
+from sigcat.function.function_json.datatypes import PRIMITIVES
+from sigcat.integration.datatypes import BY_VSS, SPELLINGS, of_reference
 from tests.integration.autosar_adaptive.sets import SHARED
 
 SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"

@@ -8,21 +8,21 @@ from typing import Any
 
 import pytest
 
-from app.catalogue.configuration import FILE_NAME, read_configuration
-from app.data import INTERFACE_RULES
-from app.errors import InputRefused
-from app.findings import SEVERITIES
-from app.function.severities import SEVERITIES as OF_FUNCTIONS
-from app.integration.autosar_adaptive import derive as adaptive
-from app.integration.autosar_adaptive.document import read_integration
-from app.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
-from app.integration.reading import read_functions
-from app.integration.ros2 import derive as ros2
-from app.integration.ros2.limits import SEVERITIES as OF_ROS2
-from app.rules.record import load_rules
+from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
+from sigcat.data import INTERFACE_RULES
+from sigcat.errors import InputRefused
+from sigcat.findings import SEVERITIES
+from sigcat.function.document.severities import SEVERITIES as OF_FUNCTIONS
+from sigcat.integration.autosar_adaptive import derive as adaptive
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.integration.reading import read_functions
+from sigcat.integration.ros2 import derive as ros2
+from sigcat.integration.ros2.limits import SEVERITIES as OF_ROS2
+from sigcat.rules.record import load_rules
 from tests.function.shipped import interfaces
 
-APP = Path(__file__).parents[2] / "app"
+APP = Path(__file__).parents[2] / "app" / "sigcat"
 RULES = load_rules(INTERFACE_RULES)
 OWN = [rule for rule in RULES if rule.check in ("integration", "configuration")]
 GRADED_OTHERWISE = {

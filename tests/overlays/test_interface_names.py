@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.catalogue.interfaces import by_interface_name, category_of, function_of, interface_name
+from sigcat.catalogue.model.interfaces import by_interface_name, category_of, function_of, interface_name
 
 WHEEL = "Vehicle.Function.WheelSpeedCalculation"
 GLOSSARY = [

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 import yaml
 
-from app.catalogue.compose import read_catalogue
-from app.catalogue.interfaces import category_of
-from app.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.model.interfaces import category_of
+from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from tests.function.shipped import interfaces
 
 NAMES = ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")

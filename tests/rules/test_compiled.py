@@ -4,10 +4,10 @@ import shutil
 
 import pytest
 
-from app.data import INTERFACE_RULES
-from app.errors import InputRefused
-from app.rules.compiled import compiled_rules
-from app.rules.record import load_rules
+from sigcat.data import INTERFACE_RULES
+from sigcat.errors import InputRefused
+from sigcat.rules.compiled import compiled_rules
+from sigcat.rules.record import load_rules
 
 
 @pytest.fixture

@@ -5,17 +5,17 @@ from pathlib import Path
 
 import pytest
 
-from app.catalogue.vocabulary import read_vocabulary
-from app.data import INTERFACE_RULES, VSPEC
-from app.rules.checks import CHECKS
-from app.rules.examples import findings_of_example
-from app.rules.record import MAKERS, load_rules
-from app.rules.rule_set import RuleSet
+from sigcat.catalogue.model.vocabulary import read_vocabulary
+from sigcat.data import INTERFACE_RULES, VSPEC
+from sigcat.rules.checks import CHECKS
+from sigcat.rules.linting.examples import findings_of_example
+from sigcat.rules.record import MAKERS, load_rules
+from sigcat.rules.rule_set import RuleSet
 
 RULES = load_rules(INTERFACE_RULES)
 EVERY_RULE = RuleSet(RULES)
 UNITS = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"])
-APP = Path(__file__).parents[2] / "app"
+APP = Path(__file__).parents[2] / "app" / "sigcat"
 ELSEWHERE = ("configuration", "export", "function", "integration")
 """Makers whose examples are no trees: tests/function and tests/integration run them."""
 TREES = [rule for rule in RULES if rule.check not in ELSEWHERE]
@@ -53,7 +53,7 @@ def test_names_of_rules_are_unique_within_a_category():
 
 def test_every_code_that_the_catalogue_emits_has_a_record():
     emitted = set()
-    for file in (APP / "catalogue").glob("*.py"):
+    for file in (APP / "catalogue").rglob("*.py"):
         emitted.update(re.findall(r'"([RVUO]0[0-9]{2})"', file.read_text(encoding="utf-8")))
     assert emitted <= {rule.id for rule in RULES if rule.check == "composition"}
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from app.rules.fixes import fixed_files
-from app.rules.lint import lint_paths
-from app.rules.report import sources_of
+from sigcat.rules.linting.fixes import fixed_files
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.report import sources_of
 
 TREE = "Vehicle: {type: branch, description: A vehicle.}\n"
 A = "Vehicle.a: {type: sensor, datatype: float, description: Yes.}"

@@ -9,22 +9,22 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.catalogue.compose import compose, compose_part, read_catalogue
-from app.catalogue.layers import layer_from_text
-from app.data import INTERFACE_RULES, OVERLAYS, ROOT_FILE, VSPEC
-from app.errors import InputRefused, NotFound, UsageError
-from app.findings import Finding
-from app.rules.baseline import baseline_text
-from app.rules.choice import rules_for
-from app.rules.configuration import find_configuration, read_configuration
-from app.rules.discovery import discover
-from app.rules.engine import found_in
-from app.rules.fixes import fixed_files
-from app.rules.lint import lint_paths, lint_text
-from app.rules.options import LintOptions, PerFile
-from app.rules.record import load_rules, parse_rules
-from app.rules.report import FORMATS, report, sources_of
-from app.rules.rule_set import RuleSet
+from sigcat.catalogue.composing.compose import compose, compose_part, read_catalogue
+from sigcat.catalogue.reading.layers import layer_from_text
+from sigcat.data import INTERFACE_RULES, OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.errors import InputRefused, NotFound, UsageError
+from sigcat.findings import Finding
+from sigcat.rules.engine import found_in
+from sigcat.rules.linting.baseline import baseline_text
+from sigcat.rules.linting.configuration import find_configuration, read_configuration
+from sigcat.rules.linting.discovery import discover
+from sigcat.rules.linting.fixes import fixed_files
+from sigcat.rules.linting.lint import lint_paths, lint_text
+from sigcat.rules.linting.options import LintOptions, PerFile
+from sigcat.rules.linting.selection import rules_for
+from sigcat.rules.record import load_rules, parse_rules
+from sigcat.rules.report import FORMATS, report, sources_of
+from sigcat.rules.rule_set import RuleSet
 
 TREE = """\
 Vehicle:

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from app.findings import Finding
-from app.rules.lint import lint_paths
-from app.rules.options import LintOptions
+from sigcat.findings import Finding
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.options import LintOptions
 
-OLDER = Path(__file__).parents[1] / "releases" / "older"
+OLDER = Path(__file__).parents[1] / "catalogue" / "hosting" / "older"
 UNITS = "units:\n  furlong:\n    label: furlong\n    description: How far a plough goes.\n    domain: distance\n"
 TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 PART = "Way:\n  type: Sensor\n  datatype: float\n  unit: furlong\n  description: How far it went.\n"

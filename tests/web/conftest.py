@@ -15,10 +15,10 @@ ROOT = Path(__file__).parent.parent.parent
 _SERVE = """
 import sys
 from pathlib import Path
-from app.catalogue.hosting import Library, Source, shipped_sources
-from app.api.serving import run
-from app.api.settings import Settings
-from app.web.site import create_site
+from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
+from sigcat.api.serving import run
+from sigcat.api.settings import Settings
+from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
 rows = Source("rows", "Doors in rows", Path(sys.argv[1]).parent / "rows.vspec")
@@ -55,7 +55,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     big = tmp_path_factory.mktemp("big") / "big.vspec"
     big.write_text(big_tree(100))
     (big.parent / "rows.vspec").write_text(_ROWS)
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "app")}
     command = [sys.executable, "-c", _SERVE, str(big)]
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None

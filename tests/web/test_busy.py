@@ -5,9 +5,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from app.api.settings import Settings
-from app.catalogue.hosting import Library
-from app.web.site import create_site
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library
+from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES, Ask, asker
 
 

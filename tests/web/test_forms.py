@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.errors import UsageError
-from app.web.forms import PostedFile, read_form
+from sigcat.errors import UsageError
+from sigcat.web.forms import PostedFile, read_form
 
 TYPE = "multipart/form-data; boundary=----x1"
 

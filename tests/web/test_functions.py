@@ -5,9 +5,9 @@ from urllib.parse import urlencode
 
 import pytest
 
-from app.catalogue.hosting import Library, shipped_sources
-from app.web.site import create_site
-from app.web.timeline import time_line
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.web.pictures.timeline import time_line
+from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
 

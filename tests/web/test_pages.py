@@ -6,10 +6,10 @@ from urllib.parse import quote
 
 import pytest
 
-from app.api.problems import KINDS
-from app.catalogue.hosting import Library, Source
-from app.web.headers import POLICY
-from app.web.site import create_site
+from sigcat.api.answers.problems import KINDS
+from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.web.headers import POLICY
+from sigcat.web.site import create_site
 from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 
 PAGES = (

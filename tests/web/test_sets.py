@@ -6,11 +6,11 @@ from urllib.parse import urlencode
 import httpx
 import pytest
 
-from app.api.settings import Settings
-from app.catalogue.hosting import Library, shipped_sources
-from app.web.forms import PostedFile
-from app.web.function_sets import as_text, distinct, documents_in
-from app.web.site import create_site
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.web.forms import PostedFile
+from sigcat.web.site import create_site
+from sigcat.web.views.function_sets import as_text, distinct, documents_in
 from tests.api.conftest import Ask, asker
 
 

@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from app.catalogue.hosting import Library, shipped_sources
-from app.web.site import create_site
+from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.web.site import create_site
 from tests.api.conftest import Ask, asker
 
 VARIANT = "interfaces~without.error~folded"

@@ -3,8 +3,8 @@
 from functools import cache
 from pathlib import Path
 
-from app.function.build import build_function
-from app.function.model import FunctionJson
+from sigcat.function.build.build import build_function
+from sigcat.function.function_json.model import FunctionJson
 from tests.function.shipped import FUNCTIONS, interfaces
 
 SHARED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"

@@ -5,8 +5,8 @@ import json
 import jsonschema
 import pytest
 
-from app.errors import InputRefused, UsageError
-from app.function.model import (
+from sigcat.errors import InputRefused, UsageError
+from sigcat.function.function_json.model import (
     DataQueue,
     Error,
     FunctionJson,
@@ -17,12 +17,12 @@ from app.function.model import (
     SafetyReaction,
     Signal,
 )
-from app.integration.autosar_adaptive.derive import derive
-from app.integration.autosar_adaptive.document import identifiers_of, read_integration
-from app.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
-from app.integration.autosar_adaptive.targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
-from app.integration.deployment import Deployment, read_deployment
-from app.integration.report import NOT_CARRIED, to_markdown
+from sigcat.integration.autosar_adaptive.derive import derive
+from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
+from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
+from sigcat.integration.deployment import Deployment, read_deployment
+from sigcat.integration.report import NOT_CARRIED, to_markdown
 from tests.integration.autosar_adaptive.sets import SHARED, at, example, examples, function, signal
 
 PUBLISHED_SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"

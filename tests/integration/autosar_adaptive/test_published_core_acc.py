@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from app.function.validate import read_function_json
-from app.integration.autosar_adaptive.derive import derive
-from app.integration.autosar_adaptive.model import to_json
-from app.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.function.checks.validate import read_function_json
+from sigcat.integration.autosar_adaptive.derive import derive
+from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
 from tests.integration.autosar_adaptive.sets import SHARED
 
 FUNCTION = SHARED / "function_model_core_acc.json"

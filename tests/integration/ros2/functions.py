@@ -3,11 +3,11 @@
 import json
 from functools import cache
 
-from app.function.build import build_function
-from app.function.model import FunctionJson
-from app.integration.deployment import Deployment
-from app.integration.ros2.derive import derive
-from app.integration.ros2.model import to_json
+from sigcat.function.build.build import build_function
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.deployment import Deployment
+from sigcat.integration.ros2.derive import derive
+from sigcat.integration.ros2.model import to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 
 

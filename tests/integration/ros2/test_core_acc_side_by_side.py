@@ -9,8 +9,8 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from app.function.validate import read_function_json
-from app.integration.names import FIELD
+from sigcat.function.checks.validate import read_function_json
+from sigcat.integration.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
 
 PUBLISHED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"
@@ -144,7 +144,7 @@ def test_none_of_their_field_names_would_pass_rosidl():
 
 
 def test_their_own_file_is_read_by_our_model():
-    from app.integration.ros2.model import Ros2Integration
+    from sigcat.integration.ros2.model import Ros2Integration
 
     assert Ros2Integration.model_validate(read("integration_model_ros2_core_acc.json"), by_name=False)
 

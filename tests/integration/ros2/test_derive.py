@@ -6,14 +6,14 @@ import jsonschema
 import pytest
 from pydantic import BaseModel
 
-from app.errors import UsageError
-from app.function import model as function_model
-from app.integration.deployment import Deployment
-from app.integration.names import CONSTANT, FIELD, MESSAGE
-from app.integration.report import NOT_CARRIED
-from app.integration.ros2.derive import derive
-from app.integration.ros2.fates import TABLES
-from app.integration.ros2.model import ros2_schema, to_json
+from sigcat.errors import UsageError
+from sigcat.function.function_json import model as function_model
+from sigcat.integration.deployment import Deployment
+from sigcat.integration.names import CONSTANT, FIELD, MESSAGE
+from sigcat.integration.report import NOT_CARRIED
+from sigcat.integration.ros2.derive import derive
+from sigcat.integration.ros2.field_targets import TABLES
+from sigcat.integration.ros2.model import ros2_schema, to_json
 from tests.integration.ros2.functions import document, example, examples, function, rules, settings, signal, topics
 
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.integration.names import (
+from sigcat.integration.names import (
     CONSTANT,
     CPP_KEYWORDS,
     FIELD,

@@ -1,1 +1,0 @@
-"""Files for a platform, written from an integration model and nothing else."""

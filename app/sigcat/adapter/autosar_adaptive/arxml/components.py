@@ -1,0 +1,141 @@
+"""Application component types with their ports, stored parameters, and executables with their root components."""
+
+from collections.abc import Iterable
+
+from sigcat.adapter.autosar_adaptive.arxml.paths import COMPONENTS, EXECUTABLES, INTERFACES, STORAGES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
+from sigcat.integration.autosar_adaptive.model import Call, Component, ParameterEntry, ServiceInterface
+from sigcat.integration.autosar_names import distinct, short_name
+
+COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
+STORAGE = "PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
+
+
+def packages(components: Iterable[Component], known: Library) -> list[Package]:
+    """The packages of the file of components."""
+    listed_components = list(components)
+    return [
+        Package(STORAGES, tuple(_storage(item, known) for item in listed_components if item.parameters)),
+        Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
+        Package(EXECUTABLES, tuple(_executable(item, known) for item in listed_components)),
+    ]
+
+
+def port_name(interface: ServiceInterface) -> str:
+    """Name of the port of a service."""
+    return short_name(f"{interface.name}_{'P' if interface.role == 'Provider' else 'R'}Port")
+
+
+def storage_name(component: Component) -> str:
+    """Name of the interface over which a component reads its parameters."""
+    return short_name(f"{component.name}_Parameters")
+
+
+def root_name(component: Component) -> str:
+    """Name of the root component of an executable."""
+    return short_name(f"{component.name}_Root")
+
+
+def _component(component: Component, known: Library) -> Tag:
+    ports = [_port(interface, known) for interface in component.services]
+    if component.parameters:
+        ports.append(_storage_port(component, known))
+    return tag(
+        COMPONENT,
+        description(component.description),
+        trace([("Function", component.function), *_headers(component), *_modes(component), *_calls(component.calls)]),
+        listed("PORTS", ports),
+        name=component.name,
+    )
+
+
+def _headers(component: Component) -> list[tuple[str, object]]:
+    return [("HeaderFile", header) for header in component.header_files or ()]
+
+
+def _modes(component: Component) -> list[tuple[str, object]]:
+    return [
+        ("Mode", f"{mode.name}: {', '.join(mode.calls or ()) or 'no call'}") for mode in component.function_modes or ()
+    ]
+
+
+def _calls(calls: Iterable[Call]) -> list[tuple[str, object]]:
+    """Calls have no element in the manifests of AUTOSAR adaptive: each is told with its fields, `name.field`."""
+    told: list[tuple[str, object]] = []
+    for call in calls:
+        told.append(("Call", call.name))
+        written = call.model_dump(mode="json", exclude_none=True)
+        told.extend((f"{call.name}.{field}", value) for field, value in written.items() if field != "Name")
+    return told
+
+
+def _port(interface: ServiceInterface, known: Library) -> Tag:
+    path = known.paths.of(INTERFACES, interface.name)
+    if interface.role == "Provider":
+        target = reference("PROVIDED-INTERFACE-TREF", path, "SERVICE-INTERFACE")
+        return tag("P-PORT-PROTOTYPE", _mapped(interface), target, name=port_name(interface))
+    target = reference("REQUIRED-INTERFACE-TREF", path, "SERVICE-INTERFACE")
+    return tag("R-PORT-PROTOTYPE", _mapped(interface), target, name=port_name(interface))
+
+
+def _mapped(interface: ServiceInterface) -> Tag | None:
+    """Which expressions of the code hold the events."""
+    return trace(
+        [
+            (f"{event.name}.DataMapping", variable)
+            for services in interface.services
+            for event in services.events
+            for variable in event.data_mapping or ()
+        ]
+    )
+
+
+def _storage_port(component: Component, known: Library) -> Tag:
+    """Read only, or both ways if the component learns a parameter."""
+    path = known.paths.of(STORAGES, storage_name(component))
+    if any(parameter.attribute == "LearningParameter" for parameter in component.parameters or ()):
+        return tag("PR-PORT-PROTOTYPE", reference("PROVIDED-REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
+    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
+
+
+def _storage(component: Component, known: Library) -> Tag:
+    elements = (_parameter(parameter, known) for parameter in component.parameters or ())
+    return tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component))
+
+
+def _parameter(parameter: ParameterEntry, known: Library) -> Tag:
+    kind = parameter.datatype
+    facts = [
+        ("VssPath", parameter.vss_path), ("InterfaceType", parameter.interface_type), ("Attribute", parameter.attribute),
+        ("Default", kind.default), ("InitValue", kind.init_value), ("RangeErrorAction", parameter.range_error_action),
+        ("AsilLevel", parameter.asil_level), ("Variable", parameter.variable),
+        ("ConversionFactor", parameter.conversion_factor), ("ConversionOffset", parameter.conversion_offset),
+    ]  # fmt: skip
+    return tag(
+        "PERSISTENCY-DATA-ELEMENT",
+        description(parameter.description),
+        trace(facts),
+        known.properties(Presentation(kind.unit or None, None, None, kind.min, kind.max)),
+        reference("TYPE-TREF", known.type_path(kind.word), TYPE),
+        name=parameter.name,
+    )
+
+
+def _executable(component: Component, known: Library) -> Tag:
+    path = known.paths.of(COMPONENTS, component.name)
+    root = tag(
+        "ROOT-SW-COMPONENT-PROTOTYPE", reference("APPLICATION-TYPE-TREF", path, COMPONENT), name=root_name(component)
+    )
+    return tag(
+        "EXECUTABLE",
+        tag("CATEGORY", text="APPLICATION_LEVEL"),
+        tag("REPORTING-BEHAVIOR", text="REPORTS-EXECUTION-STATE"),
+        root,
+        name=component.executable,
+    )
+
+
+def process_names(components: Iterable[Component]) -> dict[str, str]:
+    """Names of the processes, by component."""
+    return distinct({component.name: short_name(f"{component.name}Process") for component in components})

@@ -1,0 +1,237 @@
+"""Function group, processes, SOME/IP deployments, service instances and their mapping to ports."""
+
+from collections.abc import Iterable, Sequence
+
+from sigcat.adapter.autosar_adaptive.arxml.components import port_name, process_names, root_name
+from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
+from sigcat.adapter.autosar_adaptive.arxml.paths import (
+    COMPONENTS,
+    DEPLOYMENTS,
+    EXECUTABLES,
+    FUNCTION_GROUPS,
+    INSTANCES,
+    INTERFACES,
+    MAPPINGS,
+    PROCESSES,
+    STARTUP,
+    Paths,
+)
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_names import short_name
+
+OFF = "Off"
+"""State in which nothing of a function group runs; AUTOSAR wants every function group to have it and to begin in it."""
+DEPLOYMENT = "SOMEIP-SERVICE-INTERFACE-DEPLOYMENT"
+EVENT = "SOMEIP-EVENT-DEPLOYMENT"
+
+
+def packages(model: IntegrationModel, services: Sequence[Whole], function_group: str, paths: Paths) -> list[Package]:
+    """The packages of the file of deployment."""
+    components = model.components
+    pairs = [(component, interface) for component in components for interface in component.services]
+    return [
+        Package(FUNCTION_GROUPS, _function_groups(components, function_group, paths)),
+        Package(STARTUP, tuple(map(_startup, components))),
+        Package(PROCESSES, tuple(_process(item, components, function_group, paths) for item in components)),
+        Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
+        Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
+        Package(MAPPINGS, tuple(_mapping(*pair, components, paths) for pair in pairs)),
+    ]
+
+
+# -- function group and processes ---------------------------------------------------------------------------------
+
+
+def _states_name(function_group: str) -> str:
+    return short_name(f"{function_group}_States")
+
+
+def _set_name(function_group: str) -> str:
+    return short_name(f"{function_group}_Set")
+
+
+def _function_groups(components: Iterable[Component], group: str, paths: Paths) -> tuple[Tag, ...]:
+    modes = dict.fromkeys(mode for component in components for mode in component.modes)
+    states = [OFF, *(mode for mode in modes if mode != OFF)]
+    declared = (tag("MODE-DECLARATION", name=state) for state in states)
+    path = paths.of(FUNCTION_GROUPS, _states_name(group))
+    prototype = tag(
+        "MODE-DECLARATION-GROUP-PROTOTYPE", reference("TYPE-TREF", path, "MODE-DECLARATION-GROUP"), name=group
+    )
+    return (
+        tag(
+            "MODE-DECLARATION-GROUP",
+            reference("INITIAL-MODE-REF", f"{path}/{OFF}", "MODE-DECLARATION"),
+            listed("MODE-DECLARATIONS", declared),
+            name=_states_name(group),
+        ),
+        tag("FUNCTION-GROUP-SET", tag("FUNCTION-GROUPS", prototype), name=_set_name(group)),
+    )
+
+
+def _startup_name(component: Component) -> str:
+    return short_name(f"{component.name}_Startup")
+
+
+def _startup(component: Component) -> Tag:
+    """POSIX scheduling, where a call asks for a policy that POSIX has."""
+    asked = next((call for call in component.calls if call.scheduling in ("RR", "FIFO")), None)
+    priority = asked.priority if asked and (asked.priority or "").isdecimal() else None
+    return tag(
+        "STARTUP-CONFIG",
+        tag("SCHEDULING-POLICY", text=f"SCHED_{asked.scheduling}") if asked else None,
+        tag("SCHEDULING-PRIORITY", text=priority) if priority else None,
+        name=_startup_name(component),
+    )
+
+
+def _process(component: Component, components: Iterable[Component], group: str, paths: Paths) -> Tag:
+    states = listed("FUNCTION-GROUP-STATE-IREFS", (_state(mode, group, paths) for mode in component.modes))
+    startup = reference("STARTUP-CONFIG-REF", paths.of(STARTUP, _startup_name(component)), "STARTUP-CONFIG")
+    executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
+    return tag(
+        "PROCESS",
+        tag("EXECUTABLE-REFS", executable),
+        tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
+        name=process_names(components)[component.name],
+    )
+
+
+def _state(mode: str, group: str, paths: Paths) -> Tag:
+    prototype = paths.of(FUNCTION_GROUPS, _set_name(group), group)
+    target = paths.of(FUNCTION_GROUPS, _states_name(group), mode)
+    return tag(
+        "FUNCTION-GROUP-STATE-IREF",
+        reference("CONTEXT-MODE-DECLARATION-GROUP-PROTOTYPE-REF", prototype, "MODE-DECLARATION-GROUP-PROTOTYPE"),
+        reference("TARGET-MODE-DECLARATION-REF", target, "MODE-DECLARATION"),
+    )
+
+
+# -- SOME/IP ------------------------------------------------------------------------------------------------------
+
+
+def deployment_name(service: str) -> str:
+    """Name of the SOME/IP deployment of a service."""
+    return short_name(f"{service}_SomeIp")
+
+
+def _deployment(service: Whole, paths: Paths) -> Tag:
+    interface = paths.of(INTERFACES, service.name)
+    own = paths.of(DEPLOYMENTS, deployment_name(service.name))
+    return tag(
+        DEPLOYMENT,
+        listed("EVENT-DEPLOYMENTS", (_event(e.name, e.event_id, interface) for e in service.events)),
+        listed("FIELD-DEPLOYMENTS", (_field(f.name, f.notifier_id, f.getter_id, interface) for f in service.fields)),
+        listed("METHOD-DEPLOYMENTS", (_method(m.name, m.method_id, interface) for m in service.methods)),
+        reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
+        listed("EVENT-GROUPS", (_group(name, number, service, own) for name, number in _groups(service))),
+        tag("SERVICE-INTERFACE-ID", text=service.service_id),
+        tag("SERVICE-INTERFACE-VERSION", tag("MAJOR-VERSION", text=1), tag("MINOR-VERSION", text=0)),
+        name=deployment_name(service.name),
+    )
+
+
+def _groups(service: Whole) -> list[tuple[str, int]]:
+    return [(group.name, group.id) for group in service.event_groups]
+
+
+def element_name(name: str) -> str:
+    """Name of the deployment of an event, a field or a method."""
+    return short_name(f"{name}_SomeIp")
+
+
+def _event(name: str, number: int | None, interface: str) -> Tag:
+    return tag(
+        EVENT,
+        reference("EVENT-REF", f"{interface}/{name}", "VARIABLE-DATA-PROTOTYPE"),
+        tag("EVENT-ID", text=number),
+        tag("TRANSPORT-PROTOCOL", text="UDP"),
+        name=element_name(name),
+    )
+
+
+def _field(name: str, notifier: int | None, getter: int | None, interface: str) -> Tag:
+    return tag(
+        "SOMEIP-FIELD-DEPLOYMENT",
+        reference("FIELD-REF", f"{interface}/{name}", "FIELD"),
+        tag("GET", tag("METHOD-ID", text=getter), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Get"),
+        tag("NOTIFIER", tag("EVENT-ID", text=notifier), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Notifier"),
+        name=element_name(name),
+    )
+
+
+def _method(name: str, number: int | None, interface: str) -> Tag:
+    return tag(
+        "SOMEIP-METHOD-DEPLOYMENT",
+        reference("METHOD-REF", f"{interface}/{name}", "CLIENT-SERVER-OPERATION"),
+        tag("METHOD-ID", text=number),
+        tag("TRANSPORT-PROTOCOL", text="UDP"),
+        name=element_name(name),
+    )
+
+
+def group_name(name: str) -> str:
+    """Name of an event group; no deployment of an event ends like it."""
+    return short_name(f"{name}_Group")
+
+
+def _group(name: str, number: int, service: Whole, own: str) -> Tag:
+    events = [f"{own}/{element_name(event.name)}" for event in service.events if event.event_group == name]
+    fields = [f"{own}/{element_name(field.name)}/Notifier" for field in service.fields if field.event_group == name]
+    references = (reference("EVENT-REF", path, EVENT) for path in (*events, *fields))
+    return tag(
+        "SOMEIP-EVENT-GROUP",
+        tag("EVENT-GROUP-ID", text=number),
+        listed("EVENT-REFS", references),
+        name=group_name(name),
+    )
+
+
+# -- instances ----------------------------------------------------------------------------------------------------
+
+
+def instance_name(component: Component, interface: ServiceInterface) -> str:
+    """Name of a component's instance of a service."""
+    return short_name(f"{component.name}_{port_name(interface)}_Instance")
+
+
+def _instance(component: Component, interface: ServiceInterface, paths: Paths) -> Tag:
+    own = paths.of(DEPLOYMENTS, deployment_name(interface.name))
+    is_provider = interface.role == "Provider"
+    word = "PROVIDED" if is_provider else "REQUIRED"
+    groups = (
+        tag(
+            f"SOMEIP-{word}-EVENT-GROUP",
+            reference("EVENT-GROUP-REF", f"{own}/{group_name(group.name)}", "SOMEIP-EVENT-GROUP"),
+            name=group_name(group.name),
+        )
+        for group in interface.event_groups or ()
+    )
+    return tag(
+        f"{word}-SOMEIP-SERVICE-INSTANCE",
+        reference("SERVICE-INTERFACE-DEPLOYMENT-REF", own, DEPLOYMENT),
+        listed(f"{word}-EVENT-GROUPS", groups),
+        tag("SERVICE-INSTANCE-ID" if is_provider else "REQUIRED-SERVICE-INSTANCE-ID", text=interface.instance_id),
+        name=instance_name(component, interface),
+    )
+
+
+def _mapping(component: Component, interface: ServiceInterface, components: Iterable[Component], paths: Paths) -> Tag:
+    is_provider = interface.role == "Provider"
+    root = paths.of(EXECUTABLES, component.executable, root_name(component))
+    port = paths.of(COMPONENTS, component.name, port_name(interface))
+    process = paths.of(PROCESSES, process_names(components)[component.name])
+    instance = paths.of(INSTANCES, instance_name(component, interface))
+    kind = f"{'PROVIDED' if is_provider else 'REQUIRED'}-SOMEIP-SERVICE-INSTANCE"
+    return tag(
+        "SERVICE-INSTANCE-TO-PORT-PROTOTYPE-MAPPING",
+        tag(
+            "PORT-PROTOTYPE-IREF",
+            reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE"),
+            reference("TARGET-PORT-PROTOTYPE-REF", port, "P-PORT-PROTOTYPE" if is_provider else "R-PORT-PROTOTYPE"),
+        ),
+        reference("PROCESS-REF", process, "PROCESS"),
+        reference("SERVICE-INSTANCE-REF", instance, kind),
+        name=short_name(f"{instance_name(component, interface)}_Mapping"),
+    )

@@ -1,0 +1,49 @@
+"""From an integration model to ARXML of AUTOSAR adaptive R23-11, in the files that integrators expect."""
+
+from collections.abc import Iterable
+
+from autosar_data import AutosarDataError
+
+from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, types
+from sigcat.adapter.autosar_adaptive.arxml.paths import Paths
+from sigcat.adapter.autosar_adaptive.arxml.tree import written
+from sigcat.adapter.files import GeneratedFile
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.document import completed
+from sigcat.integration.autosar_adaptive.model import IntegrationModel
+
+
+@collector_paused()
+def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
+    """Types, interfaces, components and deployment, each a file. The same model gives the same bytes.
+
+    Raises InputRefused if the model names what AUTOSAR cannot.
+    """
+    whole = completed(model)
+    assert whole.deployment is not None
+    paths = Paths(whole.deployment.package)
+    known = types.library(whole, paths)
+    services = interfaces.wholes(whole)
+    content = {
+        "types.arxml": types.packages(known, _words(whole)),
+        "interfaces.arxml": [interfaces.package(services, known)],
+        "components.arxml": components.packages(whole.components, known),
+        "deployment.arxml": deployment.packages(whole, services, whole.deployment.function_group, paths),
+    }
+    try:
+        return tuple(GeneratedFile(name, written(name, paths.root, packages)) for name, packages in content.items())
+    except AutosarDataError as error:
+        raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+
+
+def _words(model: IntegrationModel) -> Iterable[str]:
+    """Words and names of the datatypes that elements refer to."""
+    for component in model.components:
+        yield from (parameter.datatype.word for parameter in component.parameters or ())
+        for interface in component.services:
+            for services in interface.services:
+                yield from (event.datatype for event in services.events)
+                yield from (field.datatype or "uint8_t" for field in services.fields)
+                for method in services.methods:
+                    yield from (argument.datatype for argument in (*(method.inputs or ()), *(method.outputs or ())))

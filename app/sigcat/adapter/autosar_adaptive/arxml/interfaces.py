@@ -1,0 +1,136 @@
+"""Service interfaces with events, methods and fields."""
+
+from collections.abc import Iterable
+from typing import NamedTuple, TypeVar
+
+from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
+from sigcat.integration.autosar_adaptive.model import (
+    Event,
+    EventGroup,
+    IntegrationModel,
+    Method,
+    MethodArgument,
+    ServiceField,
+    ServiceInterface,
+)
+
+Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
+
+
+class Whole(NamedTuple):
+    """A service with what all components together have of it."""
+
+    name: str
+    service_id: int
+    instance_id: int
+    origin: str
+    events: tuple[Event, ...]
+    methods: tuple[Method, ...]
+    fields: tuple[ServiceField, ...]
+    event_groups: tuple[EventGroup, ...]
+
+
+def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
+    """Every service of the model, by name. Of an element that several list, the provider's one counts."""
+    by_name: dict[str, list[ServiceInterface]] = {}
+    for component in model.components:
+        for interface in component.services:
+            by_name.setdefault(interface.name, []).append(interface)
+    return tuple(
+        _whole(name, sorted(found, key=lambda interface: interface.role != "Provider"))
+        for name, found in sorted(by_name.items())
+    )
+
+
+def _whole(name: str, found: list[ServiceInterface]) -> Whole:
+    parts = [services for interface in found for services in interface.services]
+    first = found[0]
+    assert first.service_id is not None
+    assert first.instance_id is not None
+    return Whole(
+        name,
+        first.service_id,
+        first.instance_id,
+        first.origin or "",
+        _each(event for part in parts for event in part.events),
+        _each(method for part in parts for method in part.methods),
+        _each(field for part in parts for field in part.fields),
+        _each(group for interface in found for group in interface.event_groups or ()),
+    )
+
+
+def _each(items: Iterable[Item]) -> tuple[Item, ...]:
+    """Items by name, of several with one name the first."""
+    first: dict[str, Item] = {}
+    for item in items:
+        first.setdefault(item.name, item)
+    return tuple(first[name] for name in sorted(first))
+
+
+def package(services: Iterable[Whole], known: Library) -> Package:
+    """The package of service interfaces."""
+    return Package(INTERFACES, tuple(_interface(service, known) for service in services))
+
+
+def _interface(service: Whole, known: Library) -> Tag:
+    return tag(
+        "SERVICE-INTERFACE",
+        trace([("Origin", service.origin)]),
+        tag("MAJOR-VERSION", text=1),
+        tag("MINOR-VERSION", text=0),
+        listed("EVENTS", (_event(event, known) for event in service.events)),
+        listed("FIELDS", (_field(field, known) for field in service.fields)),
+        listed("METHODS", (_method(method, known) for method in service.methods)),
+        name=service.name,
+    )
+
+
+def _event(event: Event, known: Library) -> Tag:
+    return tag(
+        "VARIABLE-DATA-PROTOTYPE",
+        description(event.description),
+        trace([("VssPath", event.vss_path), ("CycleTimeMs", event.cycle_time)]),
+        known.properties(presentation(event)),
+        reference("TYPE-TREF", known.type_path(event.datatype), TYPE),
+        name=event.name,
+    )
+
+
+def _field(field: ServiceField, known: Library) -> Tag:
+    return tag(
+        "FIELD",
+        description(field.description),
+        trace([("VssPath", field.vss_path)]),
+        reference("TYPE-TREF", known.type_path(field.datatype or "uint8_t"), TYPE),
+        tag("HAS-GETTER", text="true"),
+        tag("HAS-NOTIFIER", text="true"),
+        tag("HAS-SETTER", text="false"),
+        name=field.name,
+    )
+
+
+def _method(method: Method, known: Library) -> Tag:
+    arguments = (
+        _argument(argument, direction, known)
+        for direction, arguments in (("IN", method.inputs), ("OUT", method.outputs))
+        for argument in arguments or ()
+    )
+    return tag(
+        "CLIENT-SERVER-OPERATION",
+        description(method.description),
+        listed("ARGUMENTS", arguments),
+        tag("FIRE-AND-FORGET", text="false"),
+        name=method.name,
+    )
+
+
+def _argument(argument: MethodArgument, direction: str, known: Library) -> Tag:
+    return tag(
+        "ARGUMENT-DATA-PROTOTYPE",
+        known.properties(Presentation(argument.unit, None, None, None, None)),
+        reference("TYPE-TREF", known.type_path(argument.datatype), TYPE),
+        tag("DIRECTION", text=direction),
+        name=argument.name,
+    )

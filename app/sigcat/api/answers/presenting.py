@@ -1,0 +1,259 @@
+"""What the catalogue knows, in the schemas of the API."""
+
+import datetime as dt
+import os
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from math import isfinite
+from typing import Any
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.versions import version_of
+from sigcat.catalogue.comparing.changes import Change
+from sigcat.catalogue.comparing.diff_report import diff_data
+from sigcat.catalogue.comparing.trial import Trial
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
+from sigcat.catalogue.model.interfaces import category_of, interface_name
+from sigcat.catalogue.model.vocabulary import Quantity, Unit
+from sigcat.catalogue.reading.layers import Layer
+from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.search import overlay_name
+from sigcat.data import VSPEC
+from sigcat.findings import Finding, has_errors
+from sigcat.rules.record import Rule
+
+MOST_FINDINGS = 1000
+"""Findings in one answer; nobody reads more, and a hostile text can have as many as it has lines."""
+_SHIPPED = f"{VSPEC.parent}{os.sep}"
+
+
+def plain(value: Any) -> Any:
+    """A YAML value as JSON has it: dates and whatever else JSON lacks become text."""
+    if isinstance(value, Mapping):
+        return {plain_text(str(key)): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(item) for item in value]
+    if isinstance(value, float) and not isfinite(value):
+        return str(value)
+    if value is None or isinstance(value, bool | int | float):
+        return value
+    if isinstance(value, dt.date | dt.time):
+        return value.isoformat()
+    return plain_text(str(value))
+
+
+def plain_text(text: str) -> str:
+    """Text that can be sent as UTF-8: half surrogate pairs are replaced."""
+    return text.encode("utf-8", "replace").decode()
+
+
+def place(origin: Origin) -> schemas.Place:
+    """Where something was written."""
+    return schemas.Place(
+        file=shown_file(origin.file), line=origin.line, column=origin.column, overlay=overlay_name(origin.overlay)
+    )
+
+
+def shown_file(file: str) -> str:
+    """A file as readers know it: what sigcat ships is named from its folder on, wherever it is installed."""
+    return plain_text(file.removeprefix(_SHIPPED))
+
+
+def finding_schema(finding: Finding) -> schemas.Finding:
+    """A finding as the API has it."""
+    fields: dict[str, Any] = {n: plain_text(v) if isinstance(v, str) else v for n, v in finding._asdict().items()}
+    return schemas.Finding(**{**fields, "file": shown_file(finding.file)})
+
+
+def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
+    """Findings as the API has them; of very many the first, and a last one that says how many more there are."""
+    shown = [finding_schema(each) for each in findings[:MOST_FINDINGS]]
+    more = len(findings) - len(shown)
+    if more > 0:
+        text = f"{more:,} more findings are not shown. Settle these first."
+        shown.append(finding_schema(Finding("Q002", "info", text)))
+    return shown
+
+
+def finding_counts(findings: Iterable[Finding]) -> schemas.FindingCounts:
+    """How many findings there are of each severity."""
+    counts = Counter(finding.severity for finding in findings)
+    return schemas.FindingCounts(error=counts["error"], warning=counts["warning"], info=counts["info"])
+
+
+def catalogue_summary(hosted: Hosted) -> schemas.CatalogueSummary:
+    """A hosted catalogue in a list."""
+    return schemas.CatalogueSummary(**_summary_fields(hosted))
+
+
+def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
+    """A hosted catalogue with layers and findings."""
+    return schemas.Catalogue(
+        **_summary_fields(hosted),
+        layers=[_layer(layer) for layer in hosted.catalogue.layers],
+        problems=listed_findings(hosted.catalogue.findings),
+        rejected=listed_findings(hosted.rejected),
+    )
+
+
+def node_summary(node: Node) -> schemas.NodeSummary:
+    """A node in a list."""
+    return schemas.NodeSummary(**_node_fields(node))
+
+
+def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
+    """Everything about one node."""
+    parent = catalogue.parent(node)
+    siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
+    position = siblings.index(node.path)
+    unit = catalogue.unit(node)
+    return schemas.Node(
+        path=node.path,
+        name=node.name,
+        type=node.type,
+        template=node.template,
+        category=category_of(node.path),
+        interface_name=interface_name_of(node),
+        parent=parent.path if parent else None,
+        previous=siblings[position - 1] if position else None,
+        next=siblings[position + 1] if position + 1 < len(siblings) else None,
+        origin=place(catalogue.origin(node)),
+        unit=unit_schema(unit) if unit else None,
+        attributes=attributes(node),
+        children=[node_summary(child) for child in node.children],
+    )
+
+
+def interface_name_of(node: Node) -> str | None:
+    """Name of the interface that a node of a function's own branch stands for; None for data and for branches."""
+    category = category_of(node.path)
+    return interface_name(node.path) if category is not None and category != "data" else None
+
+
+def attributes(node: Node) -> list[schemas.Attribute]:
+    """Attributes of a node with their origin and history, in the order in which they were written."""
+    return [
+        schemas.Attribute(
+            name=plain_text(name),
+            value=plain(value),
+            origin=place(node.definition.origin(name)),
+            is_extended=name not in CORE_ATTRIBUTES,
+            history=[schemas.HistoryEntry(value=plain(v), origin=place(o)) for v, o in node.definition.history(name)],
+        )
+        for name, value in node.values.items()
+    ]
+
+
+def tree_node(node: Node, depth: int) -> schemas.TreeNode:
+    """A node and what stands below it, `depth` levels down."""
+    children = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
+    return schemas.TreeNode(**_node_fields(node), children=children)
+
+
+def unit_schema(unit: Unit) -> schemas.Unit:
+    """A unit as the API has it."""
+    fields = unit._asdict()
+    return schemas.Unit(**{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": place(unit.origin)})
+
+
+def quantity_schema(quantity: Quantity) -> schemas.Quantity:
+    """A quantity as the API has it."""
+    return schemas.Quantity(**{**quantity._asdict(), "origin": place(quantity.origin)})
+
+
+def _summary_fields(hosted: Hosted) -> dict[str, Any]:
+    catalogue = hosted.catalogue
+    return {
+        "id": hosted.source.id,
+        "title": hosted.source.title,
+        "digest": catalogue.digest,
+        "version": version_of(hosted),
+        "nodes": len(catalogue.nodes),
+        "types": dict(Counter(plain_text(node.type) for node in catalogue.nodes.values())),
+        "roots": [plain_text(root.path) for root in catalogue.roots],
+        "findings": finding_counts(catalogue.findings),
+    }
+
+
+def _layer(layer: Layer) -> schemas.Layer:
+    return schemas.Layer(
+        name=shown_file(layer.name), is_overlay=layer.is_overlay, files=len(layer.files), digest=layer.digest
+    )
+
+
+def _node_fields(node: Node) -> dict[str, Any]:
+    return {
+        "path": plain_text(node.path),
+        "name": plain_text(node.name),
+        "type": plain_text(node.type),
+        "datatype": _text(node.values.get("datatype")),
+        "unit": _text(node.values.get("unit")),
+        "description": _text(node.values.get("description")) or "",
+        "category": category_of(node.path),
+        "deprecated": bool(node.values.get("deprecation")),
+        "child_count": len(node.children),
+    }
+
+
+def _text(value: Any) -> str | None:
+    return None if value is None else plain_text(str(value))
+
+
+def rule_summary(rule: Rule) -> schemas.RuleSummary:
+    """A rule in a list."""
+    return schemas.RuleSummary(**_rule_fields(rule))
+
+
+def rule_detail(rule: Rule) -> schemas.Rule:
+    """Everything about one rule."""
+    return schemas.Rule(
+        **_rule_fields(rule),
+        why=rule.why,
+        check=rule.check,
+        options=plain(rule.options),
+        fix=rule.fix,
+        good=plain(rule.good),
+        bad=plain(rule.bad),
+        source=rule.source,
+    )
+
+
+def lint_report(findings: Iterable[Finding]) -> schemas.LintReport:
+    """Findings as a report."""
+    listed = tuple(findings)
+    return schemas.LintReport(
+        ok=not has_errors(listed), counts=finding_counts(listed), findings=listed_findings(listed)
+    )
+
+
+def _rule_fields(rule: Rule) -> dict[str, Any]:
+    return {name: getattr(rule, name) for name in schemas.RuleSummary.model_fields}
+
+
+def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
+    """What an overlay would do; of many nodes, the first."""
+    data = diff_data(trial.changes)
+    return schemas.Trial(
+        ok=not has_errors(trial.findings),
+        findings=listed_findings(trial.findings),
+        node_count=len(trial.nodes),
+        nodes=[
+            schemas.TriedNode(path=plain_text(node.path), attributes=plain(node.values))
+            for node in trial.nodes[:most_nodes]
+        ],
+        summary=schemas.ChangeCounts.model_validate(data["summary"]),
+        changes=changes_schema(trial.changes),
+    )
+
+
+def diff_schema(changes: Sequence[Change], old: str, new: str) -> schemas.Diff:
+    """A comparison as `sigcat diff` tells it."""
+    counts = schemas.ChangeCounts.model_validate(diff_data(changes)["summary"])
+    return schemas.Diff(old=old, new=new, summary=counts, changes=changes_schema(changes))
+
+
+def changes_schema(changes: Sequence[Change]) -> list[schemas.Change]:
+    """Changes as the API has them."""
+    return [schemas.Change.model_validate(plain(each)) for each in diff_data(changes)["changes"]]

@@ -1,0 +1,129 @@
+"""Every error as RFC 9457 problem details, `application/problem+json`."""
+
+import logging
+import re
+from collections.abc import Iterable
+from http import HTTPStatus
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import Response
+from starlette.exceptions import HTTPException
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.presenting import listed_findings, plain_text
+from sigcat.errors import InputRefused, NotFound, SigcatError
+from sigcat.findings import Finding
+
+MEDIA_TYPE = "application/problem+json"
+PROBLEM: dict[str, Any] = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
+"""What an OpenAPI response says of its content, if it is a problem."""
+_LOG = logging.getLogger("sigcat")
+
+KINDS: dict[int, tuple[str, str]] = {
+    400: ("bad-request", "The request cannot be understood"),
+    401: ("unauthorized", "A token is needed"),
+    403: ("forbidden", "The token does not allow this"),
+    404: ("not-found", "What was named does not exist"),
+    405: ("method-not-allowed", "The address does not take this method"),
+    406: ("not-acceptable", "The answer cannot take the form that was asked for"),
+    408: ("too-slow", "The request took too long to arrive"),
+    413: ("too-large", "The posted text is too large"),
+    415: ("unsupported-media-type", "The posted text is of a kind that is not read"),
+    422: ("input-refused", "The input cannot be used"),
+    500: ("internal-error", "sigcat failed"),
+    503: ("busy", "The service is busy"),
+}
+"""Name in the problem's `type` and its title, by status."""
+
+
+class BodyRefused(HTTPException):
+    """A posted body is too large (413) or of a kind that is not read (415)."""
+
+
+def problem_of(
+    status: int, detail: str, findings: Iterable[Finding] = (), nearest: Iterable[str] = ()
+) -> schemas.Problem:
+    """A problem with the type and title of its status."""
+    kind, title = KINDS.get(status, (f"status-{status}", HTTPStatus(status).phrase))
+    return schemas.Problem(
+        type=f"/problems/{kind}",
+        title=title,
+        status=status,
+        detail=plain_text(detail),
+        findings=listed_findings(tuple(findings)),
+        nearest=[plain_text(name) for name in nearest],
+    )
+
+
+def problem_from(error: Exception) -> schemas.Problem:
+    """The problem that an exception stands for. What is not ours is an internal error that tells nothing."""
+    if isinstance(error, NotFound):
+        return problem_of(404, str(error), nearest=error.nearest)
+    if isinstance(error, InputRefused):
+        return problem_of(422, str(error), error.findings)
+    if isinstance(error, SigcatError):
+        return problem_of(400, str(error))
+    if isinstance(error, RequestValidationError):
+        findings = [_invalid(each) for each in error.errors()]
+        return problem_of(422, " ".join(finding.message for finding in findings), findings)
+    if isinstance(error, HTTPException):
+        return problem_of(error.status_code, _detail_of(error))
+    return problem_of(500, "Something went wrong on the server; its log says what.")
+
+
+def install_problems(app: FastAPI) -> None:
+    """Answer every exception with a problem."""
+    for kind in (SigcatError, RequestValidationError, HTTPException, Exception):
+        app.add_exception_handler(kind, answer_problem)
+
+
+def problem_documentation(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """The `responses` of an operation that may answer with problems of these statuses."""
+    return {status: {"description": KINDS[status][1], "model": schemas.Problem} for status in statuses}
+
+
+async def answer_problem(request: Request, error: Exception) -> Response:
+    """The problem document for an exception, its `type` below the path under which the service is mounted.
+
+    What failed inside goes to the log.
+    """
+    headers = getattr(error, "headers", None)
+    if isinstance(error, HTTPException) and error.status_code == HTTPStatus.NOT_MODIFIED:
+        return Response(status_code=error.status_code, headers=headers)
+    problem = problem_from(error)
+    address = request.scope.get("root_path", "").rstrip("/") + problem.type
+    problem = problem.model_copy(update={"type": address, "request_id": getattr(request.state, "request_id", "")})
+    if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
+        _log_failure(request, problem, error)
+    return Response(problem.model_dump_json(), problem.status, media_type=MEDIA_TYPE, headers=headers)
+
+
+def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
+    if problem.status == HTTPStatus.INTERNAL_SERVER_ERROR:
+        _LOG.error("%s %s failed [%s]", request.method, request.url.path, problem.request_id, exc_info=error)
+
+
+def _invalid(error: dict[str, Any]) -> Finding:
+    """A part of the request that did not fit, as a finding; the pointer leads to the parameter."""
+    where = [str(part) for part in error["loc"]]
+    name = where[-1] if where else ""
+    pointer = "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in where)
+    reason = error["msg"].removeprefix("Value error, ").rstrip(".")
+    choices = re.fullmatch(r"\^\(([\w|]+)\)\$", str(error.get("ctx", {}).get("pattern", "")))
+    if choices:
+        reason = f"it takes {choices[1].replace('|', ' or ')}"
+    if error["type"] == "extra_forbidden":
+        return Finding("Q001", "error", f"There is no parameter {name!r}.", pointer=pointer)
+    return Finding("Q001", "error", f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer)
+
+
+def _detail_of(error: HTTPException) -> str:
+    if isinstance(error, BodyRefused):
+        return error.detail
+    if error.status_code == HTTPStatus.NOT_FOUND:
+        return "There is nothing at this address. /openapi.json lists the addresses."
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+        return "This address does not take the method; the header `Allow` says which it takes."
+    return str(error.detail)

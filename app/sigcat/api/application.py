@@ -1,0 +1,77 @@
+"""The REST service: routes over a library, and nothing else."""
+
+from fastapi import FastAPI
+from fastapi.middleware.cors import CORSMiddleware
+from fastapi.middleware.gzip import GZipMiddleware
+from fastapi.routing import APIRoute
+
+from sigcat import __version__
+from sigcat.api.answers.problems import install_problems
+from sigcat.api.document import openapi_document
+from sigcat.api.heavy_work import HeavyWork
+from sigcat.api.middleware import metrics
+from sigcat.api.middleware.entrance import Entrance
+from sigcat.api.middleware.kept_answers import KeptAnswers
+from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
+from sigcat.api.rulebook import rule_book
+from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.catalogue.hosting.library import Library
+from sigcat.data import INTERFACE_RULES
+
+_DESCRIPTION = """\
+A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
+overlays, rules for names and fields, and functions built from them.
+
+Every error is `application/problem+json` (RFC 9457) and says what is wrong, where, and what to do.
+"""
+
+
+_ROUTERS = (
+    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, viss.router, rules.router,
+    lint.router, functions.router, integration.router, health.router,
+)  # fmt: skip
+
+
+def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
+    """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
+    app = FastAPI(
+        title="sigcat",
+        version=__version__,
+        description=_DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        generate_unique_id_function=_operation_id,
+    )
+    app.state.library = library
+    app.state.settings = settings
+    app.state.rules = rule_book(INTERFACE_RULES)
+    app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.exports = HeavyWork(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.metrics = Metrics(library, app.state.heavy, app.state.exports)
+    for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
+        app.include_router(router)
+    install_problems(app)
+    app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
+    _wrap(app, library, settings)
+    return app
+
+
+def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
+    """What stands around the routes; the one that is added last is passed first."""
+    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+    app.add_middleware(KeptAnswers, library=library, most_bytes=settings.cache_bytes)
+    app.add_middleware(Entrance, settings=settings, metrics=app.state.metrics)
+    if settings.origins:  # around the entrance: a page has to be able to read why it was refused
+        app.add_middleware(
+            CORSMiddleware,
+            allow_origins=list(settings.origins),
+            allow_methods=["GET", "POST"],
+            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
+            expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
+        )
+
+
+def _operation_id(route: APIRoute) -> str:
+    """Name of the route's function: what a generated client calls its method."""
+    return route.name

@@ -1,0 +1,114 @@
+"""The OpenAPI document: what FastAPI knows of the routes, and what it does not tell by itself."""
+
+from collections.abc import Iterator, Mapping
+from copy import deepcopy
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+
+from sigcat.api.answers.problems import KINDS, PROBLEM
+from sigcat.api.answers.representation import JSON, YAML
+from sigcat.function.function_json.model import FunctionJson
+
+Document = dict[str, Any]
+
+TAGS = {
+    "catalogues": "Trees, nodes, search, units.",
+    "changes": "What changed between two catalogues, and what an overlay would change.",
+    "exports": "A catalogue in other formats.",
+    "rules": "The rules for names and fields.",
+    "lint": "Checks of a posted text.",
+    "functions": "From the declaration of a function to Function JSON.",
+    "integration": "From Function JSON to a platform.",
+    "operation": "Health, and what an operator does.",
+}
+_EVERYWHERE = {401: "A token is needed, where the operator closed reading", 500: KINDS[500][1]}
+_FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
+LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
+    "list_catalogues": {"get_catalogue": {"parameters": {"catalogue": "$response.body#/catalogues/0/id"}}},
+    "get_catalogue": {
+        "get_tree": {"parameters": _FROM_CATALOGUE},
+        "search_nodes": {"parameters": _FROM_CATALOGUE},
+        "diff_catalogues": {"parameters": {**_FROM_CATALOGUE, "to": "$response.body#/id"}},
+    },
+    "get_tree": {"get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/children/0/path"}}},
+    "search_nodes": {
+        "get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/nodes/0/path"}},
+        "search_nodes": {"parameters": {**_FROM_CATALOGUE, "cursor": "$response.body#/next_cursor"}},
+    },
+    "get_node": {"get_tree": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/path"}}},
+    "list_rules": {"get_rule": {"parameters": {"rule_id": "$response.body#/rules/0/id"}}},
+    "build_function_json": {
+        "validate_function": {"requestBody": "$response.body"},
+        "integrate_functions": {"parameters": {"platform": "autosar-adaptive"}, "requestBody": "$response.body"},
+    },
+    "integrate_functions": {"generate_arxml": {"requestBody": "$response.body"}},
+}
+"""Which operation goes on from the answer of which, and with what of it."""
+
+
+def openapi_document(app: FastAPI) -> Document:
+    """The document, made once."""
+    if app.openapi_schema is None:
+        document = get_openapi(
+            title=app.title,
+            version=app.version,
+            description=app.description,
+            routes=app.routes,
+            tags=[{"name": name, "description": text} for name, text in TAGS.items()],
+            license_info={"name": "Apache 2.0", "identifier": "Apache-2.0"},
+            servers=[{"url": "/", "description": "Where the document comes from."}],
+        )
+        app.openapi_schema = completed(document)
+    return app.openapi_schema
+
+
+def completed(document: Document) -> Document:
+    """The document with problems in every operation, every form of an answer, and links. Changes its argument."""
+    ids = {operation["operationId"] for _, _, operation in operations(document)}
+    for path, _, operation in operations(document):
+        responses = operation["responses"]
+        if path.startswith("/api/"):
+            for status, text in _EVERYWHERE.items():
+                responses.setdefault(str(status), {"description": text, **deepcopy(PROBLEM)})
+        for response in responses.values():
+            _complete_forms(response)
+        links = {name: link for name, link in LINKS.get(operation["operationId"], {}).items() if name in ids}
+        if links:
+            responses["200"]["links"] = {name: {"operationId": name, **link} for name, link in links.items()}
+        operation["responses"] = dict(sorted(responses.items()))
+    document["security"] = [{}, {"token": []}]
+    schemas = document["components"]["schemas"]
+    for unused in ("HTTPValidationError", "ValidationError"):
+        schemas.pop(unused, None)
+    schemas.update(_function_schemas())
+    document["components"]["schemas"] = dict(sorted(schemas.items()))
+    return document
+
+
+def _function_schemas() -> dict[str, Any]:
+    """Function JSON as it is written, which FastAPI cannot see: the models write themselves."""
+    schema = FunctionJson.model_json_schema(by_alias=True, ref_template="#/components/schemas/{model}")
+    return {**schema.pop("$defs"), "FunctionJson": schema}
+
+
+def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str, Any]]]:
+    """Every operation with its path and method."""
+    for path, item in document["paths"].items():
+        for method, operation in item.items():
+            if method in ("get", "put", "post", "delete", "patch", "head", "options"):
+                yield path, method, operation
+
+
+def _complete_forms(response: dict[str, Any]) -> None:
+    """Problems have a media type of their own; what is JSON and YAML has one schema."""
+    content = response.get("content", {})
+    schema = content.get(JSON, {}).get("schema", {})
+    if schema.get("$ref") in _PROBLEMS:
+        response.update(deepcopy(PROBLEM))
+    elif YAML in content and JSON in content:
+        content[YAML] = {"schema": schema}
+
+
+_PROBLEMS = ("#/components/schemas/Problem", "#/components/schemas/HTTPValidationError")

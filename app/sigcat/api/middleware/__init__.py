@@ -1,0 +1,4 @@
+"""What every request passes before and after its route.
+
+Access, the log, metrics, and answers that are kept.
+"""

@@ -1,0 +1,110 @@
+"""Answers about a catalogue that are kept, so that the same question costs no more than sending them again.
+
+An answer belongs to the state of the catalogue that it was made from; with another state it is forgotten.
+"""
+
+from collections import OrderedDict
+from typing import NamedTuple
+
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from sigcat.api.requests.dependencies import is_known
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.errors import NotFound
+
+_LARGEST = 256 * 1024
+_ASKED = (b"accept", b"accept-encoding", b"if-none-match")
+_KEPT_ON_304 = (b"etag", b"cache-control", b"vary")
+
+Key = tuple[str, bytes, bytes, bytes]
+
+
+class Kept(NamedTuple):
+    """An answer, and what it was made from."""
+
+    hosted: Hosted
+    version: str
+    route: str
+    start: Message
+    body: Message
+    size: int
+
+
+class KeptAnswers:
+    """Sends what is kept, and keeps what is small and belongs to a state. The least recently used goes first."""
+
+    def __init__(self, app: ASGIApp, library: Library, most_bytes: int) -> None:
+        self._app = app
+        self._library = library
+        self._most_bytes = most_bytes
+        self._kept: OrderedDict[Key, Kept] = OrderedDict()
+        self._bytes = 0
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer, or pass the request on and keep what comes back."""
+        if scope["type"] != "http" or scope["method"] != "GET" or not self._most_bytes:
+            await self._app(scope, receive, send)
+            return
+        asked = {name: value for name, value in scope["headers"] if name in _ASKED}
+        key = (scope["path"], scope["query_string"], asked.get(b"accept", b""), asked.get(b"accept-encoding", b""))
+        kept = self._kept.get(key)
+        if kept is not None and self._is_present(kept.hosted):
+            await self._send_kept(kept, key, asked.get(b"if-none-match"), scope, send)
+            return
+        await self._app(scope, receive, _Keeping(self, key, scope, send))
+
+    async def _send_kept(self, kept: Kept, key: Key, known: bytes | None, scope: Scope, send: Send) -> None:
+        self._kept.move_to_end(key)
+        scope["state"]["route"] = kept.route
+        if known is not None and is_known(known.decode("latin-1"), kept.version):
+            headers = [pair for pair in kept.start["headers"] if pair[0] in _KEPT_ON_304]
+            await send({"type": "http.response.start", "status": 304, "headers": headers})
+            await send({"type": "http.response.body", "body": b""})
+            return
+        await send({**kept.start, "headers": list(kept.start["headers"])})
+        await send(kept.body)
+
+    def _is_present(self, hosted: Hosted) -> bool:
+        try:
+            return self._library.get(hosted.source.id) is hosted
+        except NotFound:
+            return False
+
+    def keep(self, key: Key, kept: Kept) -> None:
+        """Keep an answer, and forget the oldest ones beyond the bound."""
+        earlier = self._kept.pop(key, None)
+        self._bytes += kept.size - (earlier.size if earlier else 0)
+        self._kept[key] = kept
+        while self._bytes > self._most_bytes:
+            self._bytes -= self._kept.popitem(last=False)[1].size
+
+
+class _Keeping:
+    """Passes messages on, and keeps an answer that comes in one piece."""
+
+    def __init__(self, answers: KeptAnswers, key: Key, scope: Scope, send: Send) -> None:
+        self._answers = answers
+        self._key = key
+        self._scope = scope
+        self._send = send
+        self._start: Message | None = None
+
+    async def __call__(self, message: Message) -> None:
+        """One message of the answer."""
+        if message["type"] == "http.response.start":
+            copied = {**message, "headers": list(message["headers"])}
+            self._start = copied if message["status"] == 200 else None
+        elif self._start is not None:
+            self._keep(self._start, message)
+            self._start = None
+        await self._send(message)
+
+    def _keep(self, start: Message, body: Message) -> None:
+        state = self._scope.get("state", {})
+        hosted = state.get("hosted")
+        size = len(body.get("body", b"")) + 1000
+        if hosted is None or body.get("more_body") or size > _LARGEST or "caching" not in state:
+            return
+        version = state["caching"]["ETag"].removeprefix('W/"').rstrip('"')
+        route = getattr(self._scope.get("route"), "path", "")
+        self._answers.keep(self._key, Kept(hosted, version, route, start, dict(body), size))

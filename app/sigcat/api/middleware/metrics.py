@@ -1,0 +1,71 @@
+"""What happens, for Prometheus: requests by route template, so that there are as many series as routes."""
+
+from collections.abc import Iterable
+
+from fastapi import APIRouter, Request
+from fastapi.responses import Response
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
+from prometheus_client.core import GaugeMetricFamily
+from prometheus_client.exposition import CONTENT_TYPE_LATEST
+from prometheus_client.registry import Collector
+
+from sigcat.api.heavy_work import HeavyWork
+from sigcat.catalogue.hosting.library import Library
+
+router = APIRouter()
+
+_SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60)
+
+
+class Metrics:
+    """Counts of one service; a process may have several, as tests do."""
+
+    def __init__(self, library: Library, heavy: HeavyWork, exports: HeavyWork) -> None:
+        self.registry = CollectorRegistry()
+        self._requests = Counter(
+            "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
+        )
+        self._seconds = Histogram(
+            "sigcat_request_seconds", "From the first byte of a request to the last of its answer.", ("route",),
+            buckets=_SECONDS, registry=self.registry,
+        )  # fmt: skip
+        pending = Gauge("sigcat_heavy_pending", "Heavy work under way or waiting.", registry=self.registry)
+        pending.set_function(lambda: heavy.pending)
+        exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
+        exporting.set_function(lambda: exports.pending)
+        self.registry.register(_Hosted(library))
+
+    def count(self, method: str, route: str, status: int, seconds: float) -> None:
+        """Note one answered request."""
+        self._requests.labels(method, route, str(status)).inc()
+        self._seconds.labels(route).observe(seconds)
+
+
+class _Hosted(Collector):
+    """Hosted catalogues, as they are when they are asked for."""
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+
+    def collect(self) -> Iterable[GaugeMetricFamily]:
+        """Nodes and errors of each catalogue, and whether a newer state was refused."""
+        nodes = GaugeMetricFamily("sigcat_catalogue_nodes", "Nodes of a catalogue.", labels=("catalogue", "digest"))
+        rejected = GaugeMetricFamily(
+            "sigcat_catalogue_rejected", "1 if a newer state of the files has errors.", labels=("catalogue",)
+        )
+        errors = GaugeMetricFamily(
+            "sigcat_catalogue_errors", "Errors in the state that is served.", labels=("catalogue",)
+        )
+        for hosted in self._library:
+            wrong = sum(finding.severity == "error" for finding in hosted.catalogue.findings)
+            errors.add_metric((hosted.source.id,), wrong)
+            nodes.add_metric((hosted.source.id, hosted.catalogue.digest), len(hosted.catalogue.nodes))
+            rejected.add_metric((hosted.source.id,), float(bool(hosted.rejected)))
+        return nodes, errors, rejected
+
+
+@router.get("/metrics", include_in_schema=False)
+def get_metrics(request: Request) -> Response:
+    """Every figure, in the text format of Prometheus."""
+    metrics: Metrics = request.app.state.metrics
+    return Response(generate_latest(metrics.registry), headers={"Content-Type": CONTENT_TYPE_LATEST})

@@ -1,0 +1,26 @@
+"""Opaque cursors: where the next page of a list begins, and of which state of the catalogue."""
+
+from base64 import urlsafe_b64decode, urlsafe_b64encode
+
+from sigcat.errors import UsageError
+
+_STATE_CHARACTERS = 12
+
+
+def cursor_of(offset: int, digest: str) -> str:
+    """The cursor of the page that begins at `offset`."""
+    return urlsafe_b64encode(f"{digest[:_STATE_CHARACTERS]}:{offset}".encode()).decode().rstrip("=")
+
+
+def offset_of(cursor: str, digest: str) -> int:
+    """Where the page of a cursor begins. Raises UsageError for one that is made up or of another state."""
+    try:
+        state, _, offset = urlsafe_b64decode(cursor + "=" * (-len(cursor) % 4)).decode("ascii").partition(":")
+        number = int(offset)
+    except ValueError:
+        raise UsageError("The cursor is none that this service gave. Take it from `next_cursor` as it is.") from None
+    if state != digest[:_STATE_CHARACTERS] or number < 0:
+        raise UsageError(
+            "The cursor belongs to another search or another state of the catalogue. Start again without one."
+        )
+    return number

@@ -1,0 +1,214 @@
+"""What the routes take from a request: the hosted catalogue, the posted text."""
+
+import asyncio
+from functools import partial
+from http import HTTPStatus
+from typing import Annotated, Any
+
+from fastapi import Depends, Path, Query, Request
+from starlette.exceptions import HTTPException
+
+from sigcat.api.answers.problems import BodyRefused
+from sigcat.api.answers.versions import state_of, version_of
+from sigcat.api.heavy_work import HeavyWork
+from sigcat.api.rulebook import RuleBook
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.hosting.variants import MARK, find_hosted
+from sigcat.errors import NotFound
+
+__all__ = [
+    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedBody", "PostedText", "TheCatalogue", "TheExports", "TheHeavyWork",
+    "TheLibrary", "TheRules", "TheSettings", "catalogue_at", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
+    "settings_of", "text_body", "version_of",
+]  # fmt: skip
+
+_NEVER_CHANGES = "max-age=31536000, immutable"
+TEXT_TYPES = ("application/yaml", "text/yaml")
+
+
+def library_of(request: Request) -> Library:
+    """The library that the service hosts."""
+    library: Library = request.app.state.library
+    return library
+
+
+def settings_of(request: Request) -> Settings:
+    """The settings of the service."""
+    settings: Settings = request.app.state.settings
+    return settings
+
+
+def rules_of(request: Request) -> RuleBook:
+    """The rules of the service."""
+    rules: RuleBook = request.app.state.rules
+    return rules
+
+
+def heavy_of(request: Request) -> HeavyWork:
+    """The heavy work of the service."""
+    heavy: HeavyWork = request.app.state.heavy
+    return heavy
+
+
+async def _library(request: Request) -> Library:
+    return library_of(request)
+
+
+async def _settings(request: Request) -> Settings:
+    return settings_of(request)
+
+
+async def _rules(request: Request) -> RuleBook:
+    return rules_of(request)
+
+
+async def _heavy(request: Request) -> HeavyWork:
+    return heavy_of(request)
+
+
+async def _exports(request: Request) -> HeavyWork:
+    exports: HeavyWork = request.app.state.exports
+    return exports
+
+
+# Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
+# They take what they need from the request: each dependency of a dependency costs as much as a small answer.
+TheLibrary = Annotated[Library, Depends(_library)]
+TheSettings = Annotated[Settings, Depends(_settings)]
+TheRules = Annotated[RuleBook, Depends(_rules)]
+TheHeavyWork = Annotated[HeavyWork, Depends(_heavy)]
+TheExports = Annotated[HeavyWork, Depends(_exports)]
+CatalogueId = Annotated[
+    str,
+    Path(
+        description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, less that overlay; with `~folded`, "
+        "with instances as they were written; with `@VERSION`, of that state of it and no other.",
+        examples=["interfaces"],
+        max_length=200,
+    ),
+]
+
+
+def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
+    """The catalogue that `ID` or `ID@VERSION` names, and whether a version was named. Raises NotFound."""
+    catalogue_id, at, version = name.rpartition("@")
+    if not at:
+        return find_hosted(library, name), False
+    hosted = find_hosted(library, catalogue_id)
+    current = version_of(hosted)
+    if version != current:
+        message = f"Catalogue {catalogue_id!r} is not hosted in the version {version[:80]!r}; now it is {current!r}."
+        raise NotFound(message, (f"{catalogue_id}@{current}",))
+    return hosted._replace(rejected=()) if hosted.rejected else hosted, True
+
+
+async def catalogue_at(name: str, library: Library, heavy: HeavyWork) -> tuple[Hosted, bool]:
+    """The same as `hosted_at`; a variant, which may have to be composed, waits for its turn."""
+    return await heavy.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
+
+
+async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
+    """The hosted catalogue named in the address."""
+    return (await catalogue_at(catalogue, library_of(request), heavy_of(request)))[0]
+
+
+async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
+    """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
+    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), heavy_of(request))
+    mark_state(request, state_of(hosted), is_fixed=is_fixed)
+    request.state.hosted = hosted
+    return hosted
+
+
+def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
+    """Keep the headers for the answer. Raises a 304 if the client holds this state.
+
+    Where reading needs a token, no cache may keep an answer for others.
+    """
+    reach = "private" if settings_of(request).reading == "token" else "public"
+    lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
+    headers = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
+    if is_known(request.headers.get("if-none-match", ""), version):
+        raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": "Accept"})
+    request.state.caching = headers
+
+
+def is_known(if_none_match: str, version: str) -> bool:
+    """Whether a client holds this state. The tag is weak: one state has several forms and encodings."""
+    known = [each.strip().removeprefix("W/") for each in if_none_match.split(",")]
+    return f'"{version}"' in known or "*" in known
+
+
+TheCatalogue = Annotated[Hosted, Depends(hosted_catalogue)]
+AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
+
+
+async def named_catalogue(
+    request: Request,
+    catalogue: Annotated[
+        str | None, Query(max_length=200, description="Id of a hosted catalogue; without it, the default one.")
+    ] = None,
+) -> Hosted:
+    """The hosted catalogue that a posted text is judged against."""
+    library = library_of(request)
+    return library.default if catalogue is None else (await catalogue_at(catalogue, library, heavy_of(request)))[0]
+
+
+NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
+
+
+FileName = Annotated[str, Query(max_length=300, description="What findings call the text.")]
+
+
+async def posted_text(request: Request) -> bytes:
+    """The body, not longer than the limit. Its media type does not matter, as long as it is the bare text."""
+    if request.headers.get("content-type", "").startswith("multipart/"):
+        detail = "Post the bare text, not a form: curl --data-binary @FILE."
+        raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
+    return await posted_body(request)
+
+
+async def posted_body(request: Request) -> bytes:
+    """The body, whatever it is, not longer than the limit and within its time."""
+    settings = settings_of(request)
+    if request.headers.get("content-encoding", "identity") != "identity":
+        raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "Post the text uncompressed.")
+    declared = request.headers.get("content-length", "")
+    if declared.isdecimal() and len(declared) <= len(str(settings.body_bytes)) + 1:
+        _check_length(int(declared), settings)
+    elif declared:
+        _check_length(settings.body_bytes + 1, settings)
+    try:
+        async with asyncio.timeout(settings.body_seconds):
+            return await _read(request, settings)
+    except TimeoutError:
+        detail = f"The text did not arrive within {settings.body_seconds:g} seconds."
+        raise BodyRefused(HTTPStatus.REQUEST_TIMEOUT, detail, headers={"Connection": "close"}) from None
+
+
+async def _read(request: Request, settings: Settings) -> bytes:
+    body = bytearray()
+    async for chunk in request.stream():
+        body += chunk
+        _check_length(len(body), settings)
+    return bytes(body)
+
+
+PostedText = Annotated[bytes, Depends(posted_text)]
+PostedBody = Annotated[bytes, Depends(posted_body)]
+
+
+def text_body(description: str, example: str) -> dict[str, Any]:
+    """The OpenAPI description of a posted text. It is sent as it stands in its file, whatever it is called."""
+    schema = {"type": "string"}
+    content: dict[str, Any] = {"application/octet-stream": {"schema": {**schema, "format": "binary"}}}
+    for media_type in TEXT_TYPES:
+        content[media_type] = {"schema": schema, **({"example": example} if example else {})}
+    return {"requestBody": {"required": True, "description": description, "content": content}}
+
+
+def _check_length(length: int, settings: Settings) -> None:
+    if length > settings.body_bytes:
+        detail = f"The text has more than {settings.body_bytes:,} bytes, which is the limit."
+        raise BodyRefused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail, headers={"Connection": "close"})

@@ -1,0 +1,273 @@
+"""Routes that read catalogues: trees, nodes, search, units."""
+
+from collections.abc import Iterable, Mapping
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request
+from fastapi.responses import Response
+from pydantic import BaseModel, ConfigDict, Field
+
+from sigcat.api.answers import presenting, schemas
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.representation import answer, csv_stream, is_table, offered, rows
+from sigcat.api.requests.cursors import cursor_of, offset_of
+from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.datatypes import DATATYPES
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, TYPES
+from sigcat.catalogue.model.interfaces import CATEGORIES, category_of
+from sigcat.catalogue.search import FACETS, SearchResult, overlay_name
+from sigcat.digest import digest_of
+from sigcat.errors import NotFound, UsageError
+from sigcat.names import did_you_mean, nearest
+
+listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
+_LONGEST_NAME = 500
+_DEEPEST = 64
+_PAGE = 50
+_MOST_TOLD = 12
+"""Values of a filter that are listed where none of them was given."""
+_OWN_FIELDS = ("path", "name", "category")
+"""Fields of a node that are no attributes."""
+
+NodePath = Annotated[str, Path(description="Path of a node.", examples=["Vehicle.Speed"])]
+
+
+class SearchQuery(BaseModel):
+    """What is searched for, the filters, and which page of the results is wanted."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    q: str = Field("", description="Words, in any order, of path, description or unit.", examples=["wheel speed"])
+    type: str | None = Field(None, description="branch, sensor, actuator, attribute, struct or property.")
+    datatype: str | None = Field(None, examples=["float"])
+    unit: str | None = Field(None, description="Key of a unit.", examples=["km/h"])
+    category: str | None = Field(None, description="data, error, safety_reaction, mode or scheduling.")
+    asil: str | None = Field(None, description="QM, A, B, C or D.")
+    overlay: str | None = Field(None, description="Name of the overlay that added or last changed the node.")
+    deprecated: str | None = Field(None, description="`yes` or `no`.", pattern="^(yes|no)$")
+    limit: int = Field(_PAGE, ge=1, description="Results in one page.")
+    cursor: str | None = Field(None, max_length=200, description="`next_cursor` of the page before.")
+
+    @property
+    def filters(self) -> dict[str, str]:
+        """Values by facet, of the filters that were given."""
+        given = {facet: getattr(self, facet) for facet in FACETS}
+        return {facet: value for facet, value in given.items() if value is not None}
+
+
+class RowQuery(SearchQuery):
+    """What is searched for, and which fields are wanted of it."""
+
+    limit: int | None = Field(None, ge=1, description="Nodes in one page; without it 50, or, as CSV, all.")  # type: ignore[assignment]
+    fields: str = Field(
+        "path,type,datatype,unit",
+        description="Fields, separated by commas: `path`, `name`, `category`, or any attribute.",
+        max_length=1000,
+        examples=["path,unit,min,max,ASILlevel"],
+    )
+
+    @property
+    def chosen_fields(self) -> tuple[str, ...]:
+        """Names of fields, each once."""
+        return tuple(dict.fromkeys(name for part in self.fields.split(",") if (name := part.strip())))
+
+
+@listing.get("", response_model=schemas.CatalogueList, responses=offered("table") | problem_documentation(406))
+async def list_catalogues(request: Request, library: TheLibrary) -> Response:
+    """The hosted catalogues, the default one first."""
+    listed = [presenting.catalogue_summary(hosted) for hosted in library]
+    return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
+
+
+@router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
+def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
+    """A catalogue with its layers and its findings."""
+    return answer(request, presenting.catalogue_detail(hosted))
+
+
+@router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
+async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Response:
+    """A node with its children, and every attribute with its origin and history."""
+    return answer(request, presenting.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
+
+
+@router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
+def get_tree(
+    request: Request,
+    hosted: TheCatalogue,
+    settings: TheSettings,
+    path: Annotated[str | None, Query(description="Where the tree begins; without it, at the root.")] = None,
+    depth: Annotated[int, Query(ge=0, le=_DEEPEST, description="Levels below the first node.")] = 1,
+) -> Response:
+    """A node and what stands below it, down to a depth."""
+    node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
+    if _is_larger(node, depth, settings.tree_nodes):
+        message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
+        raise UsageError(message)
+    return answer(request, presenting.tree_node(node, depth))
+
+
+@router.get(
+    "/search",
+    response_model=schemas.SearchPage,
+    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+)
+async def search_nodes(
+    request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
+) -> Response:
+    """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
+    _refuse_repeated(request)
+    result, cursor = found(hosted, settings, query)
+    nodes = [presenting.node_summary(node) for node in result.nodes]
+    page = schemas.SearchPage(
+        total=result.total,
+        nodes=nodes,
+        facets={facet: dict(counts) for facet, counts in result.facets.items()},
+        did_you_mean=list(result.did_you_mean),
+        next_cursor=cursor,
+    )
+    return answer(request, page, rows(nodes))
+
+
+@router.get(
+    "/nodes",
+    response_model=schemas.NodeRows,
+    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+)
+async def list_nodes(
+    request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[RowQuery, Query()]
+) -> Response:
+    """Nodes with the fields that are asked for, and nothing else. CSV without a limit has all of them, as a stream."""
+    fields = query.chosen_fields
+    _refuse_repeated(request)
+    _refuse_unknown_fields(request, hosted.catalogue, fields)
+    if query.limit is None and query.cursor is None and is_table(request):
+        return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
+    result, cursor = found(hosted, settings, query)
+    listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
+    return answer(request, schemas.NodeRows(total=result.total, nodes=listed, next_cursor=cursor), listed)
+
+
+@router.get(
+    "/units", response_model=schemas.UnitList, responses=offered("table") | problem_documentation(404, 406, 422)
+)
+async def list_units(request: Request, hosted: TheCatalogue) -> Response:
+    """The units that the catalogue knows."""
+    units = [presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
+    return answer(request, schemas.UnitList(units=units), rows(units))
+
+
+@router.get(
+    "/quantities",
+    response_model=schemas.QuantityList,
+    responses=offered("table") | problem_documentation(404, 406, 422),
+)
+async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
+    """The quantities that the units measure."""
+    known = hosted.catalogue.vocabulary.quantities.values()
+    quantities = [presenting.quantity_schema(quantity) for quantity in known]
+    return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
+
+
+def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
+    """One page of what a query finds, and the cursor of the next one."""
+    _check(hosted, settings, query)
+    offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
+    limit = min(query.limit or _PAGE, settings.results)
+    result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
+    following = offset + len(result.nodes)
+    if not result.nodes or following >= result.total:
+        return result, None
+    return result, cursor_of(following, searched_state(hosted, query))
+
+
+def searched_state(hosted: Hosted, query: SearchQuery) -> str:
+    """What a cursor of a search belongs to: the state of the catalogue, the words and the filters."""
+    asked = repr((hosted.catalogue.digest, query.q, sorted(query.filters.items())))
+    return digest_of(asked.encode("utf-8", "replace"))
+
+
+def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
+    """Values of a node by field: `path`, `name`, `category`, or any attribute."""
+    own = {"path": node.path, "name": node.name, "category": category_of(node.path)}
+    return [presenting.plain(own[field] if field in own else node.values.get(field)) for field in fields]
+
+
+def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:
+    _check(hosted, settings, query)
+    return hosted.search_index.search(query.q, query.filters, limit=len(hosted.catalogue.nodes)).nodes
+
+
+def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
+    """Raises UsageError for a text that is too long, and for a filter with a value that no node here can have."""
+    if len(query.q) > settings.query_characters:
+        raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
+    for facet, value in query.filters.items():
+        known = dict.fromkeys((*_possible(facet, hosted.catalogue), *hosted.search_index.values_of(facet)))
+        if value not in known:
+            told = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_TOLD else ""
+            hint = did_you_mean(value[:_LONGEST_NAME], known)
+            raise UsageError(f"There is no {facet} {value[:100]!r} in this catalogue{told}. {hint}".rstrip())
+
+
+def _possible(facet: str, catalogue: Catalogue) -> Iterable[str]:
+    """Values of a filter that a node may have, whether or not one has it."""
+    fixed: Mapping[str, Iterable[str]] = {
+        "type": TYPES, "category": CATEGORIES, "datatype": DATATYPES, "asil": ("QM", "A", "B", "C", "D"),
+        "deprecated": ("yes", "no"), "unit": (unit.key for unit in catalogue.vocabulary.distinct_units),
+        "overlay": (overlay_name(layer.name) for layer in catalogue.overlays),
+    }  # fmt: skip
+    return fixed[facet]
+
+
+def _refuse_repeated(request: Request) -> None:
+    """Raises UsageError for a parameter that is given twice, of which only one could count."""
+    given = request.query_params
+    names = [name for name, _ in given.multi_items()]
+    if len(names) == len(given):
+        return
+    for name in names:
+        if names.count(name) > 1:
+            raise UsageError(f"The parameter {name[:100]!r} is given {names.count(name)} times; it takes one value.")
+
+
+def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Iterable[str]) -> None:
+    """Raises UsageError for a field that is no attribute of VSS, of the rules, or of any node of the catalogue."""
+    known = {*_OWN_FIELDS, *CORE_ATTRIBUTES, *rules_of(request).active.attributes, *catalogue.attributes}
+    for field in fields:
+        if field not in known:
+            hint = did_you_mean(field[:_LONGEST_NAME], sorted(known))
+            raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
+
+
+def find_node(catalogue: Catalogue, path: str) -> Node:
+    """The node at a path. Raises NotFound with the nearest paths."""
+    node = catalogue.get(path)
+    if node is None:
+        shown = path if len(path) <= _LONGEST_NAME else f"{path[:_LONGEST_NAME]}…"
+        near = nearest(path[:_LONGEST_NAME], catalogue.nodes, limit=5, cutoff=60)
+        raise NotFound(f"There is no node {shown!r} in catalogue {catalogue.name!r}.", near)
+    return node
+
+
+def _root(catalogue: Catalogue) -> Node:
+    if not catalogue.roots:
+        raise NotFound(f"Catalogue {catalogue.name!r} has no tree; its findings say why.")
+    return catalogue.roots[0]
+
+
+def _is_larger(node: Node, depth: int, limit: int) -> bool:
+    """Whether a tree down to a depth has more nodes than a limit."""
+    level, count = [node], 1
+    for _ in range(depth):
+        level = [child for each in level for child in each.children]
+        count += len(level)
+        if count > limit:
+            return True
+        if not level:
+            break
+    return False

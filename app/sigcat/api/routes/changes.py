@@ -1,0 +1,98 @@
+"""Routes that tell what changed, and what an overlay would change."""
+
+from functools import partial
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.presenting import diff_schema, trial_schema
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.representation import JSON, YAML, answer, caching_headers, chosen_type, json_answer
+from sigcat.api.answers.versions import version_of
+from sigcat.api.requests.dependencies import (
+    AnyCatalogue,
+    CatalogueId,
+    FileName,
+    PostedText,
+    TheHeavyWork,
+    TheLibrary,
+    TheSettings,
+    catalogue_at,
+    mark_state,
+    text_body,
+)
+from sigcat.catalogue.comparing.diff import compare
+from sigcat.catalogue.comparing.diff_report import markdown_report, text_report
+from sigcat.catalogue.comparing.trial import try_overlay as tried
+
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["changes"])
+
+MARKDOWN, TEXT = "text/markdown", "text/plain"
+_FORMS = (JSON, YAML, MARKDOWN, TEXT)
+_OVERLAY = """\
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  max: 300
+"""
+
+
+@router.get(
+    "/diff",
+    response_model=schemas.Diff,
+    responses={
+        200: {
+            "description": "Every change, in the order of the paths.",
+            "content": {YAML: {}, **{form: {"schema": {"type": "string"}} for form in (MARKDOWN, TEXT)}},
+        },
+        **problem_documentation(404, 406, 422, 503),
+    },
+)
+async def diff_catalogues(
+    request: Request,
+    catalogue: CatalogueId,
+    library: TheLibrary,
+    heavy: TheHeavyWork,
+    to: Annotated[str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=200)],
+    only: Annotated[list[schemas.Compatibility] | None, Query(description="Classes to show; all without it.")] = None,
+) -> Response:
+    """What changed from one hosted catalogue to another, and whom it breaks."""
+    old, is_old_fixed = await catalogue_at(catalogue, library, heavy)
+    new, is_new_fixed = await catalogue_at(to, library, heavy)
+    mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
+    form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
+    changes = await heavy.run(partial(compare, old.catalogue, new.catalogue))
+    shown = [change for change in changes if not only or change.compatibility in only]
+    hidden = len(changes) - len(shown)
+    names = old.source.id, new.source.id
+    if form == MARKDOWN:
+        text = await heavy.run(partial(markdown_report, shown, *names, hidden))
+    elif form == TEXT:
+        text = await heavy.run(partial(text_report, shown, hidden=hidden))
+    else:
+        return await heavy.run(lambda: answer(request, diff_schema(shown, *names)))
+    return Response(text.encode("utf-8", "replace"), media_type=form, headers=caching_headers(request))
+
+
+@router.post(
+    "/trial",
+    response_model=schemas.Trial,
+    responses=problem_documentation(404, 408, 413, 415, 422, 503),
+    openapi_extra=text_body("An overlay, as it stands in its file. It cannot include others.", _OVERLAY),
+)
+async def try_overlay(
+    text: PostedText,
+    hosted: AnyCatalogue,
+    settings: TheSettings,
+    heavy: TheHeavyWork,
+    name: FileName = "posted.vspec",
+) -> Response:
+    """Apply an overlay to a catalogue and tell the resulting nodes, findings and changes. Nothing is stored."""
+
+    def trial() -> schemas.Trial:
+        return trial_schema(tried(hosted.catalogue, text, name, settings.limits), settings.results)
+
+    return json_answer(await heavy.run(trial))

@@ -1,0 +1,139 @@
+"""The route that exports a catalogue in any format of vss-tools."""
+
+import io
+from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Request
+from fastapi.responses import Response, StreamingResponse
+
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.representation import caching_headers
+from sigcat.api.answers.tree_stream import json_parts
+from sigcat.api.requests.dependencies import TheCatalogue, TheExports, TheSettings
+from sigcat.catalogue.exporting.vss_tools.exporting import exported, zipped
+from sigcat.catalogue.exporting.vss_tools.formats import FORMATS, Format, Option, format_named, options_of
+from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import has_errors
+from sigcat.names import did_you_mean
+
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"])
+
+_BLOCK = 256 * 1024
+_STREAMED = frozenset(("pretty", "expand", "extended-attributes", "extend-all-attributes", "keep-instances"))
+_TRUTH = {"": True, "true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
+_TYPES: Mapping[str, dict[str, Any]] = {
+    "flag": {"type": "boolean"}, "switch": {"type": "boolean"}, "number": {"type": "integer"},
+    "texts": {"type": "array", "items": {"type": "string"}},
+}  # fmt: skip
+
+
+def _is_offered(option: Option) -> bool:
+    """Whether a request can give the option: those that name files of the machine it cannot."""
+    return option.kind in ("flag", "switch", "text", "name", "texts", "number", "choice")
+
+
+def _spelled(option: Option) -> str:
+    return option.name.replace("-", "_")
+
+
+def _documentation() -> dict[str, Any]:
+    """Every option as a parameter, with the formats that take it."""
+    takers: dict[str, list[tuple[Format, Option]]] = {}
+    for format_ in FORMATS.values():
+        for option in filter(_is_offered, options_of(format_)):
+            takers.setdefault(_spelled(option), []).append((format_, option))
+    return {"parameters": [_parameter(name, taken) for name, taken in takers.items()]}
+
+
+def _parameter(name: str, taken: list[tuple[Format, Option]]) -> dict[str, Any]:
+    option = taken[0][1]
+    schema = dict(_TYPES.get(option.kind, {"type": "string"}))
+    if option.choices and option.kind == "texts":
+        schema["items"] = {"type": "string", "enum": list(option.choices)}
+    elif option.choices:
+        schema["enum"] = list(option.choices)
+    formats = "every format" if len(taken) > len(FORMATS) - 3 else ", ".join(format_.name for format_, _ in taken)
+    description = f"{option.text[:1].upper()}{option.text[1:]} ({formats})."
+    return {"name": name, "in": "query", "required": False, "description": description, "schema": schema}
+
+
+def _content_schema(media_type: str) -> dict[str, str]:
+    return {"type": "object"} if media_type.endswith("json") else {"type": "string", "format": "binary"}
+
+
+_MEDIA_TYPES = tuple(dict.fromkeys(format_.media_type for format_ in FORMATS.values()))
+
+
+@router.get(
+    "/export/{format}",
+    response_class=Response,
+    responses={
+        200: {
+            "description": "The file, byte for byte as `vspec export` writes it; of a folder or several files, a zip.",
+            "content": {media_type: {"schema": _content_schema(media_type)} for media_type in _MEDIA_TYPES},
+        },
+        **problem_documentation(400, 404, 422, 503),
+    },
+    openapi_extra=_documentation(),
+)
+async def export_catalogue(
+    request: Request,
+    hosted: TheCatalogue,
+    settings: TheSettings,
+    exports: TheExports,
+    format: Annotated[str, Path(description=f"One of {', '.join(FORMATS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
+) -> Response:
+    """A catalogue in another format. JSON is sent while it is made."""
+    chosen = format_named(format)
+    options = _options(chosen, request.query_params.multi_items())
+    catalogue = hosted.catalogue
+    if chosen.name == "json" and set(options) <= _STREAMED and options.get("expand", True):
+        if has_errors(catalogue.findings) or not catalogue.roots:
+            raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
+        return _sent(request, json_parts(catalogue, options), f"{catalogue.roots[0].name}.json", chosen.media_type)
+    work = partial(exported, catalogue, chosen.name, options, timeout=settings.heavy_seconds)
+    files = (await exports.run(work)).files
+    if chosen.is_folder or len(files) > 1:
+        archive = await exports.run(partial(zipped, files))
+        return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{chosen.name}.zip", "application/zip")
+    return _sent(request, _blocks(files[0].data), files[0].name, chosen.media_type)
+
+
+def _options(format_: Format, given: Iterable[tuple[str, str]]) -> dict[str, Any]:
+    """Options as the exporter takes them. Raises UsageError for one that the format does not have."""
+    known = {_spelled(option): option for option in options_of(format_) if _is_offered(option)}
+    options: dict[str, Any] = {}
+    for name, text in given:
+        option = known.get(name)
+        if option is None:
+            hint = did_you_mean(name, known) or f"It takes {', '.join(known)}."
+            raise UsageError(f"The export {format_.name} has no option {name[:80]!r}. {hint}")
+        value = _value(option, text)
+        options[option.name] = [*options.get(option.name, []), value] if option.kind == "texts" else value
+    return options
+
+
+def _value(option: Option, text: str) -> Any:
+    if option.kind in ("flag", "switch"):
+        if text.lower() not in _TRUTH:
+            raise UsageError(f"{_spelled(option)} {text[:80]!r}: true or false belongs here.")
+        return _TRUTH[text.lower()]
+    if option.kind == "number":
+        if not (text.isascii() and text.isdecimal() and len(text) < 10):
+            raise UsageError(f"{_spelled(option)} {text[:80]!r}: a whole number belongs here.")
+        return int(text)
+    return text
+
+
+def _sent(request: Request, parts: Iterable[bytes], name: str, media_type: str) -> Response:
+    safe = "".join(sign if sign.isascii() and (sign.isalnum() or sign in "._-") else "_" for sign in name)
+    headers = {**caching_headers(request), "Content-Disposition": f'attachment; filename="{safe}"'}
+    return StreamingResponse(parts, media_type=media_type, headers=headers)
+
+
+def _blocks(data: bytes) -> Iterator[bytes]:
+    buffer = io.BytesIO(data)
+    while block := buffer.read(_BLOCK):
+        yield block

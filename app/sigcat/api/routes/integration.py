@@ -1,0 +1,139 @@
+"""Routes that take functions to Integration JSON, and to the files of a platform."""
+
+import io
+import json
+import zipfile
+from collections.abc import Mapping
+from functools import partial
+from typing import Annotated
+
+from fastapi import APIRouter, Path, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
+from sigcat.api.requests.function_files import SET, posted_functions
+from sigcat.api.routes.functions import DECLARATION
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.findings import Finding
+from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.integration.platforms import Integrated, Platform, integrate
+from sigcat.integration.reading import read_functions
+from sigcat.integration.report import to_json, to_markdown
+from sigcat.integration.schemas import SCHEMAS, schema
+from sigcat.limits import Limits
+
+router = APIRouter(prefix="/api/v1", tags=["integration"])
+
+_BODY = (
+    f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
+    "from the defaults."
+)
+_ZIP = {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
+_MOMENT = (1980, 1, 1, 0, 0, 0)
+"""Time of every file in an archive: the same request gives the same bytes."""
+
+
+@router.post(
+    "/integrate/{platform}",
+    response_class=Response,
+    responses={
+        200: {
+            "description": "The Integration JSON, or with `archive` a zip of it, the report and the findings.",
+            "content": {"application/json": {"schema": {"type": "object"}}, **_ZIP},
+            "headers": {
+                "Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}
+            },
+        },
+        **problem_documentation(400, 404, 413, 415, 422, 503),
+    },
+    openapi_extra=text_body(_BODY, DECLARATION),
+)
+async def integrate_functions(
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    heavy: TheHeavyWork,
+    platform: Annotated[Platform, Path(description="The platform.")],
+    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
+    archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
+) -> Response:
+    """Derive the Integration JSON of a function or a set of functions."""
+    return await heavy.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
+
+
+@router.post(
+    "/generate/arxml",
+    response_class=Response,
+    responses={
+        200: {"description": "The ARXML files as a zip.", "content": _ZIP},
+        **problem_documentation(413, 415, 422, 503),
+    },
+    openapi_extra=text_body("The Integration JSON of AUTOSAR adaptive.", ""),
+)
+async def generate_arxml(
+    text: PostedText,
+    settings: TheSettings,
+    heavy: TheHeavyWork,
+    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "autosar-adaptive.json",
+) -> Response:
+    """Generate the ARXML of AUTOSAR adaptive R23-11."""
+    return await heavy.run(partial(_arxml, text, name, settings.limits))
+
+
+@router.get("/schemas", responses=problem_documentation(404))
+def list_schemas(request: Request) -> schemas.SchemaAddresses:
+    """Addresses of the JSON Schemas of every file format for functions."""
+    below = request.scope.get("root_path", "").rstrip("/")
+    return schemas.SchemaAddresses([f"{below}{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
+
+
+@router.get("/schemas/{name}.json", responses=problem_documentation(404))
+def get_schema(
+    name: Annotated[str, Path(description="Name of the format.", examples=["function"])],
+) -> schemas.JsonSchema:
+    """The JSON Schema (2020-12) of a file format."""
+    return schemas.JsonSchema(schema(name))
+
+
+def _integrated(
+    text: bytes, name: str, hosted: Hosted, platform: Platform, limits: Limits, *, archive: bool
+) -> Response:
+    posted = posted_functions(text, name, limits, deployment=True)
+    functions, findings = read_functions(posted.files, lambda: hosted.catalogue, limits)
+    deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
+    made = integrate(platform, functions, deployment)
+    count = {"Sigcat-Warnings": str(len(findings) + len(made.findings))}
+    if not archive:
+        return Response(made.document, media_type="application/json", headers=count)
+    return _archive(_files(platform, made, findings), f"{platform}.zip", count)
+
+
+def _arxml(text: bytes, name: str, limits: Limits) -> Response:
+    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+    from sigcat.integration.autosar_adaptive.document import read_integration
+
+    files = generate(read_integration(text, name, limits))
+    return _archive({file.name: file.data for file in files}, "arxml.zip", {})
+
+
+def _files(platform: Platform, made: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
+    told = [finding._asdict() for finding in (*findings, *made.findings)]
+    return {
+        f"{platform}.json": made.document,
+        f"{platform}.report.json": to_json(made.report),
+        f"{platform}.report.md": to_markdown(made.report).encode(),
+        f"{platform}.findings.json": (json.dumps(told, indent=2, ensure_ascii=False) + "\n").encode(),
+    }
+
+
+def _archive(files: Mapping[str, bytes], name: str, headers: Mapping[str, str]) -> Response:
+    """A zip of files. The same files give the same bytes."""
+    buffer = io.BytesIO()
+    entry = partial(zipfile.ZipInfo, date_time=_MOMENT)
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, data in files.items():
+            archive.writestr(entry(path), data, zipfile.ZIP_DEFLATED)
+    disposition = {"Content-Disposition": f'attachment; filename="{name}"'}
+    return Response(buffer.getvalue(), media_type="application/zip", headers={**headers, **disposition})

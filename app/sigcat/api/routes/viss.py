@@ -1,0 +1,82 @@
+"""Static metadata as clients of VISS read it (COVESA Vehicle Information Service Specification, version 2).
+
+A client is given `…/catalogues/ID/viss` as the address of its server and asks for `/Vehicle/Speed?filter=…`. Values
+of signals are not here: they are in a vehicle.
+"""
+
+import datetime as dt
+import json
+from http import HTTPStatus
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path, Query, Request
+from fastapi.responses import JSONResponse, Response
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.presenting import plain, plain_text
+from sigcat.api.answers.problems import PROBLEM, problem_documentation
+from sigcat.api.answers.representation import caching_headers
+from sigcat.api.requests.dependencies import TheCatalogue, TheSettings
+from sigcat.catalogue.model.catalogue import Node
+
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"])
+
+_VARIANTS = ("static-metadata", "static_metadata")
+_EXAMPLE = '{"type":"static-metadata","parameter":""}'
+
+
+@router.get(
+    "/{path:path}",
+    response_model=schemas.VissMetadata,
+    responses={
+        400: {"model": schemas.VissRefusal, "description": "The request asks for something else than metadata"},
+        404: {"model": schemas.VissRefusal, "description": "There is no such node, or no such catalogue", **PROBLEM},
+        **problem_documentation(422),
+    },
+)
+def get_viss_metadata(
+    request: Request,
+    hosted: TheCatalogue,
+    settings: TheSettings,
+    path: Annotated[str, Path(description="Path of a node, with slashes.", examples=["Vehicle/Speed"])],
+    filter: Annotated[  # noqa: A002 - the name that VISS gives it
+        str, Query(description="The filter of VISS, as JSON.", examples=[_EXAMPLE], max_length=1000)
+    ] = "",
+) -> Response:
+    """Metadata of a node and of all below it, in the form of VISS."""
+    if not _asks_for_metadata(filter):
+        return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", f"Only metadata is here: filter={_EXAMPLE}")
+    node = hosted.catalogue.get(path.strip("/").replace("/", "."))
+    if node is None:
+        return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")
+    if sum(1 for _ in node.walk()) > settings.tree_nodes:
+        message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch."
+        return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", message)
+    return JSONResponse({"metadata": {node.name: _metadata(node)}, "ts": _now()}, headers=caching_headers(request))
+
+
+def _asks_for_metadata(text: str) -> bool:
+    """Whether a filter, one or a list of them, is the one for metadata. Its kind is `type`, `variant` in later drafts."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return False
+    filters = value if isinstance(value, list) else [value]
+    kinds = [each.get("type", each.get("variant")) for each in filters if isinstance(each, dict)]
+    return len(kinds) == 1 and kinds[0] in _VARIANTS
+
+
+def _metadata(node: Node) -> dict[str, Any]:
+    data: dict[str, Any] = plain({name: value for name, value in node.values.items() if value is not None})
+    if node.children:
+        data["children"] = {plain_text(child.name): _metadata(child) for child in node.children}
+    return data
+
+
+def _refusal(status: HTTPStatus, reason: str, message: str) -> Response:
+    error = {"number": str(status.value), "reason": reason, "message": plain_text(message)}
+    return JSONResponse({"error": error, "ts": _now()}, status)
+
+
+def _now() -> str:
+    return dt.datetime.now(dt.UTC).strftime("%Y-%m-%dT%H:%M:%SZ")

@@ -1,0 +1,91 @@
+"""Run an application until it is told to stop; requests under way are finished."""
+
+import gc
+import json
+import logging
+import sys
+
+import uvicorn
+from fastapi import FastAPI
+
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import tell_errors
+
+_log = logging.getLogger("sigcat")
+
+
+class _Server(uvicorn.Server):
+    """Says where it listens once it does: with port 0 nobody knows before."""
+
+    async def startup(self, sockets: list[object] | None = None) -> None:  # type: ignore[override]
+        await super().startup(sockets)  # type: ignore[arg-type]
+        for server in self.servers:
+            for socket in server.sockets:
+                host, port = socket.getsockname()[:2]
+                shown = f"[{host}]" if ":" in host else host
+                print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
+
+
+class _Lines(logging.Formatter):
+    """One line of JSON for each record; those of requests are JSON already."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """The line."""
+        time = self.formatTime(record, "%Y-%m-%dT%H:%M:%S%z")
+        told = {"time": time, "level": record.levelname.lower(), "logger": record.name}
+        if record.name == "sigcat.requests":
+            return json.dumps({**told, **json.loads(record.getMessage())})
+        if record.exc_info:
+            told["trace"] = self.formatException(record.exc_info)
+        return json.dumps({**told, "message": record.getMessage()})
+
+
+def run(application: FastAPI, settings: Settings) -> None:
+    """Serve until a signal comes. Logs go to standard error. Ends the process with 2 if it cannot listen."""
+    prepare(application, settings)
+    try:
+        _Server(uvicorn_config(application, settings)).run()
+    except SystemExit as ended:
+        raise SystemExit(_COULD_NOT_RUN if ended.code else 0) from None
+
+
+_COULD_NOT_RUN = 2
+
+
+def prepare(application: FastAPI, settings: Settings) -> None:
+    """What a process needs that serves: its log, what is wrong with its catalogues told there, and a calm collector."""
+    log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
+    tell_errors(application.state.library)
+    if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
+        _log.warning("reading needs a token, and none of `tokens` has the scope read: nobody can read")
+    gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
+    sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
+    gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms
+
+
+def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
+    """How uvicorn is set up for these settings."""
+    return uvicorn.Config(
+        application,
+        host=settings.host,
+        port=settings.port,
+        root_path=settings.root_path,
+        proxy_headers=bool(settings.trusted_proxies),
+        forwarded_allow_ips=list(settings.trusted_proxies),
+        timeout_graceful_shutdown=settings.stop_seconds,
+        h11_max_incomplete_event_size=32 * 1024,
+        log_config=None,
+        access_log=False,
+        server_header=False,
+    )
+
+
+def log_as_json(level: int) -> None:
+    """Send what sigcat and uvicorn log to standard error, a line of JSON each."""
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(_Lines())
+    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING)):
+        logger = logging.getLogger(name)
+        logger.handlers, logger.propagate = [handler], False
+        logger.setLevel(least)
+    logging.getLogger("uvicorn.access").disabled = True  # requests are logged by the service, each once

@@ -1,0 +1,112 @@
+"""What an operator of the service may set: in `[service]` of sigcat.toml, and as SIGCAT_… in the environment."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+from sigcat.api.tokens import Token, token_from_text
+from sigcat.limits import Limits
+
+_MEBIBYTE = 1024 * 1024
+
+
+def _listed(value: Any) -> Any:
+    """A list; in the environment, separated by commas."""
+    return tuple(part.strip() for part in value.split(",") if part.strip()) if isinstance(value, str) else value
+
+
+def _token(value: Any) -> Any:
+    return token_from_text(value) if isinstance(value, str) else value
+
+
+Texts = Annotated[tuple[str, ...], BeforeValidator(_listed)]
+Tokens = Annotated[tuple[Annotated[Token, BeforeValidator(_token)], ...], BeforeValidator(_listed)]
+
+
+class Settings(BaseModel):
+    """Bounds on requests, each with a clear answer where it is met, and how the service stands in its network."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    host: str = Field(default="127.0.0.1", description="Address to listen on.", min_length=1)
+    port: int = Field(default=8000, description="Port to listen on; 0 picks a free one.", ge=0, le=65535)
+    root_path: str = Field(
+        default="",
+        description="Path below which a proxy offers the service, such as `/sigcat`.",
+        pattern=r"^(/[\w.~-]+)*$",
+    )
+    trusted_proxies: Texts = Field(
+        default=(),
+        description="Addresses of proxies whose `X-Forwarded-For` and `X-Forwarded-Proto` are believed; `*`: all.",
+    )
+    origins: Texts = Field(
+        default=(), description="Origins whose pages may call the API from a browser (CORS); `*`: all."
+    )
+    reading: Literal["open", "token"] = Field(
+        default="open", description="Whether reading is open to all, or needs a token with the scope `read`."
+    )
+    tokens: Tokens = Field(
+        default=(), description="Tokens as `NAME:SCOPE+SCOPE:SHA-256`; `sigcat config --new-token` makes one."
+    )
+    body_bytes: int = Field(
+        default=4 * _MEBIBYTE, description="Bytes of a posted text; more is answered with 413.", ge=1
+    )
+    body_seconds: float = Field(default=20.0, description="Seconds in which a body has to arrive; later: 408.", gt=0)
+    nesting: int = Field(
+       default=64, description="Levels of collections inside each other in a posted text; more is an error (R004).",
+        ge=4, le=256,
+    )  # fmt: skip
+    values: int = Field(
+        default=100_000,
+        description="Values in a posted text, aliases counted as often as they are used; more is an error (R014).",
+        ge=1_000,
+    )
+    nodes: int = Field(
+        default=200_000, description="Nodes of a tree that a posted text may make; more is a finding.", ge=1_000
+    )
+    compared: int = Field(
+        default=20_000_000,
+        description="Characters of paths that the wildcard paths of a posted text are compared with; more is a finding.",
+        ge=100_000,
+    )
+    pattern_seconds: float = Field(
+        default=0.3,
+        description="Seconds for the `pattern`s of a tree with a posted text; what is left then is told as unchecked.",
+        gt=0,
+    )
+    results: int = Field(default=200, description="Most results in one page of a list; a larger `limit` is cut.", ge=1)
+    tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 400.", ge=1)
+    query_characters: int = Field(default=200, description="Longest text to search for; longer: 400.", ge=1)
+    heavy_requests: int = Field(
+        default=1,
+        description="Compositions, lints and diffs under way at once; they share one core, so more only makes all late.",
+        ge=1,
+    )
+    exports: int = Field(default=2, description="Exports under way at once, each in a process of its own.", ge=1)
+    heavy_waiting: int = Field(default=32, description="Further ones that wait; more: 503 with `Retry-After`.", ge=0)
+    heavy_seconds: float = Field(
+        default=60.0, description="Seconds that each of them may take, waiting included.", gt=0
+    )
+    cache_bytes: int = Field(
+        default=32 * _MEBIBYTE, description="Bytes of answers that are kept to be sent again; 0 keeps none.", ge=0
+    )
+    metrics: bool = Field(default=True, description="Whether `/metrics` tells Prometheus what happens.")
+    log: Literal["json", "none"] = Field(default="json", description="One line of JSON for each request, or none.")
+    stop_seconds: int = Field(
+        default=10, description="Seconds that requests under way get when the service stops.", ge=0
+    )
+
+    @property
+    def limits(self) -> Limits:
+        """Bounds on a posted text."""
+        return Limits(
+            file_bytes=self.body_bytes,
+            nesting=self.nesting,
+            values=self.values,
+            nodes=self.nodes,
+            compared=self.compared,
+            pattern_seconds=self.pattern_seconds,
+        )
+
+
+DEFAULT_SETTINGS = Settings()

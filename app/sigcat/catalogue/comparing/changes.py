@@ -1,0 +1,84 @@
+"""What a comparison of two catalogues yields: changes, each with a class that says whom it concerns."""
+
+from collections.abc import Iterable
+from typing import Any, Literal, NamedTuple, get_args
+
+Class = Literal["breaking", "risky", "compatible", "text"]
+Kind = Literal["removed", "moved", "changed", "added"]
+Evidence = Literal["", "fka", "deprecation", "same definition"]
+
+CLASSES: tuple[Class, ...] = get_args(Class)
+"""Classes from the worst to the most harmless."""
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+
+class AttributeChange(NamedTuple):
+    """One attribute of a node. None stands for an attribute that is not there."""
+
+    name: str
+    old: Any
+    new: Any
+    rule: str
+    """Row of the class table (app/sigcat/catalogue/comparing/compatibility.py) that decided."""
+    compatibility: Class
+
+
+class Change(NamedTuple):
+    """One change; equal changes of the instances of a branch are one."""
+
+    kind: Kind
+    compatibility: Class
+    rule: str
+    """Row of the class table that decided."""
+    path: str
+    """Where the node is now, or was, if it is gone. Of several instances: the path without their names."""
+    type: str
+    """Type of the node now, or before, if it is gone."""
+    paths: tuple[str, ...]
+    """Every path that the change concerns; of a subtree, its topmost path."""
+    leaves: int
+    """Signals in the subtrees at all `paths` that came, went or moved with them; 0 for `changed`."""
+    former: str = ""
+    """Where the node was before, if it moved or stands in a branch that moved; like `path`."""
+    former_paths: tuple[str, ...] = ()
+    """Aligned with `paths`; empty where nothing moved."""
+    attributes: tuple[AttributeChange, ...] = ()
+    evidence: Evidence = ""
+    """What says that a node moved. `same definition` is a guess."""
+    came: tuple[str, ...] = ()
+    """What stands in the tree since `instances` changed; topmost paths."""
+    went: tuple[str, ...] = ()
+    """What no longer stands in the tree since `instances` changed; topmost paths."""
+    note: str = ""
+    """What the deprecation of a node that is gone said."""
+
+    @property
+    def is_guess(self) -> bool:
+        """Whether nobody said that the node moved."""
+        return self.evidence == "same definition"
+
+    @property
+    def place(self) -> tuple[list[str], int, list[str]]:
+        """Sort key: by the path that users of the old tree know."""
+        return ((self.former or self.path).split("."), KINDS.index(self.kind), self.path.split("."))
+
+
+def worst(classes: Iterable[Class]) -> Class:
+    """The worst of the classes; `text` if there is none."""
+    return min(classes, key=CLASSES.index, default="text")
+
+
+def at_least(compatibility: Class, bound: Class) -> bool:
+    """Whether a class is as bad as `bound` or worse."""
+    return CLASSES.index(compatibility) <= CLASSES.index(bound)
+
+
+def same(old: Any, new: Any) -> bool:
+    """Whether two values say the same. 1 and 1.0 do, 1 and true do not, and a value that is no number is itself."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        return old.keys() == new.keys() and all(same(value, new[name]) for name, value in old.items())
+    if isinstance(old, list) and isinstance(new, list):
+        return len(old) == len(new) and all(map(same, old, new))
+    if isinstance(old, bool) is not isinstance(new, bool):
+        return False
+    return bool(old == new or (old != old and new != new))  # noqa: PLR0124 -- only .nan differs from itself

@@ -1,0 +1,250 @@
+"""Changes for readers: a tree for terminals, Markdown for release notes, data for programs."""
+
+import json
+import math
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import takewhile
+from typing import Any
+
+from sigcat.catalogue.comparing.changes import CLASSES, AttributeChange, Change, Class, Evidence, Kind, worst
+from sigcat.catalogue.comparing.compatibility import TABLE
+
+_SIGNS: Mapping[Kind, str] = {"added": "+", "removed": "-", "changed": "~", "moved": "→"}
+_COLOURS: Mapping[str, str] = {
+    "+": "32", "-": "31", "~": "33", "→": "36", "breaking": "1;31", "risky": "33", "compatible": "32", "text": "2",
+}  # fmt: skip
+_EVIDENCES: Mapping[Evidence, str] = {
+    "": "",
+    "fka": "its `fka` says so",
+    "deprecation": "its deprecation said so",
+    "same definition": "a guess: the definition is the same",
+}
+_HEADINGS: Mapping[Class, str] = {
+    "breaking": "Breaking", "risky": "Risky", "compatible": "Compatible", "text": "Text only",
+}  # fmt: skip
+_ABSENT = "(none)"
+_SHOWN = 72
+_LISTED = 6
+"""So many paths are listed; of more, the number is told."""
+
+
+def summary(changes: Iterable[Change], hidden: int = 0) -> str:
+    """`3 changes: 1 breaking, 2 compatible`; `hidden` more were left out on demand."""
+    counts = _counts(changes)
+    total = sum(counts.values())
+    if not total:
+        return f"No such changes; {hidden} others not shown." if hidden else "No differences."
+    parts = ", ".join(f"{count} {_class_in_words(name)}" for name, count in counts.items() if count)
+    others = f"; {hidden} others not shown" if hidden else ""
+    return f"{total} {'change' if total == 1 else 'changes'}: {parts}{others}"
+
+
+def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden: int = 0) -> str:
+    """The changes as a tree of the paths that users of the old tree know."""
+    lines: list[str] = []
+    above: tuple[str, ...] = ()
+    for change in changes:
+        *branches, name = (change.former or change.path).split(".")
+        shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(above, branches, strict=False)))
+        lines += [f"{'  ' * depth}{printable(branches[depth])}" for depth in range(shared, len(branches))]
+        above = (*branches, name)
+        indent = "  " * len(branches)
+        sign = _coloured(_SIGNS[change.kind], _SIGNS[change.kind], is_coloured)
+        label = _coloured(f"[{_class_in_words(change.compatibility)}]", change.compatibility, is_coloured)
+        lines.append(f"{indent}{sign} {printable(name)}{_told(change)}  {label}")
+        lines += [f"{indent}    {detail}" for detail in _details(change)]
+    return "\n".join([*lines, *([""] if lines else []), summary(changes, hidden), ""])
+
+
+def markdown_report(changes: Sequence[Change], old: str, new: str, hidden: int = 0) -> str:
+    """Release notes, the worst first. Whatever comes from the trees stands in code spans, where nothing is markup."""
+    lines = [f"# Changes from {_code(old)} to {_code(new)}", "", summary(changes, hidden).rstrip(".") + ".", ""]
+    for compatibility in CLASSES:
+        chosen = [change for change in changes if change.compatibility == compatibility]
+        if chosen:
+            lines += [f"## {_HEADINGS[compatibility]}", "", *(line for c in chosen for line in _markdown(c)), ""]
+    return "\n".join(lines)
+
+
+def diff_data(changes: Sequence[Change]) -> dict[str, Any]:
+    """The changes as plain data: what JSON can hold, in keys that stay."""
+    counts = _counts(changes)
+    return {
+        "summary": {
+            "class": worst(change.compatibility for change in changes) if changes else None,
+            "changes": len(changes),
+            **counts,
+        },
+        "changes": [_change_data(change) for change in changes],
+    }
+
+
+def class_table() -> str:
+    """The class table in Markdown."""
+    rows = [
+        "| Rule | What changed | Actuator | Sensor | Attribute | Why |",
+        "|---|---|---|---|---|---|",
+        *(f"| `{r.rule}` | {r.what} | {r.actuator} | {r.sensor} | {r.attribute} | {r.why} |" for r in TABLE),
+    ]
+    return "\n".join(rows) + "\n"
+
+
+def printable(text: str) -> str:
+    """One line without control characters: a tree's texts must not steer the terminal that shows them."""
+    joined = re.sub(r"\s+", " ", text)
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in joined)
+
+
+def _counts(changes: Iterable[Change]) -> dict[Class, int]:
+    counts: dict[Class, int] = dict.fromkeys(CLASSES, 0)
+    for change in changes:
+        counts[change.compatibility] += 1
+    return counts
+
+
+def _class_in_words(compatibility: Class) -> str:
+    return "text only" if compatibility == "text" else compatibility
+
+
+def _coloured(text: str, of: str, is_coloured: bool) -> str:
+    return f"\x1b[{_COLOURS[of]}m{text}\x1b[0m" if is_coloured else text
+
+
+# -- one change in words ------------------------------------------------------------------------------------------
+
+
+def _told(change: Change) -> str:
+    """What stands behind the name: how many it concerns, and where it went."""
+    parts = [f"  → {printable(change.path)}"] if change.former and change.kind == "moved" else []
+    counted = _counted(change)
+    if counted:
+        parts.append(f"  {counted}")
+    if change.former and change.kind == "changed":
+        parts.append(f"  now {printable(change.path)}")
+    return "".join(parts)
+
+
+def _counted(change: Change) -> str:
+    """`6 instances, 144 signals`; nothing for one signal."""
+    parts = [f"{len(change.paths)} instances"] if len(change.paths) > 1 else []
+    if change.type == "branch" and change.kind != "changed":
+        if change.leaves:
+            parts.append(f"{change.leaves} {'signal' if change.leaves == 1 else 'signals'}")
+        else:
+            parts.append("no new signals" if change.kind == "added" else "no signals lost")
+    return ", ".join(parts)
+
+
+def _details(change: Change) -> Iterator[str]:
+    if change.evidence:
+        yield _EVIDENCES[change.evidence]
+    if change.note:
+        yield f"its deprecation said: {_short(change.note)}"
+    for attribute in change.attributes:
+        old, new = _shown_pair(attribute)
+        yield f"{printable(attribute.name)}: {old} → {new}"
+    for word, paths in (("came", change.came), ("went", change.went)):
+        if paths:
+            yield f"{word}: {_listed(paths, printable)}"
+
+
+def _markdown(change: Change) -> Iterator[str]:
+    counted = f" ({_counted(change)})" if _counted(change) else ""
+    if change.kind == "moved":
+        yield f"- Moved: {_code(change.former)} → {_code(change.path)}{counted}: {_EVIDENCES[change.evidence]}"
+    else:
+        before = f", formerly {_code(change.former)}" if change.former else ""
+        yield f"- {change.kind.capitalize()}: {_code(change.path)}{before}{counted}"
+    if change.note:
+        yield f"  - its deprecation said: {_code(change.note)}"
+    for attribute in change.attributes:
+        old, new = (text if text == _ABSENT else _code(text) for text in _shown_pair(attribute))
+        yield f"  - {_code(attribute.name)}: {old} → {new} ({_class_in_words(attribute.compatibility)})"
+    for word, paths in (("came", change.came), ("went", change.went)):
+        if paths:
+            yield f"  - {word}: {_listed(paths, _code)}"
+
+
+def _listed(paths: Sequence[str], show: Any) -> str:
+    more = f" and {len(paths) - _LISTED} more" if len(paths) > _LISTED else ""
+    return ", ".join(show(path) for path in paths[:_LISTED]) + more
+
+
+def _code(text: str) -> str:
+    """A code span that holds any text: its fence is longer than any run of backticks in the text."""
+    content = printable(text).strip() or " "
+    fence = "`" * (max((len(run) for run in re.findall(r"`+", content)), default=0) + 1)
+    pad = " " if "`" in content else ""
+    return f"{fence}{pad}{content}{pad}{fence}"
+
+
+# -- values -------------------------------------------------------------------------------------------------------
+
+
+def _shown_pair(attribute: AttributeChange) -> tuple[str, str]:
+    """Both values, shortened around the place where they begin to differ."""
+    old, new = (_ABSENT if value is None else printable(_shown(value)) for value in (attribute.old, attribute.new))
+    shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(old, new, strict=False)))
+    start = max(shared - 24, 0) if max(len(old), len(new)) > _SHOWN else 0
+    return _short(old, start), _short(new, start)
+
+
+def _short(text: str, start: int = 0) -> str:
+    part = printable(text)[start:]
+    cut = part if len(part) <= _SHOWN else part[: _SHOWN - 1] + "…"
+    return ("…" if start else "") + cut
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_shown, value))}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{name}: {_shown(item)}' for name, item in value.items())}}}"
+    text = str(value)
+    return json.dumps(text, ensure_ascii=False) if text != text.strip() or not text else text
+
+
+def _change_data(change: Change) -> dict[str, Any]:
+    return {
+        "kind": change.kind,
+        "class": change.compatibility,
+        "rule": change.rule,
+        "path": change.path,
+        "former": change.former or None,
+        "type": change.type,
+        "paths": list(change.paths),
+        "formerPaths": list(change.former_paths),
+        "leaves": change.leaves,
+        "evidence": change.evidence or None,
+        "isGuess": change.is_guess,
+        "attributes": [_attribute_data(attribute) for attribute in change.attributes],
+        "instancesCame": list(change.came),
+        "instancesWent": list(change.went),
+        "note": change.note or None,
+    }
+
+
+def _attribute_data(attribute: AttributeChange) -> dict[str, Any]:
+    return {
+        "name": attribute.name,
+        "old": plain(attribute.old),
+        "new": plain(attribute.new),
+        "class": attribute.compatibility,
+        "rule": attribute.rule,
+    }
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON can hold it: dates and numbers without an end become text."""
+    if isinstance(value, dict):
+        return {str(name): plain(item) for name, item in value.items()}
+    if isinstance(value, list):
+        return [plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if value is None or isinstance(value, str | int | float):
+        return value
+    return value.isoformat() if hasattr(value, "isoformat") else str(value)

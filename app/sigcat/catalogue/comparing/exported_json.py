@@ -1,0 +1,210 @@
+"""A catalogue from an exported JSON: what `sigcat export json` and `vspec export json` write, read back.
+
+An export says which units and struct types its nodes have, not what these are, so neither is checked here. It has
+lost some attributes (`UNKNOWN`); of an expanded one, the instances are found again by what they share with the
+branch above them.
+
+Exports of releases before VSS 5.0 have a `uuid` at each node, by which they are known. They are read as the trees of
+that time are: older words as the present ones, and what was not checked then is a warning.
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from yaml.nodes import MappingNode, ScalarNode
+from yaml.nodes import Node as YamlNode
+
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.older_releases import in_present_words, tolerant
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import BRANCH, Definition
+from sigcat.catalogue.reading.layers import Layer
+from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.yaml_document import Document, position, read_document
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+UNKNOWN = frozenset(("arraysize", "aggregate", "uuid"))
+"""Attributes that tell no change: an export may have lost them, or, `uuid`, have made them from the path."""
+_REPEATED = ("type", "description", "comment")
+"""What exports of before repeat of a branch in its instances; those of today repeat everything."""
+_REFERS_OUTSIDE = frozenset(("V003", "V006", "V007"))
+"""Findings about units and struct types, which an export may not carry along."""
+_TYPES = "ComplexDataTypes"
+_HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})|\\u[dD][89a-fA-F][0-9a-fA-F]{2}")
+"""A character that JSON escapes as two halves; or a half without its other, which is none."""
+
+Positions = Mapping[str, tuple[int, int]]
+
+
+def read_export(path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS) -> Catalogue:
+    """The catalogue of an exported file. Raises InputRefused if it is no JSON."""
+    if path.stat().st_size > limits.file_bytes:
+        message = f"The file has {path.stat().st_size:,} bytes; the limit is {limits.file_bytes:,}."
+        raise _refused(str(path), Finding("R003", "error", message, str(path)))
+    return catalogue_from_export(path.read_bytes(), str(path), overlays, limits)
+
+
+def catalogue_from_export(
+    data: bytes, name: str, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS
+) -> Catalogue:
+    """The catalogue of an export, with its instances expanded. Raises InputRefused if it is no JSON."""
+    document = _positions_of(data, name, limits)
+    content = _content(data, name)
+    if not isinstance(content, dict) or not isinstance(document.root, MappingNode):
+        raise _refused(name, Finding("R007", "error", "The file is not an object of root nodes.", name, 1, 1))
+    source = SourceFile(name, "", hashlib.sha256(data).hexdigest())
+    reading = _Reading(source)
+    pairs = _pairs(document.root)
+    types = content.pop(_TYPES, None)
+    reading.read_children("", content, document.root)
+    base = _layer(source, reading)
+    is_older = any("uuid" in statement.values for statement in base.statements)
+    layers = [in_present_words(base) if is_older else base, *overlays]
+    type_layers = []
+    if types is not None:
+        reading = _Reading(source)
+        reading.read_children("", types, pairs[_TYPES][1])
+        type_layers.append(_layer(source, reading))
+    catalogue = compose(layers, types=type_layers, name=Path(name).stem, limits=limits)
+    found = _with_instances_found(catalogue)
+    return tolerant(found) if is_older else found
+
+
+class _Exported(Statement):
+    """A node of an export, with a position for each attribute: lines may be far longer than those of a vspec file."""
+
+    __slots__ = ("_place", "_places")
+
+    def __init__(
+        self, path: str, file: SourceFile, values: Mapping[str, Any], place: tuple[int, int], places: Positions
+    ) -> None:
+        super().__init__(path, file, values, 0, ())
+        self._place = place
+        self._places = places
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Position of the value of `attribute`; of the node's key if the attribute is empty or not here."""
+        return Origin(self.file.name, *self._places.get(attribute, self._place), self.file.overlay)
+
+    def origin_of_key(self, attribute: str) -> Origin:
+        """Position of the value: in JSON its key stands before it on the same line."""
+        return self.origin(attribute)
+
+
+class _Reading:
+    """The statements and findings of one tree of an export."""
+
+    def __init__(self, source: SourceFile) -> None:
+        self.source = source
+        self.statements: list[Statement] = []
+        self.findings: list[Finding] = []
+
+    def read_children(self, above: str, children: Any, document: YamlNode) -> None:
+        """Read the nodes of an object of nodes by name, and all below them."""
+        if not isinstance(children, dict) or not isinstance(document, MappingNode):
+            self._wrong(above, document, "An object of nodes belongs here.")
+            return
+        pairs = _pairs(document)
+        for name, values in children.items():
+            key, value = pairs[name]
+            path = f"{above}.{name}" if above else name
+            if isinstance(values, dict) and isinstance(value, MappingNode):
+                self._read_node(path, values, key, value)
+            else:
+                self._wrong(path, value, "A node belongs here: an object with `type`.")
+
+    def _read_node(self, path: str, values: dict[str, Any], key: YamlNode, document: MappingNode) -> None:
+        pairs = _pairs(document)
+        places = {name: position(value) for name, (_, value) in pairs.items()}
+        own = {name: value for name, value in values.items() if name != "children"}
+        self.statements.append(_Exported(path, self.source, own, position(key), places))
+        if "children" in values:
+            self.read_children(path, values["children"], pairs["children"][1])
+
+    def _wrong(self, path: str, document: YamlNode, message: str) -> None:
+        self.findings.append(Finding("R007", "error", message, self.source.name, *position(document), path))
+
+
+def _positions_of(data: bytes, name: str, limits: Limits) -> Document:
+    """The document read as YAML, for its positions; YAML takes all of JSON but characters escaped as two halves."""
+    if b"\\u" in data:
+        data = _HALVES.sub(_whole_character, data.decode("utf-8", "surrogateescape")).encode("utf-8", "surrogateescape")
+    document = read_document(data, name, limits)
+    if document.findings:
+        raise _refused(name, *document.findings)
+    return document
+
+
+def _whole_character(halves: re.Match[str]) -> str:
+    if halves[1] is None:
+        return "\\uFFFD"
+    high, low = int(halves[1], 16), int(halves[2], 16)
+    return f"\\U{0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00):08x}"
+
+
+def _content(data: bytes, name: str) -> Any:
+    """The document read as JSON, for its values: YAML takes 1e-05 for a text."""
+    try:
+        return json.loads(data.decode("utf-8-sig"))
+    except json.JSONDecodeError as error:
+        place = (error.lineno, error.colno)
+        raise _refused(name, Finding("R001", "error", f"Not valid JSON: {error.msg}.", name, *place)) from None
+    except ValueError as error:
+        raise _refused(name, Finding("R014", "error", f"A value is none: {error}.", name, 1, 1)) from None
+
+
+def _refused(name: str, *findings: Finding) -> InputRefused:
+    return InputRefused(f"{name}: is no exported tree", findings)
+
+
+def _pairs(document: MappingNode) -> dict[str, tuple[YamlNode, YamlNode]]:
+    """Keys and values by name; of a name that is given twice the last one counts, as in JSON."""
+    return {key.value: (key, value) for key, value in document.value if isinstance(key, ScalarNode)}
+
+
+def _layer(source: SourceFile, reading: _Reading) -> Layer:
+    return Layer(source.name, False, (source,), tuple(reading.statements), tuple(reading.findings))
+
+
+# -- instances ----------------------------------------------------------------------------------------------------
+
+
+def _with_instances_found(catalogue: Catalogue) -> Catalogue:
+    """The catalogue with the definition of each node under the path that it has without the names of instances."""
+    known: dict[tuple[int, str, bool], Definition] = {}
+    roots = tuple(_found(root, root.template, False, known) for root in catalogue.roots)
+    findings = tuple(finding for finding in catalogue.findings if finding.rule not in _REFERS_OUTSIDE)
+    return catalogue.with_roots(roots, is_expanded=True).with_findings(findings)
+
+
+def _found(node: Node, template: str, is_instance: bool, known: dict[tuple[int, str, bool], Definition]) -> Node:
+    children = []
+    for child in node.children:
+        generated = child.definition.is_instance or _repeats(node, child)
+        path = template if generated else f"{template}.{child.name}"
+        if child.definition.is_instance and child.template != node.template:  # beside its branch, not below it
+            path = child.template
+        children.append(_found(child, path, generated, known))
+    key = (id(node.definition), template, is_instance)
+    if key not in known:
+        told = node.definition
+        known[key] = Definition(template, told.statements, told.values, told.problems, is_instance)
+    return Node(node.path, known[key], tuple(children))
+
+
+def _repeats(node: Node, child: Node) -> bool:
+    """Whether a branch is an instance of the one above it: an expansion repeats all that a branch says in each."""
+    if not (node.type == child.type == BRANCH and child.children):
+        return False
+    above, own = _without_uuid(node), _without_uuid(child)
+    return own in (above, {name: value for name, value in above.items() if name in _REPEATED})
+
+
+def _without_uuid(node: Node) -> Mapping[str, Any]:
+    return {name: value for name, value in node.values.items() if name != "uuid"}

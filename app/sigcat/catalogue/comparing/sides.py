@@ -1,0 +1,149 @@
+"""The sides of a comparison: whatever names a tree, read into a catalogue.
+
+A side is a folder, a root file, an exported JSON, `git:REVISION` or `git:REVISION:PATH`, or the name of a release;
+each may be followed by overlays, `+OVERLAY+OVERLAY`. Files and folders that exist win over names of releases.
+"""
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.catalogue.comparing.exported_json import UNKNOWN, read_export
+from sigcat.catalogue.composing.overlays import with_overlays
+from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.git_revision import unpack_revision
+from sigcat.catalogue.reading.layers import Layer, read_layer
+from sigcat.catalogue.reading.root_file import root_file, types_beside
+from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import Finding, has_errors
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+Release = Callable[[str], Catalogue]
+"""The catalogue of a release by its name. Raises NotFound."""
+
+_GIT = "git:"
+
+
+class Options(NamedTuple):
+    """What holds for both sides; with the meaning of the options of `vspec export`."""
+
+    overlays: tuple[Path, ...] = ()
+    """Applied after the overlays of the side itself."""
+    include_dirs: tuple[Path, ...] = ()
+    units: tuple[Path, ...] = ()
+    quantities: tuple[Path, ...] = ()
+    types: tuple[Path, ...] = ()
+    limits: Limits = DEFAULT_LIMITS
+
+
+class Side(NamedTuple):
+    """One side of a comparison."""
+
+    title: str
+    catalogue: Catalogue
+    unknown: frozenset[str] = frozenset()
+    """Attributes that a tree in this form cannot have."""
+
+
+NO_OPTIONS = Options()
+
+
+def read_side(name: str, release: Release, options: Options = NO_OPTIONS) -> Side:
+    """Read a side.
+
+    Raises UsageError if `name` names nothing, InputRefused if the tree has errors, and what `release` raises.
+    """
+    if name.startswith(_GIT):
+        side = _git_side(name, options)
+    else:
+        base, overlays = _parts(name)
+        if not base:
+            raise UsageError(f"{name!r}: there is no such file or folder")
+        side = _file_side(name, Path(base), overlays, options) or _release_side(name, base, overlays, release, options)
+    if has_errors(side.catalogue.findings):
+        raise InputRefused(f"{name}: the tree has errors; nothing was compared", side.catalogue.findings)
+    return side
+
+
+def _parts(name: str, folder: Path = Path()) -> tuple[str, tuple[Path, ...]]:
+    """The tree and its overlays; a file may have a plus in its name."""
+    if (folder / name).exists():
+        return name, ()
+    base, *overlays = name.split("+")
+    return base, tuple(folder / overlay for overlay in overlays)
+
+
+def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Options) -> Side | None:
+    """The side that a file or folder is; None if there is none."""
+    if not path.exists():
+        return None
+    if path.suffix.lower() == ".json" and path.is_file():
+        return Side(title, read_export(path, _layers(overlays, options), options.limits), UNKNOWN)
+    spec = root_file(path, options.limits) if path.is_dir() else path
+    types = options.types or (types_beside(spec, options.limits) if path.is_dir() else ())
+    chosen = (options.units, options.quantities, types, options.include_dirs)
+    source = Source(spec.stem, spec.stem, spec, _existing((*overlays, *options.overlays)), *chosen)
+    return Side(title, load(source, options.limits))
+
+
+def _release_side(title: str, base: str, overlays: tuple[Path, ...], release: Release, options: Options) -> Side:
+    if "/" in base or base.endswith((".vspec", ".json")):
+        raise UsageError(f"{base}: there is no such file or folder")
+    return Side(title, with_overlays(release(base), _layers(overlays, options), options.limits))
+
+
+def _layers(overlays: tuple[Path, ...], options: Options) -> list[Layer]:
+    paths = _existing((*overlays, *options.overlays))
+    return [read_layer(path, options.include_dirs, is_overlay=True, limits=options.limits) for path in paths]
+
+
+def _existing(overlays: tuple[Path, ...]) -> tuple[Path, ...]:
+    for overlay in overlays:
+        if not overlay.is_file():
+            raise UsageError(f"{overlay}: there is no such overlay")
+    return overlays
+
+
+# -- git ----------------------------------------------------------------------------------------------------------
+
+
+def _git_side(name: str, options: Options) -> Side:
+    """`git:REVISION[:PATH]`: the path as git takes it, from the top of the repository; `./` is the current folder."""
+    revision, _, path = name.removeprefix(_GIT).partition(":")
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary).resolve()
+        prefix = unpack_revision(revision, folder, options.limits)
+        start = folder / prefix if path.startswith(".") else folder
+        shown = f"{_GIT}{revision}:"
+        try:
+            side = _unpacked_side(name, path or ".", start, folder, options)
+        except (UsageError, InputRefused) as error:
+            raise _renamed_error(error, f"{folder}/", shown) from None
+        findings = tuple(_renamed(finding, f"{folder}/", shown) for finding in side.catalogue.findings)
+        return side._replace(catalogue=side.catalogue.with_findings(findings))
+
+
+def _unpacked_side(title: str, path: str, folder: Path, top: Path, options: Options) -> Side:
+    base, overlays = _parts(path, folder)
+    tree, *others = (Path(os.path.normpath(part)) for part in (folder / base, *overlays))
+    for part in (tree, *others):
+        if not part.resolve().is_relative_to(top):
+            raise UsageError(f"{title}: the path leaves the repository")
+    side = _file_side(title, tree, tuple(others), options)
+    if side is None:
+        raise UsageError(f"{title}: the revision has no {base!r} (only .vspec, .yaml and .json files are looked at)")
+    return side
+
+
+def _renamed(finding: Finding, folder: str, shown: str) -> Finding:
+    return finding._replace(file=finding.file.replace(folder, shown), message=finding.message.replace(folder, shown))
+
+
+def _renamed_error(error: UsageError | InputRefused, folder: str, shown: str) -> UsageError | InputRefused:
+    message = str(error).replace(folder, shown).replace(folder.rstrip("/"), shown.rstrip(":"))
+    if isinstance(error, InputRefused):
+        return InputRefused(message, tuple(_renamed(finding, folder, shown) for finding in error.findings))
+    return UsageError(message)

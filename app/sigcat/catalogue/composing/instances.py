@@ -1,0 +1,218 @@
+"""Instances: a branch defined once, standing several times in the tree.
+
+`instances: [Row[1,2], [Left, Right]]` puts what stands below a branch under Row1.Left, Row1.Right, Row2.Left and
+Row2.Right. A node that is written out below one instance refines that instance alone. Meaning, including the corner
+cases, as in vss-tools 6.1 (`expand_instances`).
+
+Drafts are shared: all instances of a branch hold the same drafts below, until one of them is refined.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.composing.fold import blaming, checked
+from sigcat.catalogue.model.definition import BRANCH, Definition, Scope, instances_of, overlaid
+from sigcat.limits import Limits
+
+_LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")
+_FILLED_IN: Mapping[str, Any] = {"delete": False, "instantiate": True}
+_FILLED_IN_BRANCH: Mapping[str, Any] = {"instances_relation": "child", "aggregate": False}
+
+
+class TooManyNodes(Exception):
+    """The expansion would have more nodes than the limit. `draft` is the branch whose instances are too many."""
+
+    def __init__(self, draft: "Draft", count: int) -> None:
+        super().__init__(f"{count:,} nodes")
+        self.draft = draft
+        self.count = count
+
+
+class Draft(NamedTuple):
+    """A node while the tree is built: not yet expanded, its children not yet final."""
+
+    name: str
+    definition: Definition
+    children: Mapping[str, "Draft"]
+
+
+def expand(root: Draft, scope: Scope, limits: Limits) -> Draft:
+    """The tree with every branch that has instances expanded. Raises TooManyNodes."""
+    expansion = _Expansion(scope, limits, {}, {})
+    (expanded, *_) = _expanded(root, expansion)
+    if _size(expanded, expansion) > limits.nodes:
+        raise TooManyNodes(root, _size(expanded, expansion))
+    return expanded
+
+
+def instance_names(entry: Any) -> Iterator[str]:
+    """Names that one entry of `instances` stands for: `Row[1,2]` → `Row1`, `Row2`."""
+    for item in entry if isinstance(entry, list) else [entry]:
+        text = str(item)
+        match = _LAST_RANGE.match(text)
+        if match is None:
+            yield text
+        else:
+            for number in range(int(match[2]), int(match[3]) + 1):
+                yield text.replace(match[1], str(number))
+
+
+def count_instances(instances: Iterable[Any]) -> int:
+    """How many nodes the instances of one branch add, without making them."""
+    roots, total = 1, 0
+    for entry in instances:
+        count = sum(_range_length(str(item)) for item in (entry if isinstance(entry, list) else [entry]))
+        total += roots * count
+        if count > 1 or isinstance(entry, list):
+            roots *= count
+    return total
+
+
+class _Expansion(NamedTuple):
+    """What one expansion knows. A draft that stands in many places is expanded and measured once."""
+
+    scope: Scope
+    limits: Limits
+    done: dict[int, tuple[Draft, list[Draft]]]
+    sizes: dict[int, tuple[Draft, int]]
+
+
+class _Growing:
+    """A generated instance to which nodes are still being added."""
+
+    def __init__(self, name: str, definition: Definition) -> None:
+        self.name = name
+        self.definition = definition
+        self.children: dict[str, _Growing | Draft] = {}
+
+    def finished(self) -> Draft:
+        children = {
+            name: child.finished() if isinstance(child, _Growing) else child for name, child in self.children.items()
+        }
+        return Draft(self.name, self.definition, children)
+
+
+def _range_length(text: str) -> int:
+    match = _LAST_RANGE.match(text)
+    return max(int(match[3]) - int(match[2]) + 1, 0) if match else 1
+
+
+def _size(draft: Draft, expansion: _Expansion) -> int:
+    if not draft.children:
+        return 1
+    known = expansion.sizes.get(id(draft))
+    if known is None:
+        size = 1 + sum(_size(child, expansion) for child in draft.children.values())
+        expansion.sizes[id(draft)] = known = (draft, size)
+    return known[1]
+
+
+def _expanded(draft: Draft, expansion: _Expansion) -> list[Draft]:
+    """The draft expanded, and after it the siblings that its instances put beside it."""
+    if not draft.children and draft.definition.type != BRANCH:
+        return [draft]
+    known = expansion.done.get(id(draft))
+    if known is not None:
+        return known[1]
+    instances = instances_of(draft.definition.values) if draft.definition.type == BRANCH else []
+    if instances:
+        holder, *siblings = _with_instances(draft, instances, expansion)
+        result = [_with_children_expanded(part, expansion) for part in (holder, *siblings)]
+    else:
+        result = [_with_children_expanded(draft, expansion)]
+    expansion.done[id(draft)] = (draft, result)
+    return result
+
+
+def _with_children_expanded(draft: Draft, expansion: _Expansion) -> Draft:
+    children: dict[str, Draft] = {}
+    siblings: list[Draft] = []
+    changed = False
+    for child in draft.children.values():
+        expanded, *beside = _expanded(child, expansion)
+        changed = changed or expanded is not child or bool(beside)
+        children[expanded.name] = expanded
+        siblings.extend(beside)
+    children.update((sibling.name, sibling) for sibling in siblings)
+    return draft._replace(children=children) if changed else draft
+
+
+def _with_instances(draft: Draft, instances: list[Any], expansion: _Expansion) -> list[Draft]:
+    """The branch with its instances below it, or beside it where `instances_relation` is `sibling`."""
+    count = count_instances(instances)
+    if count > expansion.limits.nodes:
+        raise TooManyNodes(draft, count)
+    beside = draft.definition.values.get("instances_relation") == "sibling"
+    kept = {name: child for name, child in draft.children.items() if not _is_instantiated(child)}
+    moved = {name: child for name, child in draft.children.items() if _is_instantiated(child)}
+    holder = _Growing(draft.name, _without_instances(draft.definition, is_instance=draft.definition.is_instance))
+    top = _Growing("", holder.definition) if beside else holder
+    holder.children.update(kept)
+    generated = _generate(top, _without_instances(draft.definition, is_instance=True), instances)
+    direct = {} if beside else top.children
+    added = {name: child for name, child in moved.items() if name not in direct}
+    for instance in generated:
+        if not instance.children:
+            instance.children.update(added)
+    if beside:
+        return [
+            holder.finished(),
+            *(child.finished() for child in top.children.values() if isinstance(child, _Growing)),
+        ]
+    result = holder.finished()
+    refined = {
+        name: _refined(child, moved[name], expansion.scope) if name in moved else child
+        for name, child in result.children.items()
+    }
+    return [result._replace(children=refined)]
+
+
+def _generate(top: _Growing, definition: Definition, instances: list[Any]) -> list[_Growing]:
+    """Add an instance for each name: below all instances of the entry before, if that entry had several names."""
+    roots = [top]
+    generated: list[_Growing] = []
+    for entry in instances:
+        names = list(instance_names(entry))
+        nodes: list[_Growing] = []
+        for name in names:
+            for root in roots:
+                node = _Growing(name, definition)
+                root.children[name] = node
+                nodes.append(node)
+        generated.extend(nodes)
+        if len(names) > 1 or isinstance(entry, list):
+            roots = nodes
+    return generated
+
+
+def _is_instantiated(draft: Draft) -> bool:
+    return bool(draft.definition.values.get("instantiate", True))
+
+
+def _without_instances(definition: Definition, *, is_instance: bool) -> Definition:
+    values = {name: value for name, value in definition.values.items() if name != "instances"}
+    return Definition(definition.path, definition.statements, values, definition.problems, is_instance)
+
+
+def _refined(draft: Draft, refinement: Draft, scope: Scope) -> Draft:
+    """An instance with what is written out for it alone merged in, all the way down."""
+    children = dict(draft.children)
+    for name, child in refinement.children.items():
+        children[name] = _refined(children[name], child, scope) if name in children else child
+    return Draft(draft.name, _refined_definition(draft.definition, refinement.definition, scope), children)
+
+
+def _refined_definition(definition: Definition, refinement: Definition, scope: Scope) -> Definition:
+    """Empty values refine nothing. A refinement that is complete in itself brings the defaults of its attributes."""
+    update = {name: value for name, value in refinement.values.items() if value is not None and value != []}
+    if not any(problem.severity == "error" for problem in refinement.problems):
+        defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
+        update = {**_where_present(defaults, definition.values), **update}
+    statements = definition.statements + refinement.statements
+    refined = checked(definition.path, statements, overlaid(definition.values, update), scope, definition.is_instance)
+    return blaming(refined, definition, scope) if refined.problems and refinement.statements else refined
+
+
+def _where_present(defaults: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in defaults.items() if name in values}

@@ -1,0 +1,239 @@
+"""Trees and units of older releases, understood as the tools of their time did, and said so as warnings.
+
+What differs from the present form, by release:
+
+| release | units | words in trees |
+|---|---|---|
+| 3.0 | none: they stood in the tools | `enum` lists allowed values in trees of before, `rbranch`, `type: Actuator` |
+| 3.1, 4.0 | one mapping under `units:`, with `label`, `description`, `domain`; no quantities | – |
+| 4.1, 4.2 | present form, a few entries with words of before; a quantity need not be defined | – |
+| 5.0 on | present form | – |
+
+Sources: the changelogs of VSS and of vss-tools. Tools before 5.0 checked neither datatypes of units, nor bounds, nor
+duplicate keys; what a tree of that time has of these is a warning.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
+from sigcat.catalogue.model.definition import TYPES
+from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary
+from sigcat.catalogue.reading.layers import Layer
+from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, VspecFile, parse_vspec
+from sigcat.data import VSPEC
+from sigcat.digest import digest_of
+from sigcat.findings import Finding, in_order
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+OFFICIAL_ROOT = "VehicleSignalSpecification.vspec"
+"""Name of the root file of every official release."""
+
+_WORDS = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
+"""Attributes of a unit as they were called before 4.1 (`units` is a slip that 4.1 has), and now."""
+_OLD_WORD = re.compile(rb"^units:|^[ \t]+(?:description|label|units|domain):", re.MULTILINE)
+_ANY_DATATYPE = tuple(sorted(PRIMITIVES))
+_UNITS_OF_TOOLS = (
+    ("UNIX Timestamp", "Seconds since 1970-01-01 00:00:00 UTC, leap seconds not counted.", "datetime"),
+    ("MB", "Amount of data in units of one million bytes.", "data"),
+    ("MB/s", "Amount of data in each second, in units of one million bytes.", "data per time"),
+)
+"""Units that the tools of 3.0 knew and that the shipped vocabulary has no longer."""
+_SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
+"""Keys of shipped units that were spelled otherwise then; a tree of 3.0 keeps its own spelling."""
+_ESSENTIAL = frozenset(("V021", "V022", "V024", "V025"))
+"""Rules without which there is no tree: what breaks them is an error in a tree of any age."""
+
+
+class Units(NamedTuple):
+    """A vocabulary, and whether it shows that the tree beside it is of an older release."""
+
+    vocabulary: Vocabulary
+    is_older: bool
+
+
+class _Entry(NamedTuple):
+    """A unit of an older file, its attributes called by their present names."""
+
+    key: str
+    values: Mapping[str, Any]
+    origin: Origin
+    is_older: bool
+
+
+class _OlderFile(NamedTuple):
+    source: SourceFile
+    entries: list[_Entry]
+
+
+# -- units --------------------------------------------------------------------------------------------------------
+
+
+def read_units(
+    spec: Path, units: Sequence[Path] = (), quantities: Sequence[Path] = (), limits: Limits = DEFAULT_LIMITS
+) -> Units:
+    """The vocabulary of a tree of any age: from the files given, or from those beside `spec`.
+
+    An official tree without units is one of 3.0, whose units stood in the tools: it gets the shipped ones.
+    """
+    unit_files = default_files(spec, units, "units.yaml")
+    quantity_files = default_files(spec, quantities, "quantities.yaml")
+    if not unit_files and spec.name == OFFICIAL_ROOT and spec.is_file():
+        return Units(_units_of_tools(spec, limits), is_older=True)
+    older = [file for path in unit_files if (file := _older_file(path, limits)) is not None]
+    names = {file.source.name for file in older}
+    vocabulary = read_vocabulary([path for path in unit_files if str(path) not in names], quantity_files, limits)
+    for file in older:
+        vocabulary = _with_older(vocabulary, file)
+    return Units(vocabulary, bool(older))
+
+
+def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
+    """The entries of a units file in a form of before; None for one in the present form, or none at all."""
+    try:
+        data = path.read_bytes() if path.stat().st_size <= limits.file_bytes else b""
+    except OSError:
+        return None
+    if not _OLD_WORD.search(data):
+        return None
+    source = SourceFile(str(path), "", digest_of(data))
+    entries = list(_entries(parse_vspec(data, source, limits)))
+    return _OlderFile(source, entries) if any(entry.is_older for entry in entries) else None
+
+
+def _entries(file: VspecFile) -> Iterator[_Entry]:
+    if [statement.path for statement in file.statements] == ["units"]:
+        (statement,) = file.statements
+        for key, values in statement.values.items():
+            if isinstance(values, dict):
+                yield _Entry(key, _present_words(values), statement.origin_of_key(key), is_older=True)
+        return
+    for statement in file.statements:
+        values = _present_words(statement.values)
+        yield _Entry(statement.path, values, statement.origin(), values.keys() != statement.values.keys())
+
+
+def _present_words(values: Mapping[str, Any]) -> dict[str, Any]:
+    renamed = {_WORDS[name]: value for name, value in values.items() if name in _WORDS}
+    return {**renamed, **{name: value for name, value in values.items() if name not in _WORDS}}
+
+
+def _with_older(vocabulary: Vocabulary, file: _OlderFile) -> Vocabulary:
+    units, quantities = dict(vocabulary.units), dict(vocabulary.quantities)
+    findings = [*vocabulary.findings, _older_form(file.entries)]
+    names: dict[str, Unit] = {}
+    for unit in map(_unit, file.entries):
+        if unit.name in names:
+            findings.append(_same_name(unit, names[unit.name]))
+        names[unit.name] = units[unit.name] = units[unit.key.lower()] = unit
+        quantities.setdefault(unit.quantity.lower(), Quantity(unit.quantity, "", "", unit.origin))
+    return Vocabulary(units, quantities, (*vocabulary.files, file.source), tuple(findings))
+
+
+def _unit(entry: _Entry) -> Unit:
+    values = entry.values
+    allowed = values.get("allowed-datatypes")
+    known = [name for name in allowed if name in DATATYPES] if isinstance(allowed, list) else []
+    return Unit(
+        entry.key,
+        str(values.get("unit") or entry.key),
+        str(values.get("definition") or ""),
+        str(values.get("quantity") or ""),
+        tuple(known) or _ANY_DATATYPE,
+        str(values.get("deprecation") or ""),
+        entry.origin,
+    )
+
+
+def _older_form(entries: Sequence[_Entry]) -> Finding:
+    older = [entry for entry in entries if entry.is_older]
+    named = ", ".join(repr(entry.key) for entry in older[:3]) + (", …" if len(older) > 3 else "")
+    message = f"{len(older)} units are written as before VSS 4.1: {named}."
+    fix = "Write `definition`, `unit`, `quantity` and `allowed-datatypes`, without a `units:` above."
+    return Finding("U005", "warning", message, *older[0].origin[:3], fix=fix)
+
+
+def _same_name(unit: Unit, other: Unit) -> Finding:
+    message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
+    fix = "Give each unit a name of its own; other tools refuse the file."
+    return Finding("U001", "warning", message, *unit.origin[:3], unit.key, fix=fix)
+
+
+def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
+    """The shipped units, for any datatype, and those that only the tools of 3.0 knew."""
+    shipped = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"], limits)
+    units = {name: _unit_of_tools(unit) for name, unit in shipped.units.items()}
+    nowhere = Origin(str(spec), 0, 0)
+    for key, definition, quantity in _UNITS_OF_TOOLS:
+        units[key.lower()] = Unit(key, key, definition, quantity, _ANY_DATATYPE, "", nowhere)
+    message = "No units stand beside the tree, as in VSS 3.0; it gets the units that sigcat ships."
+    finding = Finding("U005", "warning", message, str(spec), fix="Name a file of units to choose others.")
+    return Vocabulary(units, shipped.quantities, shipped.files, (*shipped.findings, finding))
+
+
+def _unit_of_tools(shipped: Unit) -> Unit:
+    key = _SPELLINGS_OF_TOOLS.get(shipped.key, shipped.key)
+    return shipped._replace(key=key, allowed_datatypes=_ANY_DATATYPE)
+
+
+# -- trees --------------------------------------------------------------------------------------------------------
+
+
+def in_present_words(layer: Layer) -> Layer:
+    """An older base tree with its words replaced by the present ones, each place a warning."""
+    findings: list[Finding] = []
+    statements = tuple(_in_present_words(statement, findings) for statement in layer.statements)
+    if not findings:
+        return layer
+    once = {finding[3:6]: finding for finding in reversed(findings)}  # a file may be included several times
+    return Layer(layer.name, layer.is_overlay, layer.files, statements, (*layer.findings, *once.values()))
+
+
+def _in_present_words(statement: Statement, findings: list[Finding]) -> Statement:
+    values: dict[str, Any] = {}
+    for name, value in statement.values.items():
+        new_name, new_value = _present(name, value, statement.values)
+        if new_name in values:
+            return statement
+        values[new_name] = new_value
+        if (new_name, new_value) != (name, value):
+            old, new = (name, new_name) if new_name != name else (f"{name}: {value}", f"{name}: {new_value}")
+            message = f"`{old}` is an older spelling of `{new}`."
+            findings.append(Finding("V026", "warning", message, *statement.origin(name)[:3], statement.path))
+    if values == dict(statement.values):
+        return statement
+    return statement.with_values(values)
+
+
+def _present(name: str, value: Any, values: Mapping[str, Any]) -> tuple[str, Any]:
+    if name == "enum" and isinstance(value, list) and "allowed" not in values:
+        return "allowed", value
+    if name == "value" and values.get("type") == "attribute" and "default" not in values:
+        return "default", value
+    if name == "type" and value == "rbranch":
+        return name, "branch"
+    if name == "type" and isinstance(value, str) and value.lower() in TYPES:
+        return name, value.lower()
+    return name, value
+
+
+def tolerant(catalogue: Catalogue) -> Catalogue:
+    """The catalogue with errors of its base tree as warnings, save those without which there is no tree.
+
+    For official releases: their tools took them, and a reader has to live with them. Overlays stay under today's
+    checks.
+    """
+    base = {file.name for layer in catalogue.layers[:1] for file in layer.files}
+    files = base | {file.name for file in catalogue.vocabulary.files}
+    findings = tuple(_tolerated(finding) if finding.file in files else finding for finding in catalogue.findings)
+    if findings == catalogue.findings:
+        return catalogue
+    return catalogue.with_findings(in_order(findings))
+
+
+def _tolerated(finding: Finding) -> Finding:
+    is_tolerable = finding.rule in ("R006", "R011") or (finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL)
+    return finding._replace(severity="warning") if is_tolerable and finding.severity == "error" else finding

@@ -1,0 +1,81 @@
+"""The tree as JSON, as data equal to what `vspec export json` of vss-tools 6.1 writes."""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, instances_of
+
+_NOT_EXPORTED = frozenset(
+    ("delete", "instantiate", "fqn", "arraysize", "aggregate", "is_instance", "instances_relation")
+)
+
+
+def tree_data(
+    catalogue: Catalogue,
+    extended_attributes: Iterable[str] = (),
+    *,
+    all_extended: bool = False,
+    keep_instances: bool = False,
+) -> dict[str, Any]:
+    """Roots by name, each with attributes and `children`; struct types under `ComplexDataTypes`.
+
+    vss-tools filters extended attributes at the root only; so does this. With `keep_instances`, branches that were
+    expanded say which instances they had, which vss-tools forgets.
+    """
+    data: dict[str, Any] = {}
+    wanted = frozenset(extended_attributes)
+    instances = kept_instances(catalogue) if keep_instances else {}
+    for position, root in enumerate(catalogue.roots):
+        tree = _node_data(root, instances)
+        if not all_extended:
+            tree = {k: v for k, v in tree.items() if k in CORE_ATTRIBUTES or k in wanted or k == "children"}
+        if position == 0:
+            data[root.name] = tree
+        else:
+            data["ComplexDataTypes"] = {root.name: tree}
+    return data
+
+
+def tree_json(data: dict[str, Any], *, pretty: bool = False) -> str:
+    """The text of the export: keys sorted, one line or indented by two."""
+    return json.dumps(data, indent=2 if pretty else None, sort_keys=True, default=_json_value)
+
+
+def kept_instances(catalogue: Catalogue) -> dict[str, list[Any]]:
+    """Instances by path of the branch, for branches that were expanded."""
+    return {
+        path: instances
+        for path, node in catalogue.nodes.items()
+        if not node.definition.is_instance and "instances" not in node.values
+        for instances in _written_instances(node)
+    }
+
+
+def _written_instances(node: Node) -> Iterator[list[Any]]:
+    for statement in reversed(node.definition.statements):
+        if "instances" in statement.values:
+            instances = instances_of(statement.values)
+            if instances:
+                yield instances
+            return
+
+
+def _node_data(node: Node, instances: Mapping[str, list[Any]]) -> dict[str, Any]:
+    data = {
+        name: value
+        for name, value in node.definition.values.items()
+        if value is not None and value != [] and name not in _NOT_EXPORTED
+    }
+    if "instances" in data and isinstance(data["instances"], str):
+        data["instances"] = [data["instances"]]
+    if node.path in instances:
+        data["instances"] = instances[node.path]
+    if node.children:
+        data["children"] = {child.name: _node_data(child, instances) for child in node.children}
+    return data
+
+
+def _json_value(value: Any) -> Any:
+    return value.isoformat() if hasattr(value, "isoformat") else str(value)

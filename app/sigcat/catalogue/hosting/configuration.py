@@ -1,0 +1,213 @@
+"""`sigcat.toml`: which catalogues a service hosts, declared in one file.
+
+```toml
+watch = true                          # read files again when they change
+shipped = false                       # leave out the catalogues that sigcat brings along
+
+[[catalogue]]
+id = "body"
+title = "Body domain"
+release = "v5.0"                      # or: spec = "trees/Body.vspec"
+overlays = ["overlays/body.vspec"]    # in the order in which they apply
+```
+
+Paths are relative to the file. Everything wrong with it is told at once, with lines.
+"""
+
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.hosting.sources import release_source
+from sigcat.errors import InputRefused, NotFound, UsageError
+from sigcat.findings import Finding, in_order
+from sigcat.names import did_you_mean
+
+FILE_NAME = "sigcat.toml"
+PATH_LISTS = ("overlays", "units", "quantities", "types", "include_dirs")
+CATALOGUE_KEYS: Mapping[str, type] = {
+    "id": str, "title": str, "spec": str, "release": str, **dict.fromkeys(PATH_LISTS, list)
+}  # fmt: skip
+TOP_KEYS: Mapping[str, type] = {"watch": bool, "shipped": bool, "catalogue": list}
+
+_LARGEST = 1024 * 1024
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
+_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
+_KEY = re.compile(r"\s*[\"']?([A-Za-z0-9_.-]+)[\"']?\s*=")
+_PLACE = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
+_KINDS = {str: "a text", bool: "true or false", list: "a list"}
+
+
+class Configuration(NamedTuple):
+    """What the file says. Without a file: the shipped catalogues, not watched."""
+
+    file: Path | None = None
+    sources: tuple[Source, ...] = ()
+    """Declared catalogues, in order."""
+    is_watching: bool = False
+    has_shipped: bool = True
+    tables: Mapping[str, Any] = {}
+    """Tables that others read, as they stand in the file."""
+
+
+def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
+    """Read the file. `tables` are names of further tables, read by others. Raises InputRefused with all findings."""
+    text = _text(file)
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _refused(file, [_syntax_error(error, file, text)]) from None
+    reading = _Reading(file, Lines(text), [])
+    others = tuple(tables)
+    reading.check(data, {**TOP_KEYS, **dict.fromkeys(others, dict)}, "")
+    sources = tuple(_sources(data.get("catalogue"), reading))
+    if reading.findings:
+        raise _refused(file, reading.findings)
+    return Configuration(
+        file,
+        sources,
+        bool(data.get("watch", False)),
+        bool(data.get("shipped", True)),
+        {name: data[name] for name in others if name in data},
+    )
+
+
+class Lines:
+    """In which line of a TOML file a key stands; tomllib does not tell."""
+
+    def __init__(self, text: str) -> None:
+        self._lines: dict[tuple[str, int, str], int] = {}
+        table, number = "", 0
+        seen: dict[str, int] = {}
+        for line, content in enumerate(text.splitlines(), 1):
+            if header := _HEADER.match(content):
+                table = header[2].strip("\"'")
+                number = seen[table] = seen.get(table, -1) + 1
+                self._lines.setdefault((table, number, ""), line)
+                self._lines.setdefault(("", 0, table.partition(".")[0]), line)
+            elif key := _KEY.match(content):
+                self._lines.setdefault((table, number, key[1]), line)
+
+    def line(self, table: str, number: int = 0, key: str = "") -> int:
+        """Line, from 1, of a key of the table that is the `number`th of its name; of its header if the key is none."""
+        return self._lines.get((table, number, key)) or self._lines.get((table, number, "")) or 1
+
+
+class _Reading(NamedTuple):
+    file: Path
+    lines: Lines
+    findings: list[Finding]
+
+    def report(self, rule: str, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
+        line = self.lines.line(table, number, key)
+        self.findings.append(Finding(rule, "error", message, str(self.file), line, pointer=key, fix=fix))
+
+    def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
+        """Report keys that are not known, and values that are not of the kind that belongs there."""
+        for key, value in values.items():
+            if key not in known:
+                fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
+                self.report("C002", f"There is no setting {key!r}.", table, number, key, fix)
+            elif not isinstance(value, known[key]):
+                message = f"{key!r} takes {_KINDS.get(known[key], 'a table')}."
+                self.report("C003", message, table, number, key)
+
+    def path(self, text: str) -> Path:
+        return self.file.parent / Path(text).expanduser()
+
+
+def _text(file: Path) -> str:
+    try:
+        data = file.read_bytes() if file.stat().st_size <= _LARGEST else None
+    except OSError as error:
+        raise UsageError(f"{file}: {error.strerror or error}") from None
+    if data is None:
+        raise UsageError(f"{file}: the file has more than {_LARGEST:,} bytes")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        finding = Finding("C001", "error", "The file is not UTF-8.", str(file), line, fix="Save it as UTF-8.")
+        raise _refused(file, [finding]) from None
+
+
+def _refused(file: Path, findings: list[Finding]) -> InputRefused:
+    return InputRefused(f"{file} cannot be used", in_order(findings))
+
+
+def _syntax_error(error: tomllib.TOMLDecodeError, file: Path, text: str) -> Finding:
+    message = str(error)
+    place = _PLACE.search(message)
+    line, column = (int(place[1]), int(place[2])) if place and place[1] else (text.count("\n") + 1, 0)
+    return Finding("C001", "error", f"Not valid TOML: {_PLACE.sub('', message)}.", str(file), line, column)
+
+
+def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
+    known: set[str] = set()
+    for number, values in enumerate(listed if isinstance(listed, list) else []):
+        if not isinstance(values, dict):
+            reading.report("C003", "'catalogue' takes tables: [[catalogue]].", "", 0, "catalogue")
+            return
+        before = len(reading.findings)
+        reading.check(values, CATALOGUE_KEYS, "catalogue", number)
+        _check_id(values, number, known, reading)
+        lists: dict[str, Any] = {name: _paths(values, name, number, reading) for name in PATH_LISTS}
+        source = _base(values, number, reading)
+        if source is not None and len(reading.findings) == before:
+            title = values.get("title") or (source.title if source.release else values["id"])
+            yield source._replace(id=values["id"], title=title, **lists)
+
+
+def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: _Reading) -> None:
+    catalogue_id = values.get("id")
+    if catalogue_id is None:
+        reading.report("C004", "The catalogue has no `id`.", "catalogue", number)
+    elif isinstance(catalogue_id, str) and not _ID.fullmatch(catalogue_id):
+        message = f"{catalogue_id[:80]!r} is no id: letters, digits, '.', '_' and '-' are."
+        reading.report("C003", message, "catalogue", number, "id")
+    elif catalogue_id in known:
+        reading.report("C006", f"Two catalogues have the id {catalogue_id!r}.", "catalogue", number, "id")
+    elif isinstance(catalogue_id, str):
+        known.add(catalogue_id)
+
+
+def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source | None:
+    """The source that `spec` or `release` names, without what is laid over it."""
+    spec, release = values.get("spec"), values.get("release")
+    if spec is None and release is None and not values.keys() <= CATALOGUE_KEYS.keys():
+        return None  # a misspelled key has its finding
+    if (spec is None) == (release is None):
+        fault = "neither `spec` nor `release`" if spec is None else "both `spec` and `release`"
+        reading.report("C004", f"The catalogue has {fault}; one of them is needed.", "catalogue", number)
+        return None
+    if isinstance(spec, str):
+        path = reading.path(spec)
+        if path.is_dir():
+            fix = "Name the root .vspec file in it."
+            reading.report("C005", f"{str(path)!r} is a folder.", "catalogue", number, "spec", fix)
+        elif not path.is_file():
+            reading.report("C005", f"There is no file {str(path)!r}.", "catalogue", number, "spec")
+        return Source("", "", path)
+    try:
+        return release_source(release) if isinstance(release, str) else None
+    except (NotFound, UsageError) as error:
+        message = str(error)
+        reading.report("C005", message[:1].upper() + message[1:], "catalogue", number, "release")
+        return None
+
+
+def _paths(values: Mapping[str, Any], name: str, number: int, reading: _Reading) -> tuple[Path, ...]:
+    listed = values.get(name, [])
+    if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
+        if isinstance(listed, list):
+            reading.report("C003", f"{name!r} takes a list of texts.", "catalogue", number, name)
+        return ()
+    paths = tuple(reading.path(item) for item in listed)
+    for path in paths:
+        if not (path.is_dir() if name == "include_dirs" else path.is_file()):
+            kind = "folder" if name == "include_dirs" else "file"
+            reading.report("C005", f"There is no {kind} {str(path)!r}.", "catalogue", number, name)
+    return paths

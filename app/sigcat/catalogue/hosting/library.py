@@ -1,0 +1,187 @@
+"""The catalogues that one process hosts: where each comes from, and its latest good state."""
+
+import logging
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from threading import Event, Lock, Thread
+from types import TracebackType
+from typing import NamedTuple, Self
+
+from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.search import SearchIndex
+from sigcat.errors import NotFound
+from sigcat.findings import Finding, has_errors
+from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import nearest
+
+__all__ = ["Hosted", "Library", "Source", "Watch", "load", "shipped_sources", "tell_errors"]
+
+Marks = frozenset[tuple[str, int, int, int]]
+"""Files and folders with time of change, size and inode: different as soon as one of them changes."""
+
+_log = logging.getLogger("sigcat.hosting")
+
+
+class Hosted(NamedTuple):
+    """A hosted catalogue: the latest good state, and what is wrong with the files as they are now."""
+
+    source: Source
+    catalogue: Catalogue
+    search_index: SearchIndex
+    rejected: tuple[Finding, ...] = ()
+    """Findings of a newer state that has errors and was therefore not taken."""
+    files: frozenset[Path] = frozenset()
+    """Files that were read last, for the state shown or for the one rejected."""
+    marks: Marks = frozenset()
+    """What those files and their folders looked like before they were read."""
+
+
+class Library:
+    """Hosted catalogues by id, in order. A catalogue is replaced whole; readers keep the one they hold."""
+
+    def __init__(self, sources: Iterable[Source], limits: Limits = DEFAULT_LIMITS) -> None:
+        self._limits = limits
+        self._lock = Lock()
+        self._hosted = {source.id: self._load(source) for source in sources}
+
+    def __iter__(self) -> Iterator[Hosted]:
+        return iter(tuple(self._hosted.values()))
+
+    @property
+    def default(self) -> Hosted:
+        """The first catalogue: the one shown when none is named. Raises NotFound if there is none."""
+        for hosted in self._hosted.values():
+            return hosted
+        raise NotFound("There is no catalogue.")
+
+    def get(self, catalogue_id: str) -> Hosted:
+        """The hosted catalogue with this id. Raises NotFound with the nearest ids."""
+        hosted = self._hosted.get(catalogue_id)
+        if hosted is None:
+            raise NotFound(f"There is no catalogue {catalogue_id!r}.", nearest(catalogue_id, self._hosted))
+        return hosted
+
+    def reload(self, catalogue_id: str) -> Hosted:
+        """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why."""
+        with self._lock:
+            hosted = self._reloaded(self.get(catalogue_id))
+            self._hosted = {**self._hosted, catalogue_id: hosted}
+        _tell(hosted)
+        return hosted
+
+    def reload_changed(self) -> tuple[str, ...]:
+        """Reload every catalogue of which a file changed since it was read; their ids."""
+        changed = [hosted.source.id for hosted in self if _marks(hosted.files) != hosted.marks]
+        for catalogue_id in changed:
+            self.reload(catalogue_id)
+        return tuple(changed)
+
+    def host(self, sources: Iterable[Source]) -> None:
+        """Host these sources in place of the ones so far; a catalogue whose source is the same stays."""
+        with self._lock:
+            before = {hosted.source: hosted for hosted in self._hosted.values()}
+            self._hosted = {source.id: before.get(source) or self._load(source) for source in sources}
+
+    def _load(self, source: Source) -> Hosted:
+        marks = _marks(_named_files(source))
+        catalogue = load(source, self._limits)
+        return _with_files(Hosted(source, catalogue, SearchIndex(catalogue)), catalogue, marks)
+
+    def _reloaded(self, current: Hosted) -> Hosted:
+        marks = _marks(current.files)
+        fresh = load(current.source, self._limits)
+        if has_errors(fresh.findings) and not has_errors(current.catalogue.findings):
+            return _with_files(current._replace(rejected=fresh.findings), fresh, marks)
+        if fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue):
+            return _with_files(current._replace(rejected=()), fresh, marks)
+        return _with_files(Hosted(current.source, fresh, SearchIndex(fresh)), fresh, marks)
+
+
+class Watch:
+    """Looks for changed files while it is entered, in a thread of its own, and has them read again."""
+
+    def __init__(self, library: Library, seconds: float = 1.0) -> None:
+        self._library = library
+        self._seconds = seconds
+        self._stop = Event()
+        self._thread = Thread(target=self._run, name="sigcat-watch", daemon=True)
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stop.set()
+        self._thread.join()
+
+    def _run(self) -> None:
+        while not self._stop.wait(self._seconds):
+            try:
+                self._library.reload_changed()
+            except Exception:  # noqa: BLE001 - the next look may succeed, and the catalogues stay as they are
+                _log.exception("the files of the catalogues could not be read again")
+
+
+def tell_errors(library: Library) -> None:
+    """Log the errors of the catalogues that are hosted with them, as one that starts anew has to."""
+    for hosted in library:
+        errors = [finding for finding in hosted.catalogue.findings if finding.severity == "error"]
+        if errors:
+            _log.warning("%s: the files have errors, and there is no earlier state", hosted.source.id)
+            _tell_findings(errors)
+
+
+def _tell(hosted: Hosted) -> None:
+    if not hosted.rejected:
+        _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
+        return
+    _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
+    _tell_findings(hosted.rejected)
+
+
+def _tell_findings(findings: Sequence[Finding]) -> None:
+    for finding in findings[:_MOST_TOLD]:
+        _log.warning("%s", finding.line_of_text)
+    if len(findings) > _MOST_TOLD:
+        _log.warning("and %d more", len(findings) - _MOST_TOLD)
+
+
+_MOST_TOLD = 100
+"""Lines of the log about one state of a catalogue."""
+
+
+def _with_files(hosted: Hosted, fresh: Catalogue, before: Marks) -> Hosted:
+    """`hosted` with what was read for `fresh`. Marks taken before reading count: a change meanwhile is seen next."""
+    files = frozenset((*_named_files(hosted.source), *(Path(name) for name, _ in _files(fresh))))
+    earlier = {mark[0]: mark for mark in before}
+    marks = frozenset(earlier.get(mark[0], mark) for mark in _marks(files))
+    return hosted._replace(files=files, marks=marks)
+
+
+def _files(catalogue: Catalogue) -> frozenset[tuple[str, str]]:
+    """Names and digests of the files that were read."""
+    layers = [file for layer in catalogue.layers for file in layer.files]
+    return frozenset((file.name, file.digest) for file in (*layers, *catalogue.vocabulary.files))
+
+
+def _named_files(source: Source) -> frozenset[Path]:
+    """The files that a source names, and those that would be read if they stood beside its tree."""
+    beside = (source.spec.with_name(name) for name in ("units.yaml", "quantities.yaml"))
+    return frozenset((source.spec, *source.overlays, *source.units, *source.quantities, *source.types, *beside))
+
+
+def _marks(files: frozenset[Path]) -> Marks:
+    """Marks of files and of their folders: a folder changes when a file that was missing appears."""
+    return frozenset(_mark(path) for path in {*files, *(file.parent for file in files)})
+
+
+def _mark(path: Path) -> tuple[str, int, int, int]:
+    try:
+        status = path.stat()
+    except OSError:
+        return (str(path), 0, 0, 0)
+    return (str(path), status.st_mtime_ns, status.st_size, status.st_ino)

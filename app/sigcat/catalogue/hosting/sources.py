@@ -1,0 +1,79 @@
+"""Where catalogues come from: the trees that sigcat ships, pulled releases, and any other tree with its overlays."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from sigcat.catalogue.hosting.releases import find_release, pulled_releases
+from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.reading.root_file import root_file, types_beside
+from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.errors import UsageError
+
+SHIPPED = "shipped"
+"""Name that stands for the tree that sigcat ships, where a release is asked for."""
+SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
+
+
+def shipped_sources() -> tuple[Source, ...]:
+    """The trees that sigcat ships: the standard tree alone, and with the interface overlays."""
+    units = tuple(path for path in SHIPPED_UNITS if path.is_file())
+    overlays = tuple(
+        OVERLAYS / f"{name}.vspec" for name in ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
+    )
+    return (
+        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays, units),
+        Source("vss", "VSS 6.0", ROOT_FILE),
+    )
+
+
+def release_source(name: str) -> Source:
+    """The source of a pulled release, or of the shipped tree. Raises NotFound, which says how to pull it."""
+    if name == SHIPPED:
+        return Source("vss", "VSS 6.0", ROOT_FILE)
+    release = find_release(name)
+    title = f"VSS {release.name.removeprefix('v')}"
+    return Source(release.name, title, release.spec, types=release.types, release=release.name)
+
+
+def pulled_sources() -> tuple[Source, ...]:
+    """The sources of all releases that were pulled, newest first."""
+    return tuple(release_source(release.name) for release in reversed(pulled_releases()))
+
+
+def source_from_option(text: str) -> Source:
+    """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
+    catalogue_id, equals, rest = text.partition("=")
+    tree, *overlays = rest.split(",")
+    if not (catalogue_id and equals and tree):
+        raise UsageError(f"{text!r} names no catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
+    source = source_of_tree(tree)
+    for overlay in overlays:
+        if not Path(overlay).is_file():
+            raise UsageError(f"{overlay}: there is no such file")
+    title = catalogue_id if not source.release else source.title
+    return source._replace(id=catalogue_id, title=title, overlays=(*source.overlays, *map(Path, overlays)))
+
+
+def source_of_tree(tree: str) -> Source:
+    """The source of a .vspec file, of a folder with a tree and its struct types in it, of what sigcat ships, or of a release.
+
+    Raises UsageError, or NotFound with near names.
+    """
+    path = Path(tree)
+    if path.is_file():
+        if path.suffix.lower() == ".json":
+            raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
+        return Source(path.stem, path.stem, path)
+    if path.is_dir():
+        root = root_file(path)
+        return Source(path.name, path.name, root, types=types_beside(root))
+    if path.suffix in (".vspec", ".yaml", ".yml") or len(path.parts) > 1:
+        raise UsageError(f"{tree}: there is no such file")
+    shipped = {source.id: source for source in shipped_sources()}
+    return shipped.get(tree) or release_source(tree)
+
+
+def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:
+    """The chosen sources, and after them the shipped ones whose ids are still free. The last of equal ids counts."""
+    by_id = {source.id: source for source in chosen}
+    return (*by_id.values(), *(source for source in shipped if source.id not in by_id))

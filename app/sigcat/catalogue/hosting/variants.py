@@ -1,0 +1,141 @@
+"""Hosted catalogues with overlays switched off or instances folded: `interfaces~without.error~folded`.
+
+A variant is named like any other catalogue, in addresses of pages and of the API, so that a link to it shows the same.
+It is composed from the layers in memory when it is first asked for.
+"""
+
+from collections import Counter
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import PurePath
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+from sigcat.catalogue.composing.compose import compose, unexpanded
+from sigcat.catalogue.composing.overlays import tolerating
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.search import SearchIndex
+from sigcat.errors import NotFound
+from sigcat.names import parent_path
+
+MARK = "~"
+_FOLDED, _WITHOUT = "folded", "without."
+
+
+class Choice(NamedTuple):
+    """What an id asks for: a hosted catalogue, less some overlays, and whether instances are folded."""
+
+    base: str
+    without: frozenset[str] = frozenset()
+    is_folded: bool = False
+
+    @property
+    def id(self) -> str:
+        """The id that asks for this."""
+        parts = [self.base, *(f"{_WITHOUT}{name}" for name in sorted(self.without))]
+        return MARK.join([*parts, _FOLDED] if self.is_folded else parts)
+
+    def toggled(self, overlay: str) -> "Choice":
+        """With an overlay switched on or off."""
+        return self._replace(without=self.without ^ {overlay})
+
+    def folded(self, is_folded: bool) -> "Choice":
+        """With instances folded, or one by one."""
+        return self._replace(is_folded=is_folded)
+
+
+def choice_of(catalogue_id: str) -> Choice:
+    """What an id asks for. Parts that mean nothing stay with the base, so that it is not found."""
+    base, *parts = catalogue_id.split(MARK)
+    unknown = [part for part in parts if part != _FOLDED and not part.startswith(_WITHOUT)]
+    without = frozenset(part.removeprefix(_WITHOUT) for part in parts if part.startswith(_WITHOUT))
+    return Choice(MARK.join([base, *unknown]), without, _FOLDED in parts)
+
+
+def find_hosted(library: Library, catalogue_id: str) -> Hosted:
+    """The hosted catalogue or the variant of one with this id. Raises NotFound with the nearest ids."""
+    if MARK not in catalogue_id:
+        return library.get(catalogue_id)
+    choice = choice_of(catalogue_id)
+    base = library.get(choice.base)
+    absent = choice.without - set(overlays_of(base.catalogue))
+    if absent:
+        message = f"Catalogue {choice.base!r} has no overlay {min(absent)!r}."
+        raise NotFound(message, (choice._replace(without=choice.without - absent).id,))
+    if choice == Choice(choice.base):
+        return base
+    catalogue, index = _variant(base.catalogue, choice)
+    notes = [f"without {name}" for name in sorted(choice.without)] + (["folded"] if choice.is_folded else [])
+    title = f"{base.source.title}, {', '.join(notes)}"
+    return base._replace(
+        source=base.source._replace(id=choice.id, title=title), catalogue=catalogue, search_index=index
+    )
+
+
+def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
+    """Names of a catalogue's overlays, in the order in which they apply."""
+    return tuple(PurePath(layer.name).stem for layer in catalogue.overlays)
+
+
+def stand_in(library: Library, hosted: Hosted, path: str) -> str:
+    """What a variant has in place of a node that it lacks but another variant has; empty if none has it.
+
+    That is its definition, its first instance, or the branch above it.
+    """
+    choice = choice_of(hosted.source.id)
+    others = (library.get(choice.base), find_hosted(library, Choice(choice.base, is_folded=True).id))
+    node = next((node for other in others if (node := other.catalogue.get(path))), None)
+    if node is None:
+        return ""
+    nodes = hosted.catalogue.nodes
+    if node.template in nodes:
+        return node.template
+    first = next((each.path for each in nodes.values() if each.template == node.template), "")
+    above = parent_path(path)
+    return first or (above if above in nodes else stand_in(library, hosted, above))
+
+
+def folding(hosted: Hosted) -> str:
+    """Id of the catalogue with instances folded if they stand one by one, or the other way round."""
+    choice = choice_of(hosted.source.id)
+    return choice.folded(not choice.is_folded).id
+
+
+def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool, str], ...]:
+    """The overlays that can be switched: (name, whether it is on, id of the catalogue with it switched)."""
+    choice = choice_of(hosted.source.id)
+    names = overlays_of(library.get(choice.base).catalogue)
+    return tuple((name, name not in choice.without, choice.toggled(name).id) for name in names)
+
+
+@lru_cache(maxsize=12)
+def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
+    """How many places of the tree each branch with instances stands for, by the path of its definition."""
+    expanded = _expanded.get(catalogue, catalogue)
+    instances = (node for node in expanded.nodes.values() if node.definition.is_instance)
+    return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))
+
+
+_expanded: WeakKeyDictionary[Catalogue, Catalogue] = WeakKeyDictionary()
+"""What a folded catalogue was before it was folded."""
+
+
+@lru_cache(maxsize=12)
+def _variant(base: Catalogue, choice: Choice) -> tuple[Catalogue, SearchIndex]:
+    catalogue = _without(base, choice.without) if choice.without else base
+    if choice.is_folded:
+        folded = unexpanded(catalogue)
+        _expanded[folded] = catalogue
+        catalogue = folded
+    return catalogue, SearchIndex(catalogue)
+
+
+def _without(base: Catalogue, names: frozenset[str]) -> Catalogue:
+    """The catalogue composed anew, less some overlays. What it tolerates of an old release, it tolerates still."""
+    first, *overlays = base.tree_layers
+    layers = [first, *(layer for layer in overlays if PurePath(layer.name).stem not in names)]
+    catalogue = compose(
+        layers, base.vocabulary, base.type_layers, name=base.name, expanded=base.is_expanded, earlier=base
+    )
+    return tolerating(catalogue, base.findings)

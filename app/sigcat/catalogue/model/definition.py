@@ -1,0 +1,142 @@
+"""A node's definition: what all layers together say of it, and the problems of that."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.vocabulary import Vocabulary
+from sigcat.catalogue.reading.vspec_file import Origin, Statement
+from sigcat.findings import Finding, Severity
+from sigcat.patterns import Matching
+
+BRANCH = "branch"
+STRUCT = "struct"
+SIGNALS = ("sensor", "actuator", "attribute")
+TYPES = (BRANCH, *SIGNALS, STRUCT, "property")
+
+COMMON_ATTRIBUTES = frozenset(
+    ("type", "description", "comment", "delete", "deprecation", "constUID", "fka", "instantiate")
+)
+BRANCH_ATTRIBUTES = COMMON_ATTRIBUTES | {"instances", "instances_relation", "aggregate", "is_instance"}
+DATA_ATTRIBUTES = COMMON_ATTRIBUTES | {
+    "datatype", "arraysize", "min", "max", "pattern", "unit", "enum", "allowed", "default"
+}  # fmt: skip
+CORE_ATTRIBUTES = BRANCH_ATTRIBUTES | DATA_ATTRIBUTES
+
+
+class Problem(NamedTuple):
+    """What is wrong with a definition, and at which attribute (empty: the node itself)."""
+
+    rule: str
+    attribute: str
+    message: str
+    fix: str = ""
+    severity: Severity = "error"
+    within: tuple[int, ...] = ()
+    """Steps from the attribute to the item that the problem is about; of a mapping, to its key."""
+    brought_by: str = ""
+    """The attribute that a later statement gave, and that made a problem of one that was there: it is told there."""
+
+
+class Scope(NamedTuple):
+    """What definitions refer to: units, and struct datatypes with their definitions; and the time for their patterns."""
+
+    vocabulary: Vocabulary
+    matching: Matching
+    structs: Mapping[str, "Mapping[str, Definition]"] = {}
+    """Properties by name, for each struct by path."""
+
+
+class Definition:
+    """What all layers together say of one node. Frozen; shared by every instance of the node."""
+
+    __slots__ = ("is_instance", "path", "problems", "statements", "values")
+
+    def __init__(
+        self,
+        path: str,
+        statements: tuple[Statement, ...],
+        values: Mapping[str, Any],
+        problems: tuple[Problem, ...] = (),
+        is_instance: bool = False,
+    ) -> None:
+        self.path = path
+        self.statements = statements
+        self.values = values
+        self.problems = problems
+        self.is_instance = is_instance
+
+    def __repr__(self) -> str:
+        return f"<Definition {self.path}: {self.type}>"
+
+    @property
+    def type(self) -> str:
+        """Node type: branch, sensor, actuator, attribute, struct or property; empty if undefined."""
+        value = self.values.get("type")
+        return value if isinstance(value, str) else ""
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Where the value of an attribute was written last; without one, where the node was first."""
+        if attribute:
+            for statement in reversed(self.statements):
+                if attribute in statement.values:
+                    return statement.origin(attribute)
+        return self.statements[0].origin() if self.statements else Origin("", 0, 0)
+
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin:
+        """Where an item of a list or mapping was written last; where the attribute was, if that is not known."""
+        if steps:
+            for statement in reversed(self.statements):
+                place = statement.origin_within(attribute, steps, at_key=at_key)
+                if place is not None:
+                    return place
+        return self.origin(attribute)
+
+    def last_written(self, attributes: Sequence[str]) -> str:
+        """Of attributes that make a problem together, the one that was written last."""
+        return next((name for s in reversed(self.statements) for name in attributes if name in s.values), attributes[0])
+
+    def history(self, attribute: str) -> tuple[tuple[Any, Origin], ...]:
+        """Every value that the layers gave an attribute, first to last, with its origin."""
+        return tuple(
+            (statement.values[attribute], statement.origin(attribute))
+            for statement in self.statements
+            if attribute in statement.values
+        )
+
+    @property
+    def extended(self) -> dict[str, Any]:
+        """Attributes that VSS does not define, such as `ASILlevel`."""
+        return {name: value for name, value in self.values.items() if name not in CORE_ATTRIBUTES}
+
+    def finding(self, problem: Problem, path: str = "") -> Finding:
+        """A problem as a finding at the place where it was written."""
+        within = () if problem.brought_by else problem.within
+        place = self.origin_within(problem.brought_by or problem.attribute, within, at_key=True)[:3]
+        return Finding(problem.rule, problem.severity, problem.message, *place, path or self.path, fix=problem.fix)
+
+
+def overlaid(base: Mapping[str, Any], update: Mapping[str, Any]) -> dict[str, Any]:
+    """`base` with the values of `update`; mappings inside are merged, everything else is replaced."""
+    merged = dict(base)
+    for name, value in update.items():
+        before = merged.get(name)
+        merged[name] = overlaid(before, value) if isinstance(value, dict) and isinstance(before, dict) else value
+    return merged
+
+
+def instances_of(values: Mapping[str, Any]) -> list[Any]:
+    """The instances of a branch as a list, whatever form they were written in."""
+    instances = values.get("instances")
+    if instances is None:
+        return []
+    return [instances] if isinstance(instances, str) else list(instances) if isinstance(instances, list) else []
+
+
+def labels_of(values: Mapping[str, Any]) -> Iterator[tuple[tuple[int, ...], Any]]:
+    """Every label of the instances, ranges unexpanded, with the steps that lead to it."""
+    is_list = isinstance(values.get("instances"), list)
+    for i, entry in enumerate(instances_of(values)):
+        if isinstance(entry, list):
+            yield from (((i, j), item) for j, item in enumerate(entry))
+        else:
+            yield (i,) if is_list else (), entry

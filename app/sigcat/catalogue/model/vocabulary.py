@@ -1,0 +1,176 @@
+"""Units and quantities: what the `unit` attribute of a tree may say.
+
+A vocabulary is a value: two catalogues with different units live in one process.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.datatypes import DATATYPES
+from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, parse_vspec
+from sigcat.digest import digest_of
+from sigcat.findings import Finding
+from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import did_you_mean
+
+
+class Quantity(NamedTuple):
+    """A kind of property that units measure, such as `velocity`."""
+
+    key: str
+    definition: str
+    remark: str
+    origin: Origin
+
+
+class Unit(NamedTuple):
+    """A unit of measurement. `key` is what trees write, `name` is the unit in words."""
+
+    key: str
+    name: str
+    definition: str
+    quantity: str
+    allowed_datatypes: tuple[str, ...]
+    deprecation: str
+    origin: Origin
+
+
+class Vocabulary(NamedTuple):
+    """Units by lower-case key and by name, quantities by key, and what was wrong with their files."""
+
+    units: Mapping[str, Unit]
+    quantities: Mapping[str, Quantity]
+    files: tuple[SourceFile, ...]
+    findings: tuple[Finding, ...]
+
+    def unit(self, name: str) -> Unit | None:
+        """The unit with this key or name, in any case."""
+        return self.units.get(name.lower())
+
+    @property
+    def distinct_units(self) -> tuple[Unit, ...]:
+        """Every unit once, in the order of its file."""
+        return tuple(dict.fromkeys(self.units.values()))
+
+
+_UNIT_FIELDS = frozenset(
+    ("definition", "unit", "label", "quantity", "domain", "qudt", "allowed-datatypes", "deprecation", "comment")
+)
+"""What a unit may say, older releases included."""
+EMPTY = Vocabulary({}, {}, (), ())
+
+
+def read_vocabulary(
+    unit_files: Sequence[Path], quantity_files: Sequence[Path], limits: Limits = DEFAULT_LIMITS
+) -> Vocabulary:
+    """Read units and quantities. What is wrong with an entry is a finding, and the entry is left out."""
+    findings: list[Finding] = []
+    sources: list[SourceFile] = []
+    quantities = {
+        key: _quantity(entry) for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
+    }
+    units: dict[str, Unit] = {}
+    names: dict[str, Unit] = {}
+    for key, entry in _entries(unit_files, "Unit", limits, sources, findings):
+        unit = _unit(entry, quantities, findings)
+        if unit is None:
+            continue
+        if unit.name in names and names[unit.name].key.lower() != key:
+            findings.append(_same_name(unit, names[unit.name]))
+        if unit.name:
+            names[unit.name] = unit
+            units[unit.name] = unit
+        units[key] = unit
+    return Vocabulary(units, quantities, tuple(sources), tuple(findings))
+
+
+def default_files(spec: Path, given: Sequence[Path], name: str) -> tuple[Path, ...]:
+    """The files given, or else the file of this name beside the tree, if there is one."""
+    beside = spec.parent / name
+    return tuple(given) or ((beside,) if beside.is_file() else ())
+
+
+def _entries(
+    paths: Sequence[Path], what: str, limits: Limits, sources: list[SourceFile], findings: list[Finding]
+) -> list[tuple[str, Statement]]:
+    entries: dict[str, Statement] = {}
+    for path in paths:
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            reason = error.strerror or str(error)
+            findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", str(path)))
+            continue
+        source = SourceFile(str(path), "", digest_of(data))
+        file = parse_vspec(data, source, limits)
+        sources.append(source)
+        findings.extend(file.findings)
+        for statement in file.statements:
+            key = statement.path.lower()
+            if key in entries:
+                message = f"{what} {statement.path!r} replaces the one in {entries[key].origin().file}."
+                findings.append(_about(statement, "U004", "warning", message))
+            entries[key] = statement
+    return list(entries.items())
+
+
+def _quantity(entry: Statement) -> Quantity:
+    values = entry.values
+    return Quantity(entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin())
+
+
+def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[Finding]) -> Unit | None:
+    values = entry.values
+    if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
+        message = f"Unit {entry.path!r} needs a `definition` and a `unit`."
+        findings.append(_about(entry, "U003", "error", message))
+        return None
+    findings.extend(_unknown_fields(entry))
+    quantity = _quantity_of(values)
+    if quantity.lower() not in quantities:
+        hint = did_you_mean(quantity, quantities)
+        message = f"Unit {entry.path!r} measures {quantity!r}, which is no quantity."
+        findings.append(_about(entry, "U002", "error", message, "quantity", hint))
+        return None
+    allowed = values.get("allowed-datatypes") or []
+    unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
+    if unknown:
+        message = f"Unit {entry.path!r} allows {', '.join(map(repr, unknown))}, which is no datatype."
+        findings.append(_about(entry, "U003", "error", message, "allowed-datatypes"))
+        return None
+    return Unit(
+        entry.path,
+        str(values.get("unit") or values.get("label") or ""),
+        values["definition"],
+        quantity,
+        tuple(allowed),
+        str(values.get("deprecation") or ""),
+        entry.origin(),
+    )
+
+
+def _unknown_fields(entry: Statement) -> Iterator[Finding]:
+    """Fields that other tools drop without a word, and with them what they were to say."""
+    for name in entry.values:
+        if name not in _UNIT_FIELDS:
+            message = f"Unit {entry.path!r} has the unknown field {name!r}, which is left out."
+            fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
+            place = entry.origin_of_key(name)[:3]
+            yield Finding("U006", "warning", message, *place, entry.path, fix=fix)
+
+
+def _quantity_of(values: Mapping[str, Any]) -> str:
+    qudt = values.get("qudt")
+    nested = qudt.get("quantity-kind") if isinstance(qudt, dict) else None
+    return str(values.get("quantity") or nested or values.get("domain") or "")
+
+
+def _same_name(unit: Unit, other: Unit) -> Finding:
+    message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
+    fix = "Give each unit a name of its own; other tools refuse the file."
+    return Finding("U001", "warning", message, *unit.origin[:3], unit.key, fix=fix)
+
+
+def _about(entry: Statement, rule: str, severity: Any, message: str, attribute: str = "", fix: str = "") -> Finding:
+    return Finding(rule, severity, message, *entry.origin(attribute)[:3], entry.path, fix=fix)

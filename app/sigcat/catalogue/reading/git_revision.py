@@ -1,0 +1,74 @@
+"""The trees of a git revision, unpacked into a folder."""
+
+import contextlib
+import shutil
+import subprocess
+import tarfile
+import tempfile
+from pathlib import Path, PurePosixPath
+from typing import IO
+
+from sigcat.errors import UsageError
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+_WANTED = frozenset((".vspec", ".yaml", ".yml", ".json"))
+
+
+def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS) -> str:
+    """Write the trees of a revision of the repository around the current folder into `folder`.
+
+    Links are left out. Returns where the current folder stands in the repository (`spec/`; empty at its top).
+    Raises UsageError with git's own words.
+    """
+    if not revision or revision.startswith("-"):
+        raise UsageError(f"git:{revision}: name a revision, such as git:HEAD or git:v1.2:spec")
+    commit = _git("rev-parse", "--verify", "--end-of-options", f"{revision}^{{tree}}")
+    prefix = _git("rev-parse", "--show-prefix")
+    top = _git("rev-parse", "--show-toplevel") or "."
+    with tempfile.TemporaryFile() as complaints:
+        command = [_program(), "-C", top, "archive", "--format=tar", commit]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=complaints) as process:  # noqa: S603 -- no shell
+            assert process.stdout is not None
+            with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git says better what is wrong
+                _unpack(archive, folder, limits)
+            status = process.wait()
+        if status:
+            complaints.seek(0)
+            raise UsageError(_words(complaints.read().decode(errors="replace"), revision))
+    return prefix
+
+
+def _program() -> str:
+    program = shutil.which("git")
+    if program is None:
+        raise UsageError("git is not installed; it is needed for git:REVISION")
+    return program
+
+
+def _git(*arguments: str) -> str:
+    result = subprocess.run([_program(), *arguments], capture_output=True, check=False)  # noqa: S603 -- no shell
+    if result.returncode:
+        raise UsageError(_words(result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}")))
+    return result.stdout.decode(errors="replace").strip()
+
+
+def _words(complaint: str, revision: str) -> str:
+    first = next((line for line in complaint.splitlines() if line.strip()), "git failed")
+    return f"git:{revision}: {first.removeprefix('fatal: ')}"
+
+
+def _unpack(archive: IO[bytes], folder: Path, limits: Limits) -> None:
+    count = 0
+    with tarfile.open(fileobj=archive, mode="r|") as tar:
+        for member in tar:
+            path = PurePosixPath(member.name)
+            if not member.isfile() or path.suffix not in _WANTED or path.is_absolute() or ".." in path.parts:
+                continue
+            count += 1
+            if count > limits.files or member.size > limits.file_bytes:
+                raise UsageError(f"{member.name}: the revision has more or larger files than are read")
+            content = tar.extractfile(member)
+            assert content is not None
+            target = folder / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content.read())

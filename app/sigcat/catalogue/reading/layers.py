@@ -1,0 +1,206 @@
+"""Layers: a base tree or an overlay with everything that it includes, in the order in which it applies."""
+
+import errno
+import os
+import stat
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.catalogue.reading.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
+from sigcat.digest import digest_of
+from sigcat.findings import Finding, Severity
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+_SUFFIXES = (".vspec", ".yaml", ".yml")
+
+
+class Layer:
+    """Statements of one tree or overlay, included files after the file that includes them. Frozen after reading."""
+
+    def __init__(
+        self,
+        name: str,
+        is_overlay: bool,
+        files: tuple[SourceFile, ...],
+        statements: tuple[Statement, ...],
+        findings: tuple[Finding, ...],
+    ) -> None:
+        self.name = name
+        self.is_overlay = is_overlay
+        self.files = files
+        self.statements = statements
+        self.findings = findings
+
+    def __repr__(self) -> str:
+        return f"<Layer {self.name}: {len(self.statements)} statements from {len(self.files)} files>"
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 over the digests of all files, in order."""
+        return digest_of("".join(file.digest for file in self.files).encode())
+
+
+class _Reading(NamedTuple):
+    """What the reading of one layer gathers."""
+
+    is_overlay: bool
+    name: str
+    folders: tuple[Path, ...]
+    allowed: tuple[Path, ...]
+    limits: Limits
+    real: dict[Path, Path]
+    inside: dict[Path, bool]
+    files: dict[Path, VspecFile]
+    statements: list[Statement]
+    findings: list[Finding]
+
+
+def read_layer(
+    path: Path,
+    include_dirs: Sequence[Path] = (),
+    *,
+    is_overlay: bool = False,
+    limits: Limits = DEFAULT_LIMITS,
+) -> Layer:
+    """Read a vspec file and all that it includes.
+
+    Includes are looked for beside `path`, in `include_dirs`, and beside the file that includes, in this order, and
+    may not leave these folders and those below them. What cannot be read is a finding; the rest is read.
+    """
+    folders = (path.parent, *include_dirs)
+    allowed = tuple(folder.resolve() for folder in folders)
+    reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, {}, [], [])
+    file = _read_file(path, reading, None)
+    if file is not None:
+        if not (file.statements or file.includes or file.findings):
+            severity: Severity = "warning" if is_overlay else "error"
+            reading.findings.append(Finding("R013", severity, "The file says nothing: it has no nodes.", str(path)))
+        _apply(file, path, "", reading, (path.resolve(),))
+    return _finished(reading)
+
+
+def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: Limits = DEFAULT_LIMITS) -> Layer:
+    """A layer from text that stands in no file, such as a posted overlay. It cannot include files."""
+    source = SourceFile(name, name if is_overlay else "", digest_of(text))
+    file = parse_vspec(text, source, limits)
+    refused = [
+        Finding("R010", "error", f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
+        for include in file.includes[:_MOST_REFUSED]
+    ]
+    if (more := len(file.includes) - _MOST_REFUSED) > 0:
+        refused.append(Finding("R010", "error", f"{more:,} more includes are not read.", name))
+    return Layer(name, is_overlay, (source,), file.statements, (*file.findings, *refused))
+
+
+_MOST_REFUSED = 100
+"""Includes of a text that are refused one by one."""
+
+
+def _finished(reading: _Reading) -> Layer:
+    files = tuple(file.source for file in reading.files.values())
+    findings = tuple(finding for file in reading.files.values() for finding in file.findings)
+    statements = tuple(reading.statements)
+    return Layer(reading.name, reading.is_overlay, files, statements, findings + tuple(reading.findings))
+
+
+def _apply(file: VspecFile, path: Path, prefix: str, reading: _Reading, above: tuple[Path, ...]) -> None:
+    reading.statements.extend(file.statements if not prefix else [s.placed(prefix) for s in file.statements])
+    for include in file.includes:
+        for found, target in _included(file, path, include, reading, above):
+            deeper = ".".join(part for part in (prefix, include.prefix) if part)
+            _apply(found, target, deeper, reading, (*above, reading.real[target]))
+
+
+def _included(
+    file: VspecFile, path: Path, include: Include, reading: _Reading, above: tuple[Path, ...]
+) -> Iterator[tuple[VspecFile, Path]]:
+    """The file that an include names, or nothing and a finding."""
+    place = (file.source.name, include.line, include.column)
+    target = _find(include.target, (*reading.folders, path.parent))
+    real = _real(target, reading) if target is not None else None
+    if target is None or real is None:
+        looked = ", ".join(f"'{folder}'" for folder in dict.fromkeys((*reading.folders, path.parent)))
+        message = f"Include {include.target!r} does not exist; looked in {looked}."
+        reading.findings.append(Finding("R008", "error", message, *place))
+    elif real in above:
+        message = f"Include {include.target!r} leads back to a file that includes this one."
+        reading.findings.append(Finding("R009", "error", message, *place))
+    elif not _is_inside(real.parent, reading):
+        message = f"Include {include.target!r} leaves the folders that may be read."
+        fix = "Add its folder as an include folder (-I)."
+        reading.findings.append(Finding("R010", "error", message, *place, fix=fix))
+    elif len(above) * len(reading.statements) > reading.limits.values or _too_many(reading):
+        if not any(finding.rule == "R015" for finding in reading.findings):
+            message = "Includes multiply: the limit of included files and statements is reached."
+            reading.findings.append(Finding("R015", "error", message, *place))
+    else:
+        found = _read_file(target, reading, place)
+        if found is not None:
+            yield found, target
+
+
+def _real(path: Path, reading: _Reading) -> Path:
+    """`path` with links resolved; asked for often, so the file system is asked once for a folder and a file."""
+    known = reading.real.get(path)
+    if known is None:
+        is_plain = path.name not in ("", "..") and not path.is_symlink()
+        known = _real(path.parent, reading) / path.name if is_plain else path.resolve()
+        reading.real[path] = known
+    return known
+
+
+def _is_inside(folder: Path, reading: _Reading) -> bool:
+    """Whether a folder, its links resolved, is one of those that may be read, or stands below one."""
+    if folder not in reading.inside:
+        reading.inside[folder] = any(allowed == folder or allowed in folder.parents for allowed in reading.allowed)
+    return reading.inside[folder]
+
+
+def _too_many(reading: _Reading) -> bool:
+    return len(reading.files) > reading.limits.files or len(reading.statements) > reading.limits.nodes
+
+
+def _find(target: str, folders: Sequence[Path]) -> Path | None:
+    names = [target] if Path(target).suffix else [target + suffix for suffix in _SUFFIXES]
+    for folder in dict.fromkeys(folders):
+        for name in names:
+            candidate = folder / name
+            try:
+                if candidate.exists():
+                    return _plain(candidate) if ".." in target else candidate
+            except (OSError, ValueError):  # a name too long or with a zero byte
+                return None
+    return None
+
+
+def _plain(path: Path) -> Path:
+    """The path without `..`, so that a file has one name; as it is where links make that another file."""
+    plain = Path(os.path.normpath(path))
+    return plain if plain.exists() and plain.samefile(path) else path
+
+
+def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None) -> VspecFile | None:
+    if path in reading.files:
+        return reading.files[path]
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise OSError(errno.EINVAL, "it is no file")  # a pipe would be waited for
+        size = status.st_size
+        data = path.read_bytes() if size <= reading.limits.file_bytes else None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        where = place or (str(path), 0, 0)
+        reading.findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", *where))
+        return None
+    if data is None:
+        message = f"The file has {size:,} bytes; the limit is {reading.limits.file_bytes:,}."
+        reading.findings.append(Finding("R003", "error", message, str(path)))
+        return None
+    overlay = reading.name if reading.is_overlay else ""
+    source = SourceFile(str(path), overlay, digest_of(data))
+    file = parse_vspec(data, source, reading.limits)
+    reading.files[path] = file
+    return file

@@ -1,0 +1,324 @@
+"""Read YAML with positions, safely: bytes in, a composed document or findings out.
+
+libyaml composes nodes with marks many times faster than Python does, but its composer recurses: deep nesting
+would end the process. Depth is therefore bounded before composing, by a count that costs next to nothing for
+files that cannot nest deeply. Values are built here, with the meaning of `yaml.safe_load` (YAML 1.1).
+"""
+
+import gc
+import re
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import yaml
+from yaml.constructor import ConstructorError, SafeConstructor
+from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
+
+from sigcat.findings import Finding
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+_LIBYAML: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+_STANDARD = "tag:yaml.org,2002:"
+TEXT = _STANDARD + "str"
+"""Tag of a scalar that is a text."""
+_SEQUENCE = _STANDARD + "seq"
+_MAPPING = _STANDARD + "map"
+_OPENERS = ("[", "{", "- ", "-\t", "? ", "?\t")
+"""What can open a collection without more indentation than the line before."""
+_SHALLOW_OPENERS = 2_000
+"""So many openers cannot exhaust the stack, however they nest; a file with fewer needs no exact count."""
+_INDENTATION = " " * 200
+_ITEM = r"""(?:'[^'\n]*+'|"[^"\\\n]*+"|[^\s'"\[\]{}#,][^'"\[\]{}#,\n]*+)"""
+_LIST_ON_A_LINE = rf"""[^\n\[\]{{}}'"#]*+\[[ \t]*+(?:{_ITEM}[ \t]*+(?:,[ \t]*+{_ITEM}[ \t]*+)*+)?+\][ \t]*+"""
+"""A line with one list, opened and closed: `allowed: [LOW, 'HIGH']`. Quoted parts close on the line and no other bracket
+stands in it, so whatever came before, the line leaves the depth as it was. Linear: nothing is tried twice."""
+_BOOLEANS = {"yes": True, "true": True, "on": True, "no": False, "false": False, "off": False}
+
+
+class _Loader(_LIBYAML):  # type: ignore[misc]
+    """libyaml's loader; asks for the tag of a plain scalar once for each spelling (a third of the time of a file).
+
+    It counts nodes while they are made: what has too many is given up before it takes time and memory.
+    """
+
+    def __init__(self, text: str, values: int) -> None:
+        super().__init__(text)
+        self._values = self._left = values
+
+    def descend_resolver(self, current_node: Any, current_index: Any) -> None:
+        """No tag depends on the path of a node."""
+
+    def ascend_resolver(self) -> None:
+        """No tag depends on the path of a node."""
+
+    def resolve(self, kind: Any, value: Any, implicit: Any) -> Any:
+        """Tag of a node that has none of its own."""
+        self._left -= 1
+        if self._left < 0:
+            raise _too_many(self._values)
+        if kind is not ScalarNode:
+            return _SEQUENCE if kind is SequenceNode else _MAPPING
+        if not implicit[0]:
+            return TEXT
+        if len(value) < _SHORT:
+            return _plain_tag(value)
+        return TEXT if value[0].isalpha() else _tag_of_plain(value)
+
+
+def _tag_of_plain(value: str) -> str:
+    tag: str = _RESOLVER.resolve(ScalarNode, value, (True, False))  # type: ignore[no-untyped-call]
+    return tag
+
+
+_RESOLVER = yaml.resolver.Resolver()
+_SHORT = 32
+"""Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
+_NUMERIC = frozenset("+-.0123456789")
+"""How a plain scalar starts that may be anything but a text, though it is no short word."""
+_plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
+
+
+class Document(NamedTuple):
+    """A composed YAML document: the text, its root node (None if empty) and what was wrong with it."""
+
+    text: str
+    root: Node | None
+    findings: tuple[Finding, ...]
+
+
+class Unbuildable(Exception):
+    """A YAML node has no value: an unknown tag, a cycle, a number that is none."""
+
+    def __init__(self, message: str, node: Node) -> None:
+        super().__init__(message)
+        self.node = node
+
+
+@contextmanager
+def collector_paused() -> Iterator[None]:
+    """Pause the cyclic garbage collector: it would walk half-built trees again and again (three times slower)."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
+    """Compose `data`. Every defect is a finding that names `name`; a document with a defect has no root."""
+    if len(data) > limits.file_bytes:
+        return _refused("", name, "R003", f"The file has {len(data):,} bytes; the limit is {limits.file_bytes:,}.")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - data.rfind(b"\n", 0, error.start)
+        message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
+        return _refused("", name, "R002", message, line, column, "Save the file as UTF-8.")
+    try:
+        _refuse_deep_nesting(text, limits)
+        with collector_paused():
+            root = _Loader(text, limits.values).get_single_node()
+    except _BeyondLimit as error:
+        return _refused(text, name, *error.args)
+    except yaml.MarkedYAMLError as error:
+        return _syntax_error(text, name, error)
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        message = f"Character U+{_code_point(error):04X} is not allowed in YAML."
+        return _refused(text, name, "R001", message, line, 1)
+    return Document(text, root, ())
+
+
+def position(node: Node) -> tuple[int, int]:
+    """Line and column of a node, from 1."""
+    line, column = node.start_mark.line, node.start_mark.column
+    return line + 1, column + 1
+
+
+def duplicate_keys(node: MappingNode) -> Iterator[ScalarNode]:
+    """The keys of a mapping that stand in it before."""
+    seen = set()
+    for key, _ in node.value:
+        if isinstance(key, ScalarNode):
+            if key.value in seen:
+                yield key
+            seen.add(key.value)
+
+
+class Builder:
+    """Builds plain values from the nodes of one document; counts them, so that aliases cannot multiply unseen.
+
+    A text of `characters` cannot write more values than that; with aliases it may give four times as many.
+    """
+
+    def __init__(self, limits: Limits = DEFAULT_LIMITS, characters: int | None = None) -> None:
+        self._left = limits.values if characters is None else min(limits.values, 10_000 + 4 * characters)
+        self._nesting = limits.nesting
+        self._above: set[int] = set()
+
+    def value(self, node: Node) -> Any:
+        """The value of `node` as `yaml.safe_load` would give it. Raises Unbuildable."""
+        if isinstance(node, ScalarNode):
+            return self.scalar(node)
+        if id(node) in self._above:
+            raise Unbuildable("An alias refers to the collection that it stands in.", node)
+        if len(self._above) > self._nesting:
+            raise Unbuildable(f"Collections nest deeper than {self._nesting} levels.", node)
+        if node.tag not in (_SEQUENCE, _MAPPING):
+            raise Unbuildable(f"Collections tagged {_short(node.tag)} are not supported.", node)
+        self._above.add(id(node))
+        try:
+            if isinstance(node, SequenceNode):
+                return [self.value(item) for item in node.value]
+            assert isinstance(node, MappingNode)
+            return {self.key(key): self.value(item) for key, item in merged_pairs(node)}
+        finally:
+            self._above.discard(id(node))
+
+    def scalar(self, node: ScalarNode) -> Any:
+        """The value of a scalar. Raises Unbuildable."""
+        self._left -= 1
+        if self._left < 0:
+            raise Unbuildable("The document has too many values, or its aliases multiply.", node)
+        tag: str = node.tag
+        if tag == TEXT:
+            text: str = node.value
+            return sys.intern(text) if len(text) < _SHORT else text
+        build = _SCALARS.get(tag, _any_scalar)
+        try:
+            return build(node)
+        except (ConstructorError, ValueError, KeyError, OverflowError) as error:
+            problem = getattr(error, "problem", None) or str(error)
+            raise Unbuildable(f"{node.value[:40]!r} is no value: {problem}.", node) from None
+
+    def key(self, node: Node) -> Any:
+        """The value of a mapping key, which has to be a scalar. Raises Unbuildable."""
+        if not isinstance(node, ScalarNode):
+            raise Unbuildable("A collection cannot be a key.", node)
+        return self.scalar(node)
+
+
+def merged_pairs(node: MappingNode) -> list[tuple[Node, Node]]:
+    """The pairs of a mapping with its merge keys (`<<`) resolved: own keys win over merged ones."""
+    pairs: list[tuple[Node, Node]] = node.value
+    for key, _ in pairs:
+        if key.tag == _MERGE:
+            break
+    else:
+        return pairs
+    merged: list[tuple[Node, Node]] = []
+    own: list[tuple[Node, Node]] = []
+    for key, value in node.value:
+        if key.tag != _MERGE:
+            own.append((key, value))
+            continue
+        sources = value.value if isinstance(value, SequenceNode) else [value]
+        for source in reversed(sources):
+            if not isinstance(source, MappingNode) or source is node:
+                raise Unbuildable("A merge key takes a mapping or a list of mappings.", value)
+            merged.extend(source.value)
+    return merged + own
+
+
+_MERGE = _STANDARD + "merge"
+_CONSTRUCTOR = SafeConstructor()
+
+
+def _integer(node: ScalarNode) -> int:
+    text = _readable(node)
+    if text.isdecimal() and text.isascii() and (text[0] != "0" or text == "0"):
+        return int(text)
+    return int(_CONSTRUCTOR.construct_yaml_int(node))
+
+
+def _number(node: ScalarNode) -> float:
+    _readable(node)
+    return float(_CONSTRUCTOR.construct_yaml_float(node))
+
+
+def _readable(node: ScalarNode) -> str:
+    """The text of a number. Raises ValueError for one so long that reading it takes the square of its length."""
+    text: str = node.value
+    if len(text) > _LONGEST_NUMBER:
+        raise ValueError(f"a number has at most {_LONGEST_NUMBER:,} characters")
+    return text
+
+
+_LONGEST_NUMBER = 1_000
+_SCALARS: dict[str, Callable[[ScalarNode], Any]] = {
+    _STANDARD + "int": _integer,
+    _STANDARD + "float": _number,
+    _STANDARD + "bool": lambda node: _BOOLEANS[node.value.lower()],
+    _STANDARD + "null": lambda _: None,
+    _STANDARD + "value": lambda node: node.value,
+}
+
+
+def _any_scalar(node: ScalarNode) -> Any:
+    return SafeConstructor().construct_object(node)
+
+
+_ADVICE = {
+    "mapping values are not allowed": "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
+    "cannot start any token": "Indent with spaces, not with tabs.",
+    "found undefined alias": "If the asterisk belongs to a text, quote the text.",
+}
+
+
+class _BeyondLimit(Exception):
+    """The document is larger than it may be: the rule, the message and, if known, line and column."""
+
+
+def _too_many(values: int) -> _BeyondLimit:
+    return _BeyondLimit("R014", f"The file has more than {values:,} values, which is the limit.")
+
+
+def _refuse_deep_nesting(text: str, limits: Limits) -> None:
+    openers = sum(map(text.count, _OPENERS))
+    if openers > _SHALLOW_OPENERS:
+        is_list_on_a_line = re.compile(_LIST_ON_A_LINE).fullmatch
+        openers -= sum(1 for line in text.split("\n") if "[" in line and is_list_on_a_line(line))
+    if openers <= _SHALLOW_OPENERS and _INDENTATION not in text:
+        return
+    depth = count = 0
+    for event in yaml.parse(text, Loader=_LIBYAML):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            count += 1
+            if count > limits.values:
+                raise _too_many(limits.values)
+            if depth > limits.nesting:
+                mark: Any = event.start_mark
+                message = f"Collections nest deeper than {limits.nesting} levels."
+                raise _BeyondLimit("R004", message, mark.line + 1, mark.column + 1)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+
+
+def _refused(text: str, name: str, rule: str, message: str, line: int = 0, column: int = 0, fix: str = "") -> Document:
+    return Document(text, None, (Finding(rule, "error", message, name, line, column, fix=fix),))
+
+
+def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document:
+    mark = error.problem_mark or error.context_mark
+    line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
+    message = ", ".join(part for part in (error.context, error.problem) if part)
+    fix = next((advice for cause, advice in _ADVICE.items() if cause in message), "")
+    if "cannot start any token" in message and "\t" not in text:
+        fix = "Quote the text."
+    return _refused(text, name, "R001", f"Not valid YAML: {message}.", line, column, fix)
+
+
+def _code_point(error: Any) -> int:
+    return error.character if isinstance(error.character, int) else ord(error.character)
+
+
+def _short(tag: str) -> str:
+    return tag.replace(_STANDARD, "!!")

@@ -1,0 +1,65 @@
+"""`sigcat config`: the settings of the service as they would be used, and new tokens."""
+
+import argparse
+from typing import TYPE_CHECKING
+
+from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
+
+if TYPE_CHECKING:
+    from sigcat.api.settings import Settings
+    from sigcat.catalogue.hosting.configuration import Configuration
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "config",
+        help="print the settings of the service, or make a token",
+        description="Print the settings as `sigcat serve` would use them: [service] of sigcat.toml, and over it the "
+        "environment, where body_bytes is SIGCAT_BODY_BYTES. Exit status: 1 if they cannot be used.",
+    )
+    parser.add_argument("--new-token", metavar="NAME", help="make a token, print it and what to put into `tokens`")
+    parser.add_argument(
+        "--scope", action="append", default=[], metavar="SCOPE",
+        help="what the new token may do: read, reload; may be repeated (default: read)",
+    )  # fmt: skip
+    add_catalogue_options(parser)
+    parser.set_defaults(run=config)
+
+
+def config(arguments: argparse.Namespace) -> int:
+    """Print what was asked for."""
+    if arguments.new_token is not None:
+        return _new_token(arguments.new_token, arguments.scope or ["read"])
+    from sigcat.api.configuring import shown
+
+    configuration, settings = chosen_settings(arguments)
+    print("[service]")
+    for name, value, description in shown(settings):
+        print(f"# {description}\n{name} = {value}")
+    for source in configuration.sources:
+        print(f"\n# catalogue {source.id}: {source.spec}")
+    return 0
+
+
+def chosen_settings(arguments: argparse.Namespace) -> "tuple[Configuration, Settings]":
+    """The catalogues to host and the settings: of the command line, before the environment, before the file."""
+    from sigcat.api.configuring import TABLE, read_settings
+
+    configuration = chosen_configuration(arguments)
+    settings = read_settings(configuration.tables.get(TABLE, {}), file=configuration.file)
+    named = {name: getattr(arguments, name, None) for name in ("host", "port")}
+    return configuration, settings.model_copy(update={n: value for n, value in named.items() if value is not None})
+
+
+def _new_token(name: str, scopes: list[str]) -> int:
+    from sigcat.api.tokens import new_token
+    from sigcat.errors import UsageError
+
+    try:
+        secret, token = new_token(name, scopes)
+    except ValueError as error:
+        raise UsageError(str(error)) from None
+    print(f"# give this to the client; it is shown once\n{secret}\n\n# put this into [service] of sigcat.toml")
+    print(f'tokens = ["{token}"]')
+    return 0

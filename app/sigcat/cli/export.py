@@ -1,0 +1,169 @@
+"""`sigcat export FORMAT`."""
+
+import argparse
+import sys
+from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sigcat.catalogue.exporting.vss_tools.formats import EXPAND, FORMATS, VHAL_MAP, Format, Option, options_of
+from sigcat.cli.output import write_bytes
+from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.errors import UsageError
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.exporting.vss_tools.files import ExportedFile
+
+_SHORT = {"extended-attributes": "-e", "aborts": "-a"}
+
+
+class _LateParser(argparse.ArgumentParser):
+    """A parser that gets its options when it is used: other commands need not wait for those of 18 formats."""
+
+    fill: partial[None] | None = None
+
+    def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
+        """Fill, then parse."""
+        if self.fill is not None:
+            self.fill()
+            self.fill = None
+        return super().parse_known_args(*arguments, **named)
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command with one sub-command for each format."""
+    parser = commands.add_parser(
+        "export",
+        help="write a tree in another format",
+        description="Write a tree in another format, byte for byte as `vspec export` does, with overlays applied.",
+    )
+    formats = parser.add_subparsers(title="formats", metavar="FORMAT", required=True, parser_class=_LateParser)
+    for format_ in FORMATS.values():
+        late = formats.add_parser(format_.name, help=format_.text, description=_description(format_))
+        late.fill = partial(_fill, late, format_)
+
+
+def export(arguments: argparse.Namespace) -> int:
+    """Write a tree in the format that was asked for."""
+    from sigcat.catalogue.exporting.vss_tools.exporting import exported
+
+    format_: Format = arguments.format
+    output: Path | None = arguments.output if str(arguments.output) != "-" else None
+    if output is None and format_.is_folder:
+        raise UsageError(f"{format_.name} is a folder: name it with -o, or a file that ends in .zip")
+    options = _given(arguments, format_)
+    catalogue = read_tree(arguments, expanded=options.get(EXPAND.name, True))
+    name = _name(output, format_)
+    result = exported(catalogue, format_.name, options, output_name=name, timeout=arguments.timeout)
+    for finding in result.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    _write(result.files, format_, output, arguments)
+    return 0
+
+
+def _description(format_: Format) -> str:
+    what = "a folder, or a zip archive of it" if format_.is_folder else "a file"
+    return f"{format_.text[:1].upper()}{format_.text[1:]}: {what}, byte for byte as `vspec export {format_.name}` writes it."
+
+
+def _fill(parser: argparse.ArgumentParser, format_: Format) -> None:
+    add_tree_options(parser)
+    group = parser.add_argument_group("the export")
+    where = "folder, or .zip file, to write" if format_.is_folder else "write here instead of to standard output"
+    group.add_argument("-o", "--output", type=Path, metavar="FOLDER" if format_.is_folder else "FILE", help=where)
+    for option in options_of(format_):
+        _add_option(group, option)
+    group.add_argument(
+        "--timeout", type=float, default=600.0, metavar="SECONDS", help="give up after this time (default: 600)"
+    )
+    parser.set_defaults(run=export, format=format_)
+
+
+def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
+    """Every option is None where it is not given, so that vss-tools' own default holds."""
+    spelled = f"--{option.name}"
+    text = f"{option.text} (default: {_shown(option.default)})" if option.default not in (None, "") else option.text
+    text = text.replace("%", "%%")
+    add = partial(group.add_argument, spelled, dest=option.name, default=None, help=text)
+    match option.kind:
+        case "flag":
+            add(action="store_true")
+        case "switch":
+            add(action="store_true")
+            group.add_argument(f"--{option.spelled_off}", dest=option.name, action="store_false", default=None)
+        case "texts":
+            short = [_SHORT[option.name]] if option.name in _SHORT else []
+            group.add_argument(
+                *short, spelled, dest=option.name, default=None, help=text,
+                action="append", metavar="NAME", choices=option.choices or None,
+            )  # fmt: skip
+        case "number":
+            add(type=int, metavar="N")
+        case "choice":
+            add(choices=option.choices)
+        case "text" | "name":
+            add(metavar="TEXT")
+        case _:
+            add(type=Path, metavar="FOLDER" if option.kind == "folder" else "FILE")
+
+
+def _shown(default: Any) -> str:
+    return {True: "yes", False: "no"}.get(default, str(default)) if isinstance(default, bool) else str(default)
+
+
+def _given(arguments: argparse.Namespace, format_: Format) -> dict[str, Any]:
+    """The options that were given; of a file to write beside, its name."""
+    given = {}
+    for option in options_of(format_):
+        if option.kind == "state":
+            _continue_from_output(arguments, option)
+        value = getattr(arguments, option.name)
+        if value is not None:
+            given[option.name] = value.name if option.kind in ("output", "folder") else value
+    return given
+
+
+def _continue_from_output(arguments: argparse.Namespace, option: Option) -> None:
+    """Android properties keep their numbers: an export into the folder of an earlier one continues its map."""
+    earlier = arguments.output / VHAL_MAP
+    if getattr(arguments, option.name) is None and earlier.is_file():
+        setattr(arguments, option.name, earlier)
+
+
+def _name(output: Path | None, format_: Format) -> str:
+    if output is None:
+        return ""
+    if output.suffix == ".zip":
+        return output.stem + format_.suffix
+    return output.resolve().name if format_.is_folder else output.name
+
+
+def _write(
+    files: "tuple[ExportedFile, ...]", format_: Format, output: Path | None, arguments: argparse.Namespace
+) -> None:
+    main = [file for file in files if not file.option]
+    if output is not None and output.suffix == ".zip":
+        from sigcat.catalogue.exporting.vss_tools.files import zipped
+
+        write_bytes(zipped(main), output)
+    elif output is not None and format_.is_folder:
+        _write_into(output, main)
+    elif output is None and len(main) > 1:
+        raise UsageError(f"{format_.name} made {len(main)} files: name the first with -o, the others go beside it")
+    else:
+        write_bytes(main[0].data, output)
+        _write_into(output.parent if output else Path(), main[1:])
+    folders = {option.name for option in format_.options if option.kind == "folder"}
+    for file in files:
+        if file.option in folders:
+            _write_into(getattr(arguments, file.option), [file])
+        elif file.option:
+            write_bytes(file.data, getattr(arguments, file.option))
+
+
+def _write_into(folder: Path, files: "Iterable[ExportedFile]") -> None:
+    for file in files:
+        target = folder / file.name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        write_bytes(file.data, target)

@@ -1,0 +1,144 @@
+"""`sigcat function new`, `build`, `overlay` and `validate`."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+from sigcat.cli.output import write_text
+from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.errors import UsageError
+from sigcat.findings import has_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.findings import Finding
+
+Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
+
+
+def add_parser(commands: Actions) -> None:
+    """Add the command with its sub-commands."""
+    parser = commands.add_parser("function", help="start, build and check functions")
+    actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _add_new(actions)
+    _add_build(actions)
+    _add_overlay(actions)
+    _add_validate(actions)
+
+
+def _add_new(actions: Actions) -> None:
+    starting = actions.add_parser(
+        "new",
+        help="a function.yaml to start from",
+        description="Write a function.yaml that builds, and the JSON Schema that it names, by which editors complete it.",
+    )
+    starting.add_argument("name", metavar="NAME", help="name of the function, CamelCase")
+    starting.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="folder to write into (default: NAME)")
+    starting.add_argument(
+        "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
+    )
+    starting.set_defaults(run=new)
+
+
+def _add_build(actions: Actions) -> None:
+    building = actions.add_parser(
+        "build",
+        help="Function JSON of a function.yaml",
+        description="Resolve a function.yaml against a catalogue and write its Function JSON.",
+    )
+    building.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    building.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    add_tree_options(building)
+    building.set_defaults(run=build)
+
+
+def _add_overlay(actions: Actions) -> None:
+    making = actions.add_parser(
+        "overlay",
+        help="the overlay of the interfaces that a function.yaml defines",
+        description="Write what a function.yaml has under `define` as an overlay, so that others can refer to it.",
+    )
+    making.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    making.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    making.add_argument("--types-output", type=Path, metavar="FILE", help="write the struct types here (for -t)")
+    add_tree_options(making)
+    making.set_defaults(run=overlay)
+
+
+def _add_validate(actions: Actions) -> None:
+    validating = actions.add_parser(
+        "validate",
+        help="check function files, Function JSON or function.yaml, alone and together",
+        description=(
+            "Check function files from anywhere against the model, the conventions and a catalogue. Several files are "
+            "one set: who provides what to whom, and what does not fit."
+        ),
+    )
+    validating.add_argument("files", type=Path, nargs="+", metavar="FILE", help="Function JSON, or function.yaml")
+    validating.add_argument("--format", choices=("text", "json"), default="text", help="form of the report")
+    add_tree_options(validating)
+    validating.set_defaults(run=validate)
+
+
+def build(arguments: argparse.Namespace) -> int:
+    """Write the Function JSON; warnings go to standard error. Raises InputRefused if there are errors."""
+    from sigcat.function.build.build import build_function
+    from sigcat.function.function_json.model import to_json
+
+    data = arguments.file.read_bytes()
+    function, findings = build_function(data, str(arguments.file), read_tree(arguments))
+    for finding in findings:
+        print(finding.line_of_text, file=sys.stderr)
+    write_text(to_json(function).decode("utf-8"), arguments.output)
+    return 0
+
+
+def new(arguments: argparse.Namespace) -> int:
+    """Write the scaffold; a file that is there already is never written over."""
+    from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
+
+    text = scaffold(arguments.name, arguments.schema or SCHEMA_FILE)
+    folder = arguments.output or Path(arguments.name)
+    file = folder / "function.yaml"
+    if file.exists():
+        raise UsageError(f"{file} is there already")
+    folder.mkdir(parents=True, exist_ok=True)
+    if not arguments.schema:
+        write_text(schema_text(), folder / SCHEMA_FILE)
+    write_text(text, file)
+    print(f"{file}: build it with `sigcat function build {file}`", file=sys.stderr)
+    return 0
+
+
+def overlay(arguments: argparse.Namespace) -> int:
+    """Write the overlay; warnings go to standard error. Raises InputRefused if there are errors."""
+    from sigcat.function.build.overlay import overlay_of
+
+    made = overlay_of(arguments.file.read_bytes(), str(arguments.file), read_tree(arguments))
+    if made.types and arguments.types_output is None:
+        raise UsageError("struct types stand in a file of their own: name it with --types-output FILE")
+    for finding in made.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    if made.types:
+        write_text(made.types, arguments.types_output)
+    if made.text:
+        write_text(made.text, arguments.output)
+    return 0
+
+
+def validate(arguments: argparse.Namespace) -> int:
+    """Report findings; 1 if a file cannot be used, or files cannot be used together."""
+    from sigcat.function.sets.sets import check_functions
+
+    files = [(file.read_bytes(), str(file)) for file in arguments.files]
+    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1)
+    _print(findings, arguments.format)
+    return int(has_errors(findings))
+
+
+def _print(findings: "Sequence[Finding]", form: str) -> None:
+    from sigcat.rules.report import report, sources_of
+
+    sys.stdout.write(report(findings, form, sources_of(findings), colour=sys.stdout.isatty()))

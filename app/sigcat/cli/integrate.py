@@ -1,0 +1,82 @@
+"""`sigcat integrate PLATFORM FUNCTION...`."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.output import write_bytes
+from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from sigcat.findings import Finding
+    from sigcat.function.function_json.model import FunctionJson
+    from sigcat.integration.deployment import Deployment
+    from sigcat.integration.report import Entry
+
+_PLATFORMS = (("autosar-adaptive", "AUTOSAR adaptive"), ("ros2", "ROS 2"))
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command with a sub-command for each platform."""
+    parser = commands.add_parser("integrate", help="Integration JSON of functions, for a platform")
+    platforms = parser.add_subparsers(title="platforms", metavar="PLATFORM", required=True)
+    for name, title in _PLATFORMS:
+        one = platforms.add_parser(
+            name,
+            help=f"for {title}",
+            description=f"Derive the Integration JSON for {title} of one function, or of a set of functions.",
+        )
+        one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
+        one.add_argument("--deployment", type=Path, metavar="FILE", help="what differs from the defaults")
+        one.add_argument("-o", "--output", type=Path, metavar="OUT", help="write here instead of to standard output")
+        one.add_argument(
+            "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
+        )
+        add_tree_options(one)
+        one.set_defaults(run=run, platform=name)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Write the Integration JSON; findings go to standard error. Raises InputRefused if there are errors."""
+    from sigcat.integration.platforms import integrate
+
+    functions = _functions(arguments)
+    made = integrate(arguments.platform, functions, _deployment(arguments.deployment))
+    _print(made.findings)
+    write_bytes(made.document, arguments.output)
+    if arguments.report is not None:
+        write_bytes(_written(made.report, arguments.report), arguments.report)
+    return 0
+
+
+def _functions(arguments: argparse.Namespace) -> "tuple[FunctionJson, ...]":
+    from sigcat.integration.reading import read_functions
+
+    for path in arguments.functions:
+        if not path.is_file():
+            raise UsageError(f"{path}: there is no such file")
+    files = [(path.read_bytes(), str(path)) for path in arguments.functions]
+    functions, findings = read_functions(files, lambda: read_tree(arguments))
+    _print(findings)
+    return functions
+
+
+def _deployment(path: Path | None) -> "Deployment":
+    from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+
+    return DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
+
+
+def _written(report: "tuple[Entry, ...]", path: Path) -> bytes:
+    from sigcat.integration.report import to_json, to_markdown
+
+    return to_json(report) if path.suffix.lower() == ".json" else to_markdown(report).encode()
+
+
+def _print(findings: "Iterable[Finding]") -> None:
+    for finding in findings:
+        print(finding.line_of_text, file=sys.stderr)

@@ -1,0 +1,205 @@
+"""`sigcat lint [PATH...]`."""
+
+import argparse
+import atexit
+import gc
+import os
+import sys
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.output import discard_output, write_text
+from sigcat.cli.tree_options import add_many
+from sigcat.errors import InputRefused, UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.findings import Finding
+    from sigcat.rules.linting.options import LintOptions, LintResult
+
+FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "lint",
+        help="check trees, overlays, function files and rule files",
+        description=(
+            "Check files and folders: trees, overlays (over the tree near them, or the shipped one), function files and "
+            "rule files. Settings stand in [tool.sigcat.lint] of a pyproject.toml or in [lint] of a sigcat.toml."
+        ),
+    )
+    parser.add_argument("paths", nargs="*", type=Path, metavar="PATH", help="files and folders (default: this folder)")
+    _add_choice(parser)
+    _add_context(parser)
+    _add_result(parser)
+    parser.set_defaults(run=lint)
+
+
+def _add_choice(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("which rules run; a code may be cut short, V1 stands for all that start so")
+    for name, text in (
+        ("--select", "only these"),
+        ("--ignore", "not these"),
+        ("--extend-select", "these beside the default set"),
+    ):
+        group.add_argument(name, metavar="CODE", action="append", default=[], help=f"{text}; several with commas")
+
+
+def _add_context(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("what the files are checked against")
+    group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="tree that overlays are made for")
+    add_many(group, "-l", "--overlays", "overlay that applies before those that are checked")
+    add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
+    add_many(group, "-u", "--units", "units beside those of the tree")
+    add_many(group, "-q", "--quantities", "quantities beside those of the tree")
+    add_many(group, "-t", "--types", "struct types")
+    group.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
+
+
+def _add_result(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("the result")
+    group.add_argument("--format", choices=FORMATS, default="text", help="form of the report (default: %(default)s)")
+    group.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the report here")
+    group.add_argument("--fix", action="store_true", help="repair what is safe, changing no other byte")
+    group.add_argument(
+        "--unsafe-fixes", action="store_true", help="with --fix or --diff: repairs that change a meaning"
+    )
+    group.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
+    group.add_argument("--baseline", type=Path, metavar="FILE", help="tell only what this file does not know")
+    group.add_argument(
+        "--write-baseline", type=Path, metavar="FILE", help="write all findings of now as known, and end"
+    )
+    group.add_argument(
+        "--color",
+        "--colour",
+        choices=("auto", "always", "never"),
+        default="auto",
+        help="of text (default: %(default)s)",
+    )
+
+
+def lint(arguments: argparse.Namespace) -> int:
+    """Report findings; 1 if any is more than a note. Raises UsageError where nothing could be linted."""
+    was_enabled = gc.isenabled()
+    gc.disable()  # loading and linting make no garbage worth the search for it
+    atexit.register(gc.freeze)  # nor does what is left at the end need to be looked through
+    try:
+        return _lint(arguments)
+    except InputRefused as error:  # the configuration, the rules or the baseline: nothing was linted
+        for finding in error.findings:
+            print(finding.line_of_text, file=sys.stderr)
+        raise UsageError(str(error)) from None
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _lint(arguments: argparse.Namespace) -> int:
+    from sigcat.rules.linting.lint import lint_paths
+
+    paths = arguments.paths or [Path()]
+    options = _options(arguments, paths)
+    result = lint_paths(paths, options)
+    if arguments.write_baseline is not None:
+        return _write_baseline(result, options, paths, arguments.write_baseline)
+    if arguments.diff or arguments.fix:
+        result = _repaired(result, arguments)
+        if arguments.diff:
+            return int(result.fails)
+        result = lint_paths(paths, options)
+    try:
+        _report(result, options, arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:  # the verdict stands, whoever reads
+        discard_output()
+    return int(result.fails)
+
+
+def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOptions":
+    """The configuration with the command line laid over it."""
+    from sigcat.rules.linting.configuration import find_configuration, read_configuration
+    from sigcat.rules.linting.options import LintOptions
+
+    start = paths[0] if paths[0].is_dir() else paths[0].parent
+    file = arguments.config or find_configuration(start)
+    options = read_configuration(file) if file is not None else LintOptions()
+    return options._replace(
+        select=_codes(arguments.select) or options.select,
+        ignore=options.ignore + _codes(arguments.ignore),
+        extend_select=options.extend_select + _codes(arguments.extend_select),
+        base=arguments.vspec or options.base,
+        overlays=(*options.overlays, *arguments.overlays),
+        include_dirs=(*options.include_dirs, *arguments.include_dirs),
+        units=(*options.units, *arguments.units),
+        quantities=(*options.quantities, *arguments.quantities),
+        types=(*options.types, *arguments.types),
+        baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
+        check_functions=_check_functions,
+    )
+
+
+def _codes(given: list[str]) -> tuple[str, ...]:
+    return tuple(code.strip() for part in given for code in part.split(",") if code.strip())
+
+
+def _check_functions(files: "Sequence[tuple[bytes, str]]", is_whole: bool) -> "Sequence[Finding]":
+    """Check function files against the shipped catalogue; loaded only when there are any."""
+    from sigcat.catalogue.hosting.source import load
+    from sigcat.catalogue.hosting.sources import shipped_sources
+    from sigcat.function.sets.sets import check_functions
+
+    return check_functions(files, load(shipped_sources()[0]), is_whole=is_whole)
+
+
+def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequence[Path]", file: Path) -> int:
+    from sigcat.rules.linting.baseline import baseline_text
+
+    write_text(baseline_text(result.findings, options.root, paths), file)
+    print(f"{file}: {len(result.findings)} findings are known from now on", file=sys.stderr)
+    return 0
+
+
+def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResult":
+    """Repair files, or show how; the result that is left is told by the caller."""
+    from sigcat.rules.linting.fixes import fixed_files
+
+    fixed = fixed_files(result.findings, result.repairs, _texts_of(result.findings), unsafe=arguments.unsafe_fixes)
+    for file in fixed:
+        if arguments.diff:
+            sys.stdout.write(file.diff)
+        else:
+            write_text(file.after, Path(file.file))
+    count = sum(len(file.settled) for file in fixed)
+    verb = "could be" if arguments.diff else "were"
+    print(f"sigcat: {count} of {len(result.findings)} findings {verb} repaired", file=sys.stderr)
+    return result
+
+
+def _texts_of(findings: "Sequence[Finding]") -> dict[str, str]:
+    """Texts of the files that findings are about, byte for byte; a file that is no UTF-8 has nothing to repair."""
+    texts = {}
+    for name in dict.fromkeys(finding.file for finding in findings):
+        with suppress(OSError, ValueError):
+            texts[name] = Path(name).read_bytes().decode("utf-8")
+    return texts
+
+
+def _report(result: "LintResult", options: "LintOptions", arguments: argparse.Namespace) -> None:
+    from sigcat.rules.linting.selection import rules_for
+    from sigcat.rules.report import report, sources_of
+
+    sources = sources_of(result.findings)
+    rules = rules_for(options) if arguments.format == "sarif" else ()
+    text = report(result.findings, arguments.format, sources, rules, colour=_is_coloured(arguments))
+    write_text(text, arguments.output)
+
+
+def _is_coloured(arguments: argparse.Namespace) -> bool:
+    if arguments.color != "auto":
+        return bool(arguments.color == "always")
+    is_terminal = arguments.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    return is_terminal and not os.environ.get("NO_COLOR")

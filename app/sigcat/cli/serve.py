@@ -1,0 +1,64 @@
+"""`sigcat serve`."""
+
+import argparse
+import atexit
+from contextlib import ExitStack, nullcontext
+from typing import TYPE_CHECKING
+
+from sigcat.cli.catalogue_options import add_catalogue_options
+from sigcat.cli.config import chosen_settings
+from sigcat.cli.tree_options import add_tree_options, tree_source
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "serve",
+        help="serve the catalogue: browser tree and REST API",
+        description="Serve the shipped catalogues, those of a configuration, and the tree named by -s, as a browser "
+        "tree and REST API. `sigcat config` lists what else can be set.",
+    )
+    parser.add_argument("--host", help="address to listen on (default: 127.0.0.1)")
+    parser.add_argument("--port", type=int, help="port to listen on; 0 picks a free one (default: 8000)")
+    add_catalogue_options(parser)
+    add_tree_options(parser)
+    parser.set_defaults(run=serve)
+
+
+def serve(arguments: argparse.Namespace) -> int:
+    """Serve until interrupted."""
+    from sigcat.api.serving import run
+    from sigcat.catalogue.hosting.library import Library, Watch
+    from sigcat.web.site import create_site
+
+    configuration, settings = chosen_settings(arguments)
+    sources = configuration.sources
+    if arguments.vspec is not None or arguments.overlays:
+        source = tree_source(arguments)
+        sources = (source._replace(id="local", title=source.spec.stem), *sources)
+    library = Library(sources)
+    with Watch(library) if configuration.is_watching else nullcontext():
+        run(create_site(library, settings), settings)
+    return 0
+
+
+def application() -> "FastAPI":
+    """The service as another server loads it: `uvicorn --factory sigcat.cli.serve:application --workers 4`."""
+    from sigcat.api.serving import prepare
+    from sigcat.catalogue.hosting.library import Library, Watch
+    from sigcat.web.site import create_site
+
+    parser = argparse.ArgumentParser()
+    add_catalogue_options(parser)
+    configuration, settings = chosen_settings(parser.parse_args([]))
+    library = Library(configuration.sources)
+    service = create_site(library, settings)
+    prepare(service, settings)
+    if configuration.is_watching:
+        watching = ExitStack()
+        watching.enter_context(Watch(library))
+        atexit.register(watching.close)
+    return service

@@ -1,0 +1,13 @@
+"""Where the data that sigcat ships stands: beside the package in a checkout, inside it once installed."""
+
+from pathlib import Path
+
+_INSIDE = Path(__file__).parent / "_data"
+_HOME = _INSIDE if _INSIDE.is_dir() else Path(__file__).parents[2]
+
+VSPEC = _HOME / "vspec"
+OVERLAYS = _HOME / "overlays"
+INTERFACE_RULES = _HOME / "interface_rules"
+EXAMPLES = _HOME / "examples"
+
+ROOT_FILE = VSPEC / "VehicleSignalSpecification.vspec"

@@ -1,0 +1,33 @@
+"""The one exception tree.
+
+SigcatError
+├── InputRefused        an input cannot be used; carries the findings that say why
+├── NotFound            a catalogue, node, rule or file that was named does not exist
+└── UsageError          a command or request asks for something that cannot be done
+"""
+
+from sigcat.findings import Finding
+
+
+class SigcatError(Exception):
+    """Base of every error that sigcat raises on purpose; its text is fit for a user to read."""
+
+
+class InputRefused(SigcatError):
+    """An input cannot be used. `findings` has every reason, not the first one only."""
+
+    def __init__(self, message: str, findings: tuple[Finding, ...] = ()) -> None:
+        super().__init__(message)
+        self.findings = findings
+
+
+class NotFound(SigcatError):
+    """What was named does not exist. `nearest` are names that do."""
+
+    def __init__(self, message: str, nearest: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.nearest = nearest
+
+
+class UsageError(SigcatError):
+    """A command or request asks for something that cannot be done."""

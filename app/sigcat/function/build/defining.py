@@ -1,0 +1,281 @@
+"""Interfaces that a declaration defines itself: as a layer over the catalogue, each value with its place in the file."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.layers import Layer
+from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement
+from sigcat.function.declaration.declaration import Declaration
+from sigcat.function.declaration.definitions import (
+    CallDefinition,
+    DataDefinition,
+    DefineItem,
+    ErrorDefinition,
+    LeafDefinition,
+    ModesDefinition,
+    ReactionDefinition,
+    StructDefinition,
+)
+from sigcat.function.document.document import Document, Pointer
+
+ERROR_STATES = {"PASSED": 0, "FAILED": 1}
+CONDITION_STATES = {"INACTIVE": 0, "ACTIVE": 1}
+_RUN_TYPES = {"Init": "Init", "Terminate": "Shutdown"}
+
+
+class DefinedNode(NamedTuple):
+    """A node of the overlay: its path, its attributes, and where in the declaration it stands."""
+
+    path: str
+    values: Mapping[str, Any]
+    at: Pointer
+    keys: Mapping[str, str] = {}
+    """Keys of the declaration by attribute, where they are spelled differently."""
+
+
+class DefinedStatement(Statement):
+    """What a declaration says of a node; places are those of the declaration."""
+
+    __slots__ = ("_node", "_place")
+
+    def __init__(self, node: DefinedNode, file: SourceFile, document: Document) -> None:
+        super().__init__(node.path, file, node.values, 0, ())
+        self._node = node
+        self._place = document.place
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Place of an attribute's value, or of the interface if it is not written."""
+        key = self._node.keys.get(attribute, attribute)
+        line, column = self._place((*self._node.at, key) if attribute else self._node.at)
+        return Origin(self.file.name, line, column, self.file.overlay)
+
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
+        """Place of an item of a list or mapping."""
+        key = self._node.keys.get(attribute, attribute)
+        line, column = self._place((*self._node.at, key, *steps), of_key=at_key)
+        return Origin(self.file.name, line, column, self.file.overlay)
+
+    def origin_of_key(self, attribute: str) -> Origin:
+        """Place of the attribute; a declaration knows no better."""
+        return self.origin(attribute)
+
+    def placed(self, prefix: str) -> "Statement":
+        """Nothing includes a declaration."""
+        raise NotImplementedError(prefix)
+
+
+def defined_nodes(declaration: Declaration, catalogue: Catalogue) -> tuple[DefinedNode, ...]:
+    """The nodes that a declaration adds to the tree of signals, branches above first."""
+    if declaration.define is None:
+        return ()
+    nodes = [*_data(declaration.define), *_interfaces(declaration, declaration.define)]
+    root = catalogue.roots[0].path if catalogue.roots else "Vehicle"
+    nodes = [
+        node._replace(path=f"{root}.{node.path.partition('.')[2]}") if node.at[1] != "data" else node for node in nodes
+    ]
+    return (*_branches(declaration, nodes, root, catalogue), *nodes)
+
+
+def defined_types(declaration: Declaration) -> tuple[DefinedNode, ...]:
+    """The struct types that a declaration adds, branches above first."""
+    types = declaration.define.types if declaration.define else {}
+    nodes: dict[str, DefinedNode] = {}
+    for path, struct in types.items():
+        at = ("define", "types", path)
+        for above in _above(path):
+            if above not in types:
+                text = f"Struct types of the function {declaration.function}."
+                nodes.setdefault(above, DefinedNode(above, {"type": "branch", "description": text}, at))
+        nodes |= {node.path: node for node in _struct(path, struct, at)}
+    return tuple(nodes.values())
+
+
+def layered(declaration: Declaration, document: Document, catalogue: Catalogue) -> Catalogue:
+    """The catalogue with everything that the declaration defines laid over it."""
+    nodes, types = defined_nodes(declaration, catalogue), defined_types(declaration)
+    if not nodes and not types:
+        return catalogue
+    overlays = [_layer(nodes, document, is_overlay=True)] if nodes else []
+    more_types = [_layer(types, document, is_overlay=False)] if types else []
+    layers, type_layers = [*catalogue.tree_layers, *overlays], [*catalogue.type_layers, *more_types]
+    return compose(layers, catalogue.vocabulary, type_layers, name=catalogue.name, earlier=catalogue)
+
+
+def _layer(nodes: tuple[DefinedNode, ...], document: Document, *, is_overlay: bool) -> Layer:
+    file = SourceFile(document.name, document.name if is_overlay else "", document.digest)
+    statements = tuple(DefinedStatement(node, file, document) for node in nodes)
+    return Layer(document.name, is_overlay, (file,), statements, ())
+
+
+# -- branches -----------------------------------------------------------------------------------------------------
+
+_GROUPS = {
+    "Parameter": "Parameters of the function {0}.",
+    "Error": "Errors that the function {0} reports.",
+    "SafetyReaction": "Safety conditions of which the function {0} is told.",
+    "Mode": "Modes of the function {0}.",
+    "Scheduling": "Calls of the function {0}.",
+}
+
+
+def _branches(
+    declaration: Declaration, nodes: list[DefinedNode], root: str, catalogue: Catalogue
+) -> Iterator[DefinedNode]:
+    """Branches of the function that the nodes need; those that the catalogue has are said again in its words."""
+    own = f"{root}.Function.{declaration.function}"
+    texts = {
+        f"{root}.Function": "Software functions with the interfaces that are neither data nor parameters.",
+        own: declaration.description,
+        **{f"{own}.{name}": text.format(declaration.function) for name, text in _GROUPS.items()},
+    }
+    needed = {above: node.at[:2] for node in reversed(nodes) for above in _above(node.path) if node.at[1] != "data"}
+    for path, text in texts.items():
+        if path in needed:
+            known = catalogue.get(path)
+            description = known.values.get("description", text) if known else text
+            yield DefinedNode(path, {"type": "branch", "description": description}, needed[path])
+
+
+def _above(path: str) -> Iterator[str]:
+    names = path.split(".")
+    return (".".join(names[:length]) for length in range(1, len(names)))
+
+
+# -- nodes --------------------------------------------------------------------------------------------------------
+
+_SPELLED = {"ASILlevel": "asil"}
+
+
+def _data(define: DefineItem) -> Iterator[DefinedNode]:
+    for path, item in define.data.items():
+        yield DefinedNode(path, {"type": item.type, **_leaf(item)}, ("define", "data", path), _SPELLED)
+
+
+def _interfaces(declaration: Declaration, define: DefineItem) -> Iterator[DefinedNode]:
+    own = f".Function.{declaration.function}"
+    names = _Names(declaration.function, define)
+    for name, parameter in define.parameters.items():
+        values = {"type": "attribute", **_leaf(parameter)}
+        yield DefinedNode(f"{own}.Parameter.{name}", values, ("define", "parameters", name), _SPELLED)
+    for name, error in define.errors.items():
+        yield DefinedNode(f"{own}.Error.{name}", _error(error, names), ("define", "errors", name), _SPELLED)
+    for name, reaction in define.safety_reactions.items():
+        at = ("define", "safetyReactions", name)
+        yield DefinedNode(f"{own}.SafetyReaction.{name}", _reaction(reaction, names), at, _SPELLED)
+    yield from _modes(own, define.modes)
+    for name, call in define.scheduling.items():
+        at = ("define", "scheduling", name)
+        yield DefinedNode(f"{own}.Scheduling.{name}", _call(name, call, names), at, _SPELLED)
+
+
+def _modes(own: str, modes: ModesDefinition | None) -> Iterator[DefinedNode]:
+    items = (("In", "in", "sensor", modes and modes.in_), ("Out", "out", "actuator", modes and modes.out))
+    for name, key, kind, item in items:
+        if item:
+            values = {"type": kind, "datatype": "string", "allowed": item.allowed, "description": item.description}
+            yield DefinedNode(f"{own}.Mode.{name}", values, ("define", "modes", key))
+
+
+def _struct(path: str, struct: StructDefinition, at: Pointer) -> Iterator[DefinedNode]:
+    yield DefinedNode(path, {"type": "struct", "description": struct.description}, at)
+    for name, field in struct.fields.items():
+        yield DefinedNode(f"{path}.{name}", {"type": "property", **_leaf(field)}, (*at, "fields", name), _SPELLED)
+
+
+class _Names(NamedTuple):
+    """Interface names of what the file defines, by last name."""
+
+    function: str
+    define: DefineItem
+
+    def error(self, name: str) -> str:
+        """Interface name of an error: `AliveError` → `CoreAcc_AliveError_ErrorSts` if the file defines it."""
+        return f"{self.function}_{name}_ErrorSts" if name in self.define.errors else name
+
+    def call(self, name: str) -> str:
+        """Interface name of a call: `Init` → `CoreAcc_Init`."""
+        return f"{self.function}_{name}" if name in self.define.scheduling else name
+
+
+def _leaf(item: LeafDefinition | DataDefinition) -> dict[str, Any]:
+    return _given(
+        datatype=item.datatype,
+        arraysize=item.arraysize,
+        allowed=item.allowed,
+        enum=item.enum,
+        unit=item.unit,
+        min=item.min,
+        max=item.max,
+        default=item.default,
+        resolution=item.resolution,
+        ASILlevel=item.asil,
+        description=item.description,
+        comment=item.comment,
+    )
+
+
+def _error(item: ErrorDefinition, names: _Names) -> dict[str, Any]:
+    return _given(
+        type="sensor",
+        datatype=item.datatype,
+        enum=item.enum or ERROR_STATES,
+        maturationTime=item.maturation_time,
+        severity=item.severity,
+        resetTime=item.reset_time,
+        resetCondition=item.reset_condition,
+        dependency=[names.error(name) for name in item.dependency] or None,
+        ASILlevel=item.asil,
+        description=item.description,
+    )
+
+
+def _reaction(item: ReactionDefinition, names: _Names) -> dict[str, Any]:
+    return _given(
+        type="sensor",
+        datatype=item.datatype,
+        enum=item.enum or CONDITION_STATES,
+        errorList=[names.error(name) for name in item.error_list] or None,
+        ASILlevel=item.asil,
+        description=item.description,
+    )
+
+
+def _call(name: str, item: CallDefinition, names: _Names) -> dict[str, Any]:
+    supervised = {
+        "Alive": _supervision(item.alive_supervision, names),
+        "Deadline": _supervision(item.deadline_supervision, names),
+        "Logical": _supervision(item.logical_supervision, names),
+    }
+    kinds = [kind for kind, limits in supervised.items() if limits]
+    is_step = name not in _RUN_TYPES
+    return _given(
+        type="branch",
+        runType=item.run_type or _RUN_TYPES.get(name, "Cyclic"),
+        cycleTime=item.cycle_time,
+        executionOffset=item.execution_offset,
+        priority=item.priority,
+        scheduling=item.scheduling,
+        debounceTime=item.debounce_time,
+        previousRunnable=names.call(item.previous_runnable) if item.previous_runnable else None,
+        ASILlevel=item.asil,
+        supervisionType=(kinds or "None") if kinds or is_step else None,
+        aliveSupervision=supervised["Alive"],
+        deadlineSupervision=supervised["Deadline"],
+        logicalSupervision=supervised["Logical"],
+        stackSize=item.stack_size,
+        description=item.description,
+    )
+
+
+def _supervision(item: Any, names: _Names) -> dict[str, Any] | None:
+    if item is None:
+        return None
+    values: dict[str, Any] = item.model_dump(by_alias=True, exclude_none=True)
+    return {**values, "error": names.error(values["error"])}
+
+
+def _given(**values: Any) -> dict[str, Any]:
+    """The attributes that have a value."""
+    return {name: value for name, value in values.items() if value is not None}

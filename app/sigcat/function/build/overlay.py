@@ -1,0 +1,142 @@
+"""The interfaces that a declaration defines: judged by the rules of the catalogue, and written as an overlay."""
+
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import Any, NamedTuple
+
+import yaml
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.data import INTERFACE_RULES
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, has_errors, in_order
+from sigcat.function.build.defining import DefinedNode, defined_nodes, defined_types, layered
+from sigcat.function.declaration.declaration import Declaration, Declared, read_declaration
+from sigcat.function.document.document import Document, Place, Pointer, pointer_text
+from sigcat.rules.engine import found_in
+from sigcat.rules.record import load_rules
+from sigcat.rules.rule_set import RuleSet
+
+_WIDTH = 116
+_ROOM_OF_KEY = 24
+_UNSAFE = re.compile("^\\s*#|[\x85\u2028\u2029]", re.MULTILINE)
+"""Lines that a text may not make: comments, which vspec reads as includes, and breaks that are no breaks elsewhere."""
+
+
+class Overlay(NamedTuple):
+    """An overlay as text, the struct types as a text of their own (empty if there are none), and warnings."""
+
+    text: str
+    types: str
+    findings: tuple[Finding, ...]
+
+
+def overlay_of(data: bytes, name: str, catalogue: Catalogue) -> Overlay:
+    """The overlay of what a `function.yaml` defines. Raises InputRefused with every finding."""
+    declared = read_declaration(data, name)
+    if declared.declaration is None:
+        raise InputRefused(f"{name} cannot be read.", in_order(declared.findings))
+    nodes, types = defined_nodes(declared.declaration, catalogue), defined_types(declared.declaration)
+    if not nodes and not types:
+        message = f"{name} defines no interfaces: all of them are the catalogue's."
+        raise InputRefused(message, in_order(declared.findings))
+    over = layered(declared.declaration, declared.document, catalogue)
+    findings = in_order([*declared.findings, *definition_findings(declared.declaration, declared.document, over)])
+    if has_errors(findings):
+        raise InputRefused(f"The interfaces that {name} defines have errors.", findings)
+    return Overlay(overlay_text(nodes, "Interfaces"), overlay_text(types, "Struct types"), findings)
+
+
+def definition_findings(declaration: Declaration, document: Document, over: Catalogue) -> tuple[Finding, ...]:
+    """What the rules of the catalogue say of the defined interfaces. `over` is the catalogue with them in it."""
+    if declaration.define is None:
+        return ()
+    pointers = _pointers((*defined_nodes(declaration, over), *defined_types(declaration)), document)
+    return tuple(
+        finding._replace(pointer=pointer_text(pointers.get((finding.line, finding.column), ("define",))))
+        for finding, _ in found_in(over, _rules(), over.written_in({document.name}))
+        if finding.file == document.name
+    )
+
+
+@cache
+def _rules() -> RuleSet:
+    return RuleSet(rule for rule in load_rules(INTERFACE_RULES) if rule.default)
+
+
+def _pointers(nodes: Iterable[DefinedNode], document: Document) -> Mapping[Place, Pointer]:
+    """Pointers by place: findings of the catalogue know places only."""
+    found: dict[Place, Pointer] = {}
+    for node in nodes:
+        found.setdefault(document.place(node.at), node.at)
+        for attribute, value in node.values.items():
+            at = (*node.at, node.keys.get(attribute, attribute))
+            for pointer in (at, *((*at, step) for step in _steps(value))):
+                found.setdefault(document.place(pointer), pointer)
+    return found
+
+
+def _steps(value: Any) -> Iterable[int | str]:
+    """Indexes of a list or keys of a mapping."""
+    return range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
+
+
+# -- text ---------------------------------------------------------------------------------------------------------
+
+
+def overlay_text(nodes: Iterable[DefinedNode], title: str) -> str:
+    """Nodes as vspec, one paragraph for each; nothing if there are none."""
+    paragraphs = [_paragraph(node.path, node.values) for node in nodes]
+    made = "# Made by `sigcat function overlay` from what a function.yaml defines: change it there."
+    return "\n".join([f"# {title} of a function\n#\n{made}\n", *paragraphs]) if paragraphs else ""
+
+
+def _paragraph(path: str, values: Mapping[str, Any]) -> str:
+    text = _dumped({path: dict(values)}, _WIDTH)
+    return text if not _UNSAFE.search(text) else _dumped({path: dict(values)}, _ENDLESS, quoted=True)
+
+
+_ENDLESS = 1 << 30
+"""A text that is broken into lines could make `#include`, which vspec reads wherever a line starts with it."""
+
+
+class _Dumper(yaml.SafeDumper):
+    """Short lists on one line, no aliases, words such as OFF in quotes as PyYAML has it."""
+
+    def ignore_aliases(self, _data: Any) -> bool:
+        """Every value is written in full."""
+        return True
+
+
+class _Quoted(_Dumper):
+    """Every text in double quotes."""
+
+
+def _flow(dumper: yaml.SafeDumper, items: list[Any]) -> yaml.Node:
+    is_short = sum(len(str(item)) + len("'', ") for item in items) < _WIDTH - _ROOM_OF_KEY
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", items, flow_style=is_short)
+
+
+def _in_quotes(dumper: yaml.SafeDumper, text: str) -> yaml.Node:
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style='"')
+
+
+_Dumper.add_representer(list, _flow)
+_Quoted.add_representer(list, _flow)
+_Quoted.add_representer(str, _in_quotes)
+
+
+def _dumped(value: Any, width: int, *, quoted: bool = False) -> str:
+    dumper = _Quoted if quoted else _Dumper
+    return str(
+        yaml.dump(value, Dumper=dumper, sort_keys=False, allow_unicode=True, width=width, default_flow_style=False)
+    )
+
+
+def defined(declared: Declared, catalogue: Catalogue) -> tuple[Catalogue, tuple[Finding, ...]]:
+    """The catalogue that a declaration is resolved against, and what the rules say of what it defines."""
+    if declared.declaration is None or declared.declaration.define is None:
+        return catalogue, ()
+    over = layered(declared.declaration, declared.document, catalogue)
+    return over, definition_findings(declared.declaration, declared.document, over)

@@ -1,0 +1,189 @@
+"""`function.yaml`: what an author says about a function. Everything that the catalogue knows is left to it."""
+
+import datetime as dt
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import BeforeValidator, Field, ValidationError
+
+from sigcat.findings import Finding
+from sigcat.function.declaration.definitions import DefineItem
+from sigcat.function.document.document import Document, read_yaml
+from sigcat.function.document.form import Asil, DeclarationModel, Duration, Natural, Text
+from sigcat.function.document.structure import structural_findings
+from sigcat.function.function_json.wire import Integer, Number
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+__all__ = [  # what other files that people write are made from, too
+    "Asil", "Declaration", "DeclarationModel", "Declared", "Duration", "Natural", "Text", "declaration_schema",
+    "read_declaration",
+]  # fmt: skip
+
+RangeErrorAction = Literal["Default", "Init"]
+
+
+class DataItem(DeclarationModel):
+    """A signal that a call consumes or provides. Datatype, unit, range and description come from the catalogue."""
+
+    path: Text = Field(description="VSS path of the signal.")
+    role: Literal["consumed", "provided"] = Field(description="Whether the call reads or writes the signal.")
+    name: Text | None = Field(None, description="Name inside the function; the last name of the path if absent.")
+    variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
+    asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
+    access: Literal["Immediate", "Buffered"] | None = Field(None, description="Immediate, or buffered for a call.")
+    timeout: Duration | None = Field(None, description="Longest time between two values, in ms.")
+    timeout_error: Text | None = Field(None, description="Error that the time-out sets: interface name or path.")
+    range_error_action: RangeErrorAction | None = Field(None, description="What replaces a value out of range.")
+    provider: Text | None = Field(None, description="Who provides a consumed signal, where no other function does.")
+    queue_length: Annotated[Integer, Field(ge=1)] | None = Field(
+        None, description="Number of values to queue; absent if only the latest counts."
+    )
+    init: Any = Field(None, description="Value before the first one arrives: number, boolean, or allowed value.")
+    min: Number | None = Field(None, description="Smallest value that the code takes or gives, in its unit.")
+    max: Number | None = Field(None, description="Largest value that the code takes or gives, in its unit.")
+    datatype: Text | None = Field(None, description="VSS name of the code's datatype, where it is another one.")
+    unit: Text | None = Field(None, description="Key of the code's unit, where it is another one.")
+    factor: Number | None = Field(None, description="Scaling in the code: physical value = stored × factor + offset.")
+    offset: Number | None = Field(None, description="Offset of the scaling, in the code's unit.")
+    values: dict[str, Integer] | None = Field(None, description="Numbers that stand for allowed texts in the code.")
+
+
+class ParameterItem(DeclarationModel):
+    """A parameter. Datatype, unit, range, default and description come from the catalogue."""
+
+    path: Text = Field(description="VSS path of the parameter.")
+    name: Text | None = Field(None, description="Name inside the function; the last name of the path if absent.")
+    kind: Literal["Calibration", "Measurement", "PersistenceMemory"] = Field(
+        "Calibration", description="Where the value is kept."
+    )
+    attribute: Literal["Normal", "LearningParameter", "NA"] = Field(
+        "Normal", description="Whether the function learns the value."
+    )
+    variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
+    asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
+    range_error_action: RangeErrorAction = Field("Default", description="What replaces a value out of range.")
+    init: Any = Field(None, description="Value at start-up; the default of the catalogue if absent.")
+    min: Number | None = Field(None, description="Smallest value that the code takes, in its unit.")
+    max: Number | None = Field(None, description="Largest value that the code takes, in its unit.")
+    datatype: Text | None = Field(None, description="VSS name of the code's datatype, where it is another one.")
+    unit: Text | None = Field(None, description="Key of the code's unit, where it is another one.")
+    values: dict[str, Integer] | None = Field(None, description="Numbers that stand for allowed texts in the code.")
+
+
+def _reference(value: Any) -> Any:
+    """An interface may be given by its name alone."""
+    return {"interface": value} if isinstance(value, str) else value
+
+
+class ErrorItem(DeclarationModel):
+    """An error that the call reports. Its fields stand in the catalogue."""
+
+    interface: Text = Field(description="Interface name or path of the error.")
+    occurrence_count_limit: Natural = Field(0, description="Occurrences that confirm it; 0 if they do not count.")
+    ignition_count_limit: Natural = Field(0, description="Ignition cycles that confirm it; 0 if they do not count.")
+
+
+class ReactionItem(DeclarationModel):
+    """A safety condition that the call is told of. Its fields stand in the catalogue."""
+
+    interface: Text = Field(description="Interface name or path of the safety reaction.")
+
+
+class ArgumentItem(DeclarationModel):
+    """An argument or return value of a method."""
+
+    name: Text = Field(description="Name of the argument.")
+    datatype: Text = Field(description="Datatype of VSS, or path of a struct.")
+    unit: Text | None = Field(None, description="Key of the unit.")
+
+
+class MethodItem(DeclarationModel):
+    """A call that the function offers (provided) or uses (consumed)."""
+
+    name: Text = Field(description="Name of the method.")
+    description: Text = Field(description="What the method does.")
+    role: Literal["consumed", "provided"] = Field(description="Whether the function uses or offers the method.")
+    inputs: list[ArgumentItem] = Field([], description="Arguments, in order.")
+    outputs: list[ArgumentItem] = Field([], description="Return values, in order.")
+
+
+class RunnableItem(DeclarationModel):
+    """A call of the function: its scheduling interface, and what it reads and writes."""
+
+    interface: Text = Field(description="Interface name or path of the call: <FunctionName>_Init, _Step, _Terminate.")
+    contract: Text | None = Field(None, description="How data is handed over, such as: Global variables.")
+    parallel: bool | None = Field(None, description="Whether calls may run at the same time.")
+    events: list[Text] = Field([], description="Events that trigger the call.")
+    data: list[DataItem] = Field([], description="Signals that the call reads and writes.")
+    parameters: list[ParameterItem] = Field([], description="Parameters that the call reads.")
+    errors: list[Annotated[ErrorItem, BeforeValidator(_reference, json_schema_input_type=str | ErrorItem)]] = Field(
+        [], description="Errors that it reports."
+    )
+    safety_reactions: list[
+        Annotated[ReactionItem, BeforeValidator(_reference, json_schema_input_type=str | ReactionItem)]
+    ] = Field([], description="Safety conditions that it is told of.")
+    methods: list[MethodItem] = Field([], description="Methods that it uses or offers.")
+
+
+class ComponentItem(DeclarationModel):
+    """A part of the function that is deployed as a whole."""
+
+    name: Text = Field(description="Name of the component.")
+    runnables: list[Annotated[RunnableItem, BeforeValidator(_reference, json_schema_input_type=str | RunnableItem)]] = (
+        Field(min_length=1, description="Calls: init, one step or several, terminate.")
+    )
+
+
+class ActiveMode(DeclarationModel):
+    """A mode and the calls that run in it."""
+
+    mode: Text = Field(description="Name of the mode, one of those that the mode interface allows.")
+    description: Text = Field(description="What the mode means.")
+    runnables: list[Text] = Field(description="Interface names of the calls that run in the mode.")
+
+
+class ModesItem(DeclarationModel):
+    """Mode interfaces and what runs in each mode."""
+
+    interfaces: list[Text] = Field([], description="Interface names or paths: <FunctionName>_Mode_In, _Mode_Out.")
+    active: list[ActiveMode] = Field([], description="Modes with the calls that run in them.")
+
+
+class Declaration(DeclarationModel):
+    """The whole file."""
+
+    function: Text = Field(description="Name of the function, CamelCase.")
+    description: Text = Field(description="What the function does.")
+    responsible: Text = Field(description="Team that answers for the function.")
+    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = Field(None, description="Version, as 1.2.3.")
+    authority: Text | None = Field(None, description="Organization that the document belongs to.")
+    author: Text | None = Field(None, description="Author of the document.")
+    date: dt.date | None = Field(None, description="Date of the document, as 2025-09-12.")
+    components: list[ComponentItem] = Field(min_length=1, description="Components of the function.")
+    modes: ModesItem | None = Field(None, description="Modes of the function.")
+    define: DefineItem | None = Field(None, description="Interfaces that the catalogue does not have yet.")
+
+
+class Declared(NamedTuple):
+    """A declaration that was read, and the document that it stands in. None if the structure is wrong."""
+
+    declaration: Declaration | None
+    document: Document
+    findings: tuple[Finding, ...]
+
+
+def read_declaration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Declared:
+    """Read `function.yaml`. Everything that is wrong with its structure is a finding."""
+    document = read_yaml(data, name, limits)
+    if document.value is None:
+        return Declared(None, document, document.findings)
+    try:
+        declaration = Declaration.model_validate(document.value)
+    except ValidationError as error:
+        return Declared(None, document, (*document.findings, *structural_findings(error, document, Declaration)))
+    return Declared(declaration, document, document.findings)
+
+
+def declaration_schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of `function.yaml`, for editors."""
+    schema = Declaration.model_json_schema(by_alias=True)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

@@ -1,0 +1,126 @@
+"""A function.yaml to start from: it names its JSON Schema, defines an interface of every category, and builds."""
+
+import json
+import re
+
+from sigcat.errors import UsageError
+from sigcat.function.declaration.declaration import declaration_schema
+from sigcat.names import camel_case
+
+SCHEMA_FILE = "function.schema.json"
+"""Name of the schema beside the scaffold."""
+
+_NAME = re.compile(r"[A-Z][A-Za-z0-9]{0,99}")
+_ADDRESS = re.compile(r"[!-~]+")
+_MARK = "__NAME__"
+
+_TEXT = """\
+# yaml-language-server: $schema=__SCHEMA__
+
+function: __NAME__
+description: Says in one sentence what the function does.
+responsible: Name of a team
+version: 0.1.0
+
+# Interfaces that the catalogue does not have yet. `sigcat function overlay` makes an overlay of them for others.
+define:
+  parameters:
+    Gain:
+      datatype: float
+      min: 0.0
+      max: 1.0
+      default: 0.5
+      asil: QM
+      description: Gain of the controller.
+  errors:
+    SpeedTimeout:
+      maturationTime: 100
+      severity: The function is off until the speed is received again.
+      resetTime: 500
+      resetCondition: The speed is received in every cycle again.
+      asil: QM
+      description: The speed has not been received in time.
+    AliveError:
+      maturationTime: 0
+      severity: The function is off until the next start.
+      resetTime: 0
+      resetCondition: The function has been restarted.
+      asil: QM
+      description: The step ran too seldom or too often.
+  safetyReactions:
+    __NAME__Invalid:
+      errorList: [SpeedTimeout, AliveError]
+      asil: QM
+      description: The outputs of the function are not valid.
+  modes:
+    in: {allowed: ['OFF', 'ON'], description: Mode that the function has to take.}
+    out: {allowed: ['OFF', 'ON', 'FAULT'], description: Mode that the function is in.}
+  scheduling:
+    Init:
+      priority: 20
+      scheduling: NonPreemptive
+      asil: QM
+      description: Sets the outputs to their start values.
+    Step:
+      cycleTime: 20
+      priority: 10
+      scheduling: Preemptive
+      asil: QM
+      previousRunnable: Init
+      aliveSupervision: {minIndications: 9, referenceIndications: 10, maxIndications: 11, error: AliveError}
+      stackSize: 4096
+      description: Computes the outputs.
+    Terminate:
+      priority: 30
+      scheduling: NonPreemptive
+      asil: QM
+      description: Gives resources back.
+
+components:
+  - name: __NAME__
+    runnables:
+      - __NAME___Init
+      - interface: __NAME___Step
+        # Datatype, unit, range and description come from the catalogue: `sigcat show Vehicle.Speed`.
+        data:
+          - path: Vehicle.Speed
+            role: consumed
+            variable: in.speed
+            asil: QM
+            timeout: 100
+            timeoutError: __NAME___SpeedTimeout_ErrorSts
+            rangeErrorAction: Init
+            init: 0.0
+        parameters:
+          - path: Vehicle.Function.__NAME__.Parameter.Gain
+            variable: par.gain
+        errors: [__NAME___SpeedTimeout_ErrorSts, __NAME___AliveError_ErrorSts]
+        safetyReactions: [__NAME__Invalid_SftyCondSts]
+      - __NAME___Terminate
+
+modes:
+  interfaces: [__NAME___Mode_In, __NAME___Mode_Out]
+  active:
+    - mode: 'OFF'
+      description: The function is not used.
+      runnables: []
+    - mode: 'ON'
+      description: The function runs.
+      runnables: [__NAME___Step]
+"""
+
+
+def scaffold(name: str, schema: str = SCHEMA_FILE) -> str:
+    """The text for a function of this name; `schema` is the address of its JSON Schema. Raises UsageError."""
+    if not _NAME.fullmatch(name):
+        better = camel_case(name)
+        hint = f": {better!r}, for example" if _NAME.fullmatch(better) else ""
+        raise UsageError(f"{name!r} is no name of a function; write it in CamelCase{hint}")
+    if not _ADDRESS.fullmatch(schema):
+        raise UsageError(f"{schema!r} is no address of a schema")
+    return _TEXT.replace("__SCHEMA__", schema).replace(_MARK, name)
+
+
+def schema_text() -> str:
+    """The JSON Schema of function.yaml."""
+    return json.dumps(declaration_schema(), indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,25 @@
+"""What the parts of `function.yaml` have in common: how keys are spelled, and the kinds of values."""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from sigcat.function.function_json.wire import Integer, Number
+from sigcat.names import camel_case
+
+Asil = Literal["QM", "A", "B", "C", "D"]
+Text = Annotated[str, Field(min_length=1)]
+Natural = Annotated[Integer, Field(ge=0)]
+Duration = Annotated[Number, Field(ge=0)]
+
+
+def key_of(name: str) -> str:
+    """Spelling in the file: `range_error_action` → `rangeErrorAction`, as in the attributes of overlays."""
+    capitalized = camel_case(name)
+    return capitalized[:1].lower() + capitalized[1:]
+
+
+class DeclarationModel(BaseModel):
+    """A part of the file. Keys that it does not know are refused, so that a typing error cannot pass unseen."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, alias_generator=key_of, validate_by_name=False)

@@ -1,0 +1,175 @@
+"""Calls, modes and parameters of a component."""
+
+from collections.abc import Sequence
+from typing import TypeVar
+
+from sigcat.function.function_json.model import Parameter, Runnable
+from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.settings import RunModes
+from sigcat.integration.autosar_adaptive.types import TypeTable
+from sigcat.integration.autosar_adaptive.work import Part, Work
+from sigcat.integration.autosar_names import distinct, short_name
+
+T = TypeVar("T", str, None)
+_RUN_TYPES = {
+    "Init": "Init",
+    "Cyclic": "Cyclic",
+    "EventTriggered": "Cyclic",
+    "Shutdown": "Terminate",
+    "Terminate": "Terminate",
+}
+_SCHEDULING = {"preemptive": "Preemptive", "nonpreemptive": "Non-preemptive", "rr": "RR", "fifo": "FIFO"}
+
+
+def calls(part: Part, work: Work) -> tuple[model.Call, ...]:
+    """The calls of a component, in the order of the document."""
+    return tuple(_call(call, part, work) for call in part.component.runnables)
+
+
+def _call(call: Runnable, part: Part, work: Work) -> model.Call:
+    run_type = _run_type(call, part, work)
+    modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
+    return model.Call(
+        name=call.name,
+        modes=(_mode(run_type, work.deployment.autosar_adaptive.modes),),
+        run_type=run_type,
+        cycle_time=call.cycle_time,
+        scheduling=_scheduling(call, part, work),
+        function=part.function_name,
+        description=call.description,
+        trigger="Event" if call.run_type == "EventTriggered" else None,
+        events=call.events,
+        function_modes=modes or None,
+        previous_runnable=call.previous_runnable,
+        execution_offset=call.execution_offset,
+        debounce_delay=call.debounce_delay,
+        priority=call.priority,
+        parallel_processing=call.parallel_processing,
+        stack_size=call.stack_size,
+        asil_level=call.asil_level,
+        supervision_types=call.supervision_types or None,
+        watchdog=call.watchdog,
+        contracts=tuple(contract.type for contract in call.contracts or () if contract.type) or None,
+        vss_path=call.vss_path,
+    )
+
+
+def _run_type(call: Runnable, part: Part, work: Work) -> str:
+    run_type = _RUN_TYPES.get(call.run_type)
+    if call.run_type == "EventTriggered":
+        message = f"{call.name} runs on events: the published schema has no word for that, and it is written as Cyclic."
+        work.report("A010", "info", message, call.name, "Trigger tells the difference.")
+    if run_type is None:
+        message = f"{call.name} of {part.function_name} has the run type {call.run_type!r}, which does not exist; it is taken as Cyclic."
+        work.report("A015", "warning", message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
+    return run_type or "Cyclic"
+
+
+def _scheduling(call: Runnable, part: Part, work: Work) -> str | None:
+    plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
+    if plain not in _SCHEDULING:
+        message = f"{call.name} of {part.function_name} has the scheduling {call.scheduling!r}, which does not exist; none is written."
+        work.report("A011", "warning", message, call.name, "Use Preemptive or Non-Preemptive.")
+    return _SCHEDULING.get(plain)
+
+
+def _mode(run_type: str, modes: RunModes) -> str:
+    return {"Init": modes.init, "Terminate": modes.terminate}.get(run_type, modes.step)
+
+
+def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
+    """Modes of the function, with those of the calls that are this component's."""
+    mine = {call.name for call in part.component.runnables}
+    return (
+        tuple(
+            model.FunctionMode(
+                function=part.function_name,
+                name=mode.name,
+                description=mode.description,
+                calls=tuple(name for name in mode.runnables if name in mine),
+            )
+            for mode in part.function.modes or ()
+        )
+        or None
+    )
+
+
+def parameters(part: Part, types: TypeTable, work: Work) -> tuple[model.ParameterEntry, ...] | None:
+    """Parameters of a component; one that several calls use stands once, unless they tell it differently."""
+    users: dict[tuple[str, bytes], list[str]] = {}
+    found: dict[tuple[str, bytes], Parameter] = {}
+    for call in part.component.runnables:
+        for contract in call.contracts or ():
+            for parameter in contract.parameters or ():
+                key = (parameter.name, parameter.model_dump_json().encode())
+                found[key] = parameter
+                users.setdefault(key, []).append(call.name)
+    keys = list(found)
+    names = distinct({f"{index:06d}": short_name(name) for index, (name, _) in enumerate(keys)})
+    return (
+        tuple(
+            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, work)
+            for index, key in enumerate(keys)
+        )
+        or None
+    )
+
+
+def _parameter(
+    name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, work: Work
+) -> model.ParameterEntry:
+    stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
+    where = f"{parameter.name} of {part.function_name}"
+    return model.ParameterEntry(
+        name=name,
+        description=parameter.description,
+        datatype=_parameter_type(parameter, part, types),
+        range_error_action=_known(parameter.range_error_action or None, ("Default", "Init"), None, where, work),
+        interface_type=_known(stored, ("Calibration", "Measurement", "PersistanceMemory"), "Calibration", where, work),
+        attribute=_known(parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", where, work),
+        function=part.function_name,
+        calls=tuple(users),
+        asil_level=parameter.asil_level,
+        code_datatype=types.c_definition(part.function, parameter.datatype),
+        variable=parameter.variable,
+        vss_path=parameter.vss_path,
+        vss_datatype=parameter.vss_datatype,
+        vss_unit=parameter.vss_unit,
+        conversion_factor=parameter.conversion_factor,
+        conversion_offset=parameter.conversion_offset,
+    )
+
+
+def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, work: Work) -> str | T:
+    """The word, if the published schema has it; a word of another spelling is told, not written."""
+    if word is None or word in words:
+        return word or otherwise
+    near = {known.lower(): known for known in words}.get(word.lower())
+    message = f"{where}: {word!r} is none of {', '.join(words)}; {near or otherwise or 'nothing'} is written."
+    work.report("A013", "warning", message, where.split(" ", 1)[0])
+    return near or otherwise
+
+
+def _parameter_type(parameter: Parameter, part: Part, types: TypeTable) -> model.ParameterType:
+    """A parameter stays inside its component and so keeps the datatype and unit of the code."""
+    word = types.word(part.function, parameter.datatype)
+    entry = types.entry(word)
+    if entry is not None and entry.kind != "enumeration":
+        fields = entry.fields or (model.StructField(name="Element", type=entry.element),)
+        return model.ParameterType(
+            name=word, kind="structure", fields=fields, reference=word, min=parameter.min, max=parameter.max,
+            unit=parameter.units, default=parameter.default_text or parameter.default,
+            init_value=parameter.default_text or parameter.init_value,
+        )  # fmt: skip
+    if word == "string":
+        text = parameter.default_text or ""
+        return model.ParameterType(text_datatype="string", default=text, init_value=text)
+    if word == "bool":
+        return model.ParameterType(
+            datatype="boolean", default=bool(parameter.default), init_value=bool(parameter.init_value)
+        )
+    return model.ParameterType(
+        datatype=(entry.storage if entry else word), reference=word if entry else None,
+        min=parameter.min, max=parameter.max, offset=0, scaling=1, unit=parameter.units,
+        default=parameter.default, init_value=parameter.init_value,
+    )  # fmt: skip

@@ -1,0 +1,160 @@
+"""For every field of every interface of a function: where it stands in the Integration JSON."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from sigcat.function.function_json.model import DataQueue, Error, Method, ModeInterface, SafetyReaction, Signal
+from sigcat.integration.autosar_adaptive.elements import Service
+from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.work import Item, Part, Work
+from sigcat.integration.report import Entry, FieldTarget, entries
+
+_CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
+_PLACE = "says which service and which side"
+
+_DATA: dict[str, FieldTarget | str] = {
+    "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
+    "Datatype": FieldTarget("DataType and Uses/CodeDatatype", _CATALOGUE),
+    "Units": FieldTarget("Unit and Uses/{of}/Units", _CATALOGUE),
+    "Min": FieldTarget("Min and Uses/{of}/Min", _CATALOGUE), "Max": FieldTarget("Max and Uses/{of}/Max", _CATALOGUE),
+    "VssPath": FieldTarget("Name and VssPath", "the event is named by it"),
+    "VssDatatype": FieldTarget("DataType and Uses/{of}/VssDatatype"),
+    "VssUnit": FieldTarget("Unit and Uses/{of}/VssUnit"), "Variable": "DataMappingList",
+    "Factor": FieldTarget("Uses/{of}/Factor", "scaling inside the code; also Scaling where no catalogue is known"),
+    "Offset": FieldTarget("Uses/{of}/Offset", "scaling inside the code; also Offset where no catalogue is known"),
+}  # fmt: skip
+_SIGNAL = {
+    **_DATA,
+    **{
+        field: f"Uses/{{of}}/{field}"
+        for field in (
+            "AsilLevel", "Timeout", "Access", "Default", "InitValue", "RangeErrorAction", "TimeoutError", "Type",
+            "Resolution", "ConversionFactor", "ConversionOffset", "AsilInfo", "QueueLength",
+            "ExternalProvider",
+        )
+    },
+}  # fmt: skip
+_METHOD: dict[str, FieldTarget | str] = {
+    "Name": "Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
+    "InDataTypeList": "InArguments", "OutDataTypeList": "OutArguments",
+}  # fmt: skip
+_STATUS_HEAD: dict[str, FieldTarget | str] = {
+    "Name": "Name", "Description": "Description", "Datatype": "DataType", "VssPath": "VssPath",
+}  # fmt: skip
+_ERROR: dict[str, FieldTarget | str] = {
+    **_STATUS_HEAD,
+    **{
+        field: f"Error/{field}"
+        for field in (
+            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "Severity", "ResetTime",
+            "ResetCondition", "AsilLevel",
+        )
+    },
+}  # fmt: skip
+_REACTION: dict[str, FieldTarget | str] = {
+    **_STATUS_HEAD, "ErrorList": "SafetyReaction/ErrorList", "AsilLevel": "SafetyReaction/AsilLevel",
+}  # fmt: skip
+_MODE: dict[str, FieldTarget | str] = {**_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE), "Modes": "Mode/Modes"}
+_CALL: dict[str, FieldTarget | str] = {
+    "Runtype": "RunType", "Cycletime": "CycleTime", "Scheduling": "Scheduling", "SupervisionType": "SupervisionType",
+    "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has entries of its own"),
+    **{
+        field: field
+        for field in (
+            "Name", "Description", "StackSize", "PrevRunnable", "ExecOffset", "ParallelProcessing", "AsilLevel",
+            "Watchdog", "DebounceDelay", "Priority", "EventList", "VssPath",
+        )
+    },
+}  # fmt: skip
+_PARAMETER: dict[str, FieldTarget | str] = {
+    "Datatype": "Datatype and CodeDatatype", "Asillevel": "AsilLevel", "Min": "Datatype/MinValue",
+    "Max": "Datatype/MaxValue", "Default": "Datatype/Default", "InitValue": "Datatype/InitValue",
+    "Units": "Datatype/Unit", "DefaultText": "Datatype/Default",
+    "Interfacetype": FieldTarget("InterfaceType", "PersistenceMemory is spelled as the published schema has it"),
+    **{
+        field: field
+        for field in (
+            "Name", "Description", "RangeErrorAction", "Attribute", "VssPath", "VssDatatype", "VssUnit",
+            "ConversionFactor", "ConversionOffset", "Variable",
+        )
+    },
+}  # fmt: skip
+_NO_RANGE = FieldTarget(
+    "none", "a boolean or a text has no range, unit or number; the published schema has no place for it"
+)
+_FUNCTION: dict[str, FieldTarget | str] = {
+    "FunctionName": "FunctionInformation/Functions, Component/Function",
+    "FunctionResponsible": "FunctionInformation/Responsible", "Description": "Component/Description",
+    "Version": FieldTarget("Component/Version", "the version of the document is that of the deployment"),
+}  # fmt: skip
+_MODES: dict[str, FieldTarget | str] = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
+
+TABLES: Mapping[type, tuple[str, Mapping[str, FieldTarget | str]]] = {
+    Signal: ("signal", _SIGNAL),
+    DataQueue: ("queue", _SIGNAL),
+    Method: ("method", _METHOD),
+    Error: ("error", _ERROR),
+    SafetyReaction: ("safety reaction", _REACTION),
+    ModeInterface: ("mode", _MODE),
+}
+"""Kind and targets of each interface; targets are relative to the event, method or field."""
+_INSIDE: Mapping[type, str] = {
+    Signal: "Uses/Signal", DataQueue: "Uses/Queue", Error: "Error", SafetyReaction: "SafetyReaction",
+    ModeInterface: "Mode",
+}  # fmt: skip
+"""Where an interface stands whole, with whatever fields it has."""
+CALL_TARGETS: Mapping[str, FieldTarget | str] = _CALL
+PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
+
+
+def report(work: Work, sides: Sequence[Placed], all_services: Sequence[Service]) -> tuple[Entry, ...]:
+    """An entry for each field that has a value, in the order of the documents."""
+    names = {
+        id(side.item.interface): f"{service.name}/{element.name}"
+        for service in all_services
+        for element in service.elements
+        for side in element.sides
+    }
+    made: list[Entry] = []
+    for part in work.parts:
+        made.extend(_of_part(part))
+    for side in sides:
+        made.extend(_of_interface(side.item, names[id(side.item.interface)]))
+    return tuple(made)
+
+
+def _of_interface(item: Item, element: str) -> list[Entry]:
+    kind, table = TABLES[type(item.interface)]
+    of = "Queue" if isinstance(item.interface, DataQueue) else "Signal"
+    prefix = f"{item.part.name}/{element}"
+    below = _below(prefix, table, of)
+    if type(item.interface) in _INSIDE:
+        inside = _INSIDE[type(item.interface)]
+        for field in item.interface.model_extra or ():
+            below[field] = FieldTarget(f"{prefix}/{inside}/{field}", "no field that sigcat knows; carried as it is")
+    return entries(item.part.function_name, item.interface.name, kind, item.interface, below)
+
+
+def _below(prefix: str, table: Mapping[str, FieldTarget | str], of: str = "") -> dict[str, FieldTarget | str]:
+    placed: dict[str, FieldTarget | str] = {}
+    for field, known in table.items():
+        target = FieldTarget(known) if isinstance(known, str) else known
+        placed[field] = FieldTarget(f"{prefix}/{target.target.replace('{of}', of)}", target.note)
+    return placed
+
+
+def _of_part(part: Part) -> Iterator[Entry]:
+    function = part.function
+    if part.component is function.components[0]:
+        yield from entries(part.function_name, part.function_name, "function", function.info, _FUNCTION)
+        for mode in function.modes or ():
+            prefix = f"{part.name}/FunctionModes/{mode.name}"
+            yield from entries(part.function_name, mode.name, "active mode", mode, _below(prefix, _MODES))
+    for call in part.component.runnables:
+        prefix = f"{part.name}/FunctionList/{call.name}"
+        yield from entries(part.function_name, call.name, "call", call, _below(prefix, _CALL))
+        for contract in call.contracts or ():
+            for parameter in contract.parameters or ():
+                below = _below(f"{part.name}/ParameterList/{parameter.name}", _PARAMETER)
+                if parameter.datatype in ("DT_Bool", "DT_String"):
+                    below.update(dict.fromkeys(("Min", "Max", "Units"), _NO_RANGE))
+                yield from entries(part.function_name, parameter.name, "parameter", parameter, below)

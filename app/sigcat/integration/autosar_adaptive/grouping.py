@@ -1,0 +1,116 @@
+"""Which service an interface belongs to: that of the component that provides it, or of the branch it comes from."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from sigcat.function.function_json.model import (
+    PROVIDER,
+    DataQueue,
+    Error,
+    Method,
+    ModeInterface,
+    SafetyReaction,
+    Signal,
+)
+from sigcat.integration.autosar_adaptive.work import Item, Part, Work
+from sigcat.integration.autosar_names import branch_of, service_name
+
+MODES = "ModeManagement"
+SAFETY = "SafetyManagement"
+"""Parts of the base software: who tells a function its mode, and who informs it of safety conditions."""
+
+
+class Group(NamedTuple):
+    """A service before its elements are named."""
+
+    name: str
+    origin: str
+    provider: Part | None
+
+
+class Placed(NamedTuple):
+    """An interface, the service that it belongs to, and what makes it the same element for all who use it."""
+
+    group: Group
+    identity: str
+    item: Item
+    provides: bool
+
+
+def placed(items: Sequence[Item], work: Work) -> list[Placed]:
+    """Every interface with its service."""
+    providers = _providers(items, work)
+    return [_placed(item, providers, work) for item in items]
+
+
+def identity_of(item: Item, work: Work) -> str:
+    """VSS path of a data interface, or its name where it has none; the name of any other interface."""
+    data = isinstance(item.interface, Signal | DataQueue)
+    return (data and work.path_of(item)) or item.interface.name
+
+
+def _providers(items: Iterable[Item], work: Work) -> dict[tuple[bool, str], list[Part]]:
+    """Components that provide each signal (False) and each method (True), in the order of the set."""
+    found: defaultdict[tuple[bool, str], list[Part]] = defaultdict(list)
+    for item in items:
+        if not isinstance(item.interface, Signal | DataQueue | Method) or item.interface.role != PROVIDER:
+            continue
+        parts = found[isinstance(item.interface, Method), identity_of(item, work)]
+        if all(part.name != item.part.name for part in parts):
+            parts.append(item.part)
+    for (_, identity), parts in found.items():
+        if len(parts) > 1:
+            names = ", ".join(part.name for part in parts)
+            message = f"{identity} is provided by {names}: consumers are connected to {parts[0].name}."
+            work.report("A003", "warning", message, identity, "Let one of them provide it.")
+    return found
+
+
+def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], work: Work) -> Placed:
+    interface, identity = item.interface, identity_of(item, work)
+    if isinstance(interface, SafetyReaction):
+        return Placed(_of_origin(SAFETY), identity, item, provides=False)
+    if isinstance(interface, ModeInterface) and interface.direction != "Out":
+        return Placed(_of_origin(MODES), identity, item, provides=False)
+    if isinstance(interface, Error | ModeInterface) or interface.role == PROVIDER:
+        return Placed(_of_part(item.part), identity, item, provides=True)
+    parts = providers.get((isinstance(interface, Method), identity), [])
+    if parts:
+        return Placed(_of_part(parts[0]), identity, item, provides=False)
+    return Placed(_outside(item, identity, work), identity, item, provides=False)
+
+
+def _outside(item: Item, identity: str, work: Work) -> Group:
+    """The service of what no function of the set provides."""
+    is_path = not isinstance(item.interface, Method) and bool(work.path_of(item))
+    if is_path:
+        return _configured(identity, work) or _of_origin(branch_of(identity))
+    message = f"{identity} ({item.where}) has no VSS path, and no function of the set provides it."
+    fix = f"Tell its path in the deployment, under paths: {item.part.function_name}.{item.interface.name}, or add the provider."
+    work.report(
+        "A002", "warning", message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
+    )
+    return _of_origin(f"{item.part.name}Required")
+
+
+def _configured(path: str, work: Work) -> Group | None:
+    """The service of the deployment with the longest path that the signal stands below."""
+    found = [
+        (len(above), service.name, above)
+        for service in work.deployment.autosar_adaptive.services
+        for above in service.paths
+        if path == above or path.startswith(f"{above}.")
+    ]
+    if not found:
+        return None
+    _, name, _ = max(found)
+    return Group(name, name, None)
+
+
+def _of_origin(origin: str) -> Group:
+    return Group(service_name(origin), origin, None)
+
+
+def _of_part(part: Part) -> Group:
+    return Group(service_name(part.name), part.name, part)

@@ -1,0 +1,341 @@
+"""Integration JSON for AUTOSAR adaptive: the authors' published schema and a superset of it.
+
+What the published schema lacks is added as optional fields; source says which is which. Where a function's own
+interface is carried on, it stands inside as it is in Function JSON, so that no field of it can be lost.
+"""
+
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from sigcat.function.function_json.model import (
+    Argument,
+    DataQueue,
+    Error,
+    ModeInterface,
+    SafetyReaction,
+    Signal,
+    Watchdog,
+)
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+
+ADAPTIVE = "published integration schema for AUTOSAR adaptive"
+
+
+def published(alias: str, description: str, **more: Any) -> Any:
+    """A field of the published schema."""
+    return described(alias, description, source=ADAPTIVE, **more)
+
+
+def own(alias: str, description: str, **more: Any) -> Any:
+    """A field that the published schema lacks."""
+    return described(alias, description, source=OWN, default=None, **more)
+
+
+def always(alias: str, description: str, **more: Any) -> Any:
+    """A field that the published schema lacks and that stands wherever its model does."""
+    return described(alias, description, source=OWN, **more)
+
+
+class MetaInformation(WireModel):
+    """Who is responsible for the document, and its version."""
+
+    authority: str = published("Authority", "Organization that the document belongs to.")
+    author: str = published("Author", "Author of the document.")
+    date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$")] = published("Date", "Date of the document.")
+    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] = published("Version", "Version of the document.")
+
+
+class FunctionInformation(WireModel):
+    """Identity of the application: a function, or a set of them."""
+
+    name: str = published("FunctionName", "Name of the application.")
+    responsible: str = published("Responsible", "Who answers for it.")
+    description: str = published("Description", "What it does.")
+    functions: tuple[str, ...] | None = own("Functions", "Names of the functions.", strict=False)
+
+
+class Call(WireModel):
+    """A call of a function: init, a step, terminate."""
+
+    name: str = published("Name", "Name of the call.")
+    modes: tuple[str, ...] = published("Modes", "Function group modes in which it runs.", strict=False)
+    run_type: str = published("RunType", "Init, Cyclic or Terminate.")
+    cycle_time: Number | None = published("CycleTime", "Time from one call to the next.", unit="ms")
+    scheduling: str | None = published("Scheduling", "Preemptive or Non-preemptive.")
+    function: str | None = own("Function", "Name of the function that it belongs to.")
+    description: str | None = own("Description", "What the call does.")
+    trigger: str | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
+    events: str | None = own("EventList", "Events that trigger the call.")
+    function_modes: tuple[str, ...] | None = own(
+        "FunctionModes", "Modes of the function in which the call runs.", strict=False
+    )
+    previous_runnable: str | None = own("PrevRunnable", "Call after which this one runs.")
+    execution_offset: str | None = own("ExecOffset", "Offset of the first call.", unit="ms")
+    debounce_delay: str | None = own("DebounceDelay", "Shortest time between two calls.", unit="ms")
+    priority: str | None = own("Priority", "Priority relative to other calls; a higher number runs first.")
+    parallel_processing: bool | None = own("ParallelProcessing", "Whether calls may run at the same time.")
+    stack_size: str | None = own("StackSize", "Stack that the call needs.", unit="bytes")
+    asil_level: str | None = own("AsilLevel", "ASIL that the call is implemented to.")
+    supervision_types: tuple[str, ...] | None = own("SupervisionType", "Alive, Deadline, Logical.", strict=False)
+    watchdog: Watchdog | None = own("Watchdog", "Supervision by the watchdog.")
+    contracts: tuple[str, ...] | None = own("ContractTypes", "How data is handed over to the code.", strict=False)
+    vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
+
+
+class StructField(WireModel):
+    """A member of a structure."""
+
+    name: str = published("Name", "Name of the member.")
+    type: str = published("Type", "Word for a primitive, or the name of a datatype of the document.")
+    unit: str | None = own("Unit", "Unit of the member.")
+    description: str | None = own("Description", "What the member means.")
+    min: Number | None = own("MinValue", "Smallest value of the member.")
+    max: Number | None = own("MaxValue", "Largest value of the member.")
+
+
+class Symbol(WireModel):
+    """A named value of an enumeration."""
+
+    symbol: str = published("Symbol", "Name of the value.")
+    value: Integer = published("Value", "Number that stands for it.")
+
+
+class TypeEntry(WireModel):
+    """A datatype of the document: type_reference, structure, array or enumeration, as `Class` says.
+
+    The published schema has no array of anything but numbers; such an array is written with its element as the only
+    member, which that schema takes for a structure.
+    """
+
+    name: str = published("Name", "Name of the datatype.")
+    kind: str = published("Class", "type_reference, structure, array or enumeration.")
+    c_definition: str | None = published("cDef", "Word for the primitive that is referred to.", default=None)
+    type: str | None = published("Type", "Word for the numbers of an array.", default=None)
+    dimension: Integer | str | None = published(
+        "Dimension", "Number of elements of an array; `dynamic` if that is open.", default=None
+    )
+    fields: tuple[StructField, ...] | None = published("Field", "Members, in order.", default=None, strict=False)
+    reference: str | None = published("TypeRef", "Reference in Function JSON.", default=None)
+    symbols: tuple[Symbol, ...] | None = published("EnumField", "Values, in order.", default=None, strict=False)
+    storage: str | None = own("StorageType", "Word for the integer that holds an enumeration.")
+    vss_datatype: str | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
+    description: str | None = own("Description", "What a struct is.")
+
+    @property
+    def element(self) -> str:
+        """Type of the elements of an array."""
+        return self.type or (self.fields[0].type if self.fields else "")
+
+
+class ParameterType(WireModel):
+    """Datatype, range and values of a parameter, in one of the forms of the published schema."""
+
+    datatype: str | None = published("Datatype", "Word for a number, or boolean.", default=None)
+    text_datatype: str | None = published("DataType", "string.", default=None)
+    name: str | None = published("Name", "Name of a structure, array or enumeration.", default=None)
+    kind: str | None = published("Class", "structure.", default=None)
+    fields: tuple[StructField, ...] | None = published("Field", "Members.", default=None, strict=False)
+    reference: str | None = published("TypeRef", "Name of a datatype of the document.", default=None)
+    min: Number | None = published("MinValue", "Smallest valid value.", default=None)
+    max: Number | None = published("MaxValue", "Largest valid value.", default=None)
+    offset: Number | None = published("Offset", "Offset of the scaling.", default=None)
+    scaling: Number | None = published("Scaling", "Factor of the scaling.", default=None)
+    unit: str | None = published("Unit", "Unit of the value; empty if it has none.", default=None)
+    default: bool | Number | str | None = published("Default", "Value of a new vehicle.", default=None)
+    init_value: bool | Number | str | None = published("InitValue", "Value at start-up.", default=None)
+
+    @property
+    def word(self) -> str:
+        """Word for a primitive, or the name of a datatype of the document."""
+        word = self.reference or self.datatype or self.text_datatype or self.name or "uint8_t"
+        return "bool" if word == "boolean" else word
+
+
+class ParameterEntry(WireModel):
+    """A value that is set before the function runs, or that it learns and keeps."""
+
+    name: str = published("Name", "Name of the parameter.")
+    description: str = published("Description", "What the value means.")
+    datatype: ParameterType = published("Datatype", "Datatype, range and values.")
+    range_error_action: str | None = published("RangeErrorAction", "What replaces a value out of range.")
+    interface_type: str = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
+    attribute: str = published("Attribute", "NA, Normal or LearningParameter.")
+    function: str | None = own("Function", "Name of the function.")
+    calls: tuple[str, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
+    asil_level: str | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
+    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    variable: str | None = own("Variable", "Expression of the C code that holds the value.")
+    vss_path: str | None = own("VssPath", "Path of the parameter in the catalogue.")
+    vss_datatype: str | None = own("VssDatatype", "Datatype in the catalogue.")
+    vss_unit: str | None = own("VssUnit", "Unit in the catalogue.")
+    conversion_factor: str | None = own("ConversionFactor", "Value in the catalogue's unit = value × factor + offset.")
+    conversion_offset: str | None = own("ConversionOffset", "Offset of the conversion, in the catalogue's unit.")
+
+
+class Use(WireModel):
+    """One call's side of an event: the interface of the function, and the datatype of its code."""
+
+    function: str = always("Function", "Name of the function.")
+    component: str = always("Component", "Name of the component.")
+    call: str = always("Call", "Name of the call.")
+    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    signal: Signal | None = own("Signal", "The data interface as it is in Function JSON.")
+    queue: DataQueue | None = own("Queue", "The queued data interface as it is in Function JSON.")
+
+    @property
+    def interface(self) -> Signal | DataQueue:
+        """The one of the two that there is."""
+        assert self.signal or self.queue
+        return self.signal or self.queue  # type: ignore[return-value]
+
+
+class Event(WireModel):
+    """A value that a service sends. It travels in the catalogue's datatype and unit, whatever the code of a side has."""
+
+    name: str = published("Name", "Name of the event, from the VSS path.")
+    datatype: str = published("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    data_mapping: tuple[str, ...] | None = published(
+        "DataMappingList", "Expressions of the C code that hold the value.", strict=False
+    )
+    description: str | None = own("Description", "What the value means.")
+    event_id: Integer | None = own("EventID", "SOME/IP id of the event.")
+    event_group: str | None = own("EventGroup", "Name of the event group.")
+    unit: str | None = own("Unit", "Unit in which the value is sent.")
+    min: Number | None = own("Min", "Smallest value, in that unit.")
+    max: Number | None = own("Max", "Largest value, in that unit.")
+    scaling: str | None = own("Scaling", "Factor, where the value is sent scaled: value = sent × factor + offset.")
+    offset: str | None = own("Offset", "Offset of that scaling.")
+    cycle_time: Number | None = own("CycleTime", "Time from one value to the next.", unit="ms")
+    vss_path: str | None = own("VssPath", "Path of the signal in the catalogue.")
+    uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
+
+
+class MethodArgument(WireModel):
+    """An argument or a return value of a method."""
+
+    name: str = always("Name", "Name of the argument.")
+    datatype: str = always("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    unit: str | None = own("Unit", "Unit of the value.")
+    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    argument: Argument | None = own("Argument", "The argument as it is in Function JSON.")
+
+
+class Method(WireModel):
+    """A call that a service offers."""
+
+    name: str = published("Name", "Name of the method.")
+    description: str | None = own("Description", "What it does.")
+    method_id: Integer | None = own("MethodID", "SOME/IP id of the method.")
+    inputs: tuple[MethodArgument, ...] | None = own("InArguments", "Arguments, in order.", strict=False)
+    outputs: tuple[MethodArgument, ...] | None = own("OutArguments", "Return values, in order.", strict=False)
+    calls: tuple[str, ...] | None = own("Calls", "Calls that use or offer it.", strict=False)
+
+
+class ServiceField(WireModel):
+    """A status that a service keeps, sends when it changes, and tells when asked: error, safety reaction or mode."""
+
+    name: str = published("Name", "Name of the interface.")
+    description: str | None = own("Description", "What the status means.")
+    datatype: str | None = own("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that tells a change.")
+    getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
+    event_group: str | None = own("EventGroup", "Name of the event group of the notifier.")
+    calls: tuple[str, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
+    vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
+    error: Error | None = own("Error", "The error interface as it is in Function JSON.")
+    safety_reaction: SafetyReaction | None = own(
+        "SafetyReaction", "The safety reaction interface as it is in Function JSON."
+    )
+    mode: ModeInterface | None = own("Mode", "The mode interface as it is in Function JSON.")
+
+
+class Services(WireModel):
+    """What a component uses or offers of a service interface."""
+
+    events: tuple[Event, ...] = published("Events", "Events.", strict=False)
+    methods: tuple[Method, ...] = published("Methods", "Methods.", strict=False)
+    fields: tuple[ServiceField, ...] = published("Fields", "Fields.", strict=False)
+
+
+class EventGroup(WireModel):
+    """Events that are subscribed to together."""
+
+    name: str = always("Name", "Name of the group.")
+    id: Integer = always("EventGroupID", "SOME/IP id of the group.")
+
+
+class Provider(WireModel):
+    """Who offers a service, and how it is reached."""
+
+    name: str = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
+    deployment: str = published("ServiceDeploymentType", "SOME/IP.")
+    instance_id: Integer | None = published("ServiceInstanceID", "SOME/IP id of the instance.")
+    contract: str = published("ContractName", "Name of the middleware framework.")
+
+
+class ServiceInterface(WireModel):
+    """A service that a component consumes or provides."""
+
+    name: str = published("Name", "Name of the service interface.")
+    role: Annotated[str, Field(pattern="^(Consumer|Provider)$")] = published("Role", "Consumer or Provider.")
+    services: tuple[Services, ...] = published("ServiceList", "What is used of it.", strict=False)
+    providers: tuple[Provider, ...] | None = published("Provider", "Who offers it.", strict=False)
+    service_id: Integer | None = own("ServiceID", "SOME/IP id of the service.")
+    instance_id: Integer | None = own("ServiceInstanceID", "SOME/IP id of the instance.")
+    event_groups: tuple[EventGroup, ...] | None = own("EventGroups", "Event groups.", strict=False)
+    origin: str | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
+
+
+class FunctionMode(WireModel):
+    """A mode of a function and what runs in it."""
+
+    function: str = always("Function", "Name of the function.")
+    name: str = always("Name", "Name of the mode.")
+    description: str | None = own("Description", "What the mode means.")
+    calls: tuple[str, ...] | None = own("Calls", "Calls that run in it.", strict=False)
+
+
+class Component(WireModel):
+    """A component, its calls and its services; one executable each."""
+
+    name: str = published("Name", "Name of the component.")
+    executable: str = published("ExecutableName", "Name of the executable.")
+    header_files: tuple[str, ...] | None = published("HeaderFiles", "Header files of the code.", strict=False)
+    modes: tuple[str, ...] = published("FunctionGroupModes", "Function group modes in which it runs.", strict=False)
+    calls: tuple[Call, ...] = published("FunctionList", "Calls.", strict=False)
+    parameters: tuple[ParameterEntry, ...] | None = published("ParameterList", "Parameters.", strict=False)
+    services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
+    function: str | None = own("Function", "Name of the function.")
+    version: str | None = own("Version", "Version of the function.")
+    description: str | None = own("Description", "What the function does.")
+    function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
+
+
+class DeploymentNames(WireModel):
+    """Names that the ARXML takes beside those of the elements."""
+
+    package: str = always("Package", "Outermost package of the ARXML.")
+    function_group: str = always("FunctionGroup", "Function group of the executables.")
+
+
+class IntegrationModel(WireModel):
+    """The whole document."""
+
+    meta: MetaInformation = published("MetaInformation", "Who is responsible, and the version.")
+    info: FunctionInformation = published("FunctionInformation", "Identity of the application.")
+    components: tuple[Component, ...] = published("ComponentList", "Components.", strict=False)
+    datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
+    deployment: DeploymentNames | None = own("Deployment", "Names and ports of the deployment.")
+    provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
+
+
+def to_json(model: IntegrationModel) -> bytes:
+    """The document as UTF-8 text with a stable layout: the same model gives the same bytes."""
+    return written(model)
+
+
+def integration_schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of the document."""
+    schema = IntegrationModel.model_json_schema(by_alias=True)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

@@ -1,0 +1,55 @@
+"""The section of the deployment file that concerns AUTOSAR adaptive."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from sigcat.function.document.form import DeclarationModel, Text
+from sigcat.function.function_json.wire import Integer
+
+Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
+"""An AUTOSAR short name."""
+
+
+class ComponentSettings(DeclarationModel):
+    """What differs for one component."""
+
+    executable: Identifier | None = Field(None, description="Name of the executable; <Component>Executable if absent.")
+    header_files: list[Text] | None = Field(
+        None, description="Header files of the code; <Component>.h if the code's variables are known, else none."
+    )
+
+
+class ServiceSettings(DeclarationModel):
+    """A service interface that gathers the signals of some branches."""
+
+    name: Identifier = Field(description="Name of the service interface.")
+    paths: list[Text] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
+
+
+class RunModes(DeclarationModel):
+    """Function group modes in which calls run."""
+
+    init: Identifier = Field("Startup", description="Mode in which init runs.")
+    step: Identifier = Field("Run", description="Mode in which steps run.")
+    terminate: Identifier = Field("Terminate", description="Mode in which terminate runs.")
+
+
+class AutosarAdaptiveSettings(DeclarationModel):
+    """What differs from the defaults for AUTOSAR adaptive."""
+
+    package: Identifier | None = Field(None, description="Outermost ARXML package; the application's name if absent.")
+    function_group: Identifier | None = Field(
+        None, description="Function group of the executables; <Application>FunctionGroup if absent."
+    )
+    modes: RunModes = Field(RunModes.model_validate({}), description="Function group modes in which calls run.")
+    components: dict[str, ComponentSettings] = Field({}, description="What differs for components, by name.")
+    services: list[ServiceSettings] = Field(
+        [], description="Service interfaces of signals that no function of the set provides; by first branch if absent."
+    )
+    contract: Text = Field("AdaptiveAUTOSAR", description="Name of the middleware contract.")
+    identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+        {},
+        description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
+        "method, field or eventgroup); the others follow the rule.",
+    )

@@ -1,0 +1,132 @@
+"""The datatypes of the set: those of every function, each once, in the words of the integration schema."""
+
+from collections.abc import Sequence
+
+from sigcat.function.function_json.model import Datatype, FunctionJson
+from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
+from sigcat.integration.autosar_adaptive.work import Work
+from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.datatypes import BY_VSS, of_reference
+
+_STORAGE = "uint8"
+
+
+class TypeTable:
+    """Datatypes that were referred to, in the order in which they first were."""
+
+    def __init__(self, work: Work) -> None:
+        self._work = work
+        self._documents: dict[int, dict[str, Datatype]] = {}
+        self._entries: dict[str, TypeEntry] = {}
+        self._known: dict[tuple[int, str], str] = {}
+        self._open: list[tuple[int, str]] = []
+
+    @property
+    def entries(self) -> tuple[TypeEntry, ...]:
+        """All of them, by name."""
+        return tuple(self._entries[name] for name in sorted(self._entries))
+
+    def entry(self, name: str) -> TypeEntry | None:
+        """The datatype of a name; None for the word of a primitive."""
+        return self._entries.get(name)
+
+    def c_definition(self, function: FunctionJson, reference: str) -> str | None:
+        """Datatype of the C code that a reference of a function stands for."""
+        datatype = self._datatypes(function).get(reference)
+        return datatype.c_definition if datatype else None
+
+    def on_the_wire(self, function: FunctionJson, reference: str, vss_datatype: str | None) -> str:
+        """What is sent for a data interface: the catalogue's primitive, if it is one; else the function's datatype."""
+        datatype = self._datatypes(function).get(reference)
+        if (datatype is None or not datatype.kind) and vss_datatype in BY_VSS:
+            return BY_VSS[vss_datatype].adaptive
+        return self.word(function, reference)
+
+    def word(self, function: FunctionJson, reference: str) -> str:
+        """The word or the name for a reference of a function."""
+        key = (id(function), reference)
+        if key in self._known:
+            return self._known[key]
+        datatype = self._datatypes(function).get(reference)
+        if datatype is not None and datatype.kind:
+            return self._user_defined(function, datatype, key)
+        primitive = of_reference(reference, datatype.c_definition if datatype else "")
+        self._known[key] = primitive.adaptive if primitive else self._opaque(function, reference, datatype)
+        return self._known[key]
+
+    def _datatypes(self, function: FunctionJson) -> dict[str, Datatype]:
+        if id(function) not in self._documents:
+            self._documents[id(function)] = {datatype.reference: datatype for datatype in function.datatypes}
+        return self._documents[id(function)]
+
+    def _user_defined(self, function: FunctionJson, datatype: Datatype, key: tuple[int, str]) -> str:
+        if key in self._open:
+            self._recursive(function, datatype)
+            return short_name(datatype.reference)
+        self._open.append(key)
+        entry = self._entry(function, datatype)
+        self._open.pop()
+        self._known[key] = self._add(entry, function)
+        return self._known[key]
+
+    def _entry(self, function: FunctionJson, datatype: Datatype) -> TypeEntry:
+        name = short_name(datatype.reference)
+        common = {"name": name, "kind": datatype.kind, "vss_datatype": datatype.vss_datatype}
+        if datatype.kind == "enumeration":
+            return TypeEntry(**common, symbols=_symbols(datatype), storage=_storage(datatype))  # type: ignore[arg-type]
+        if datatype.kind == "array":
+            return self._array(function, datatype, common)
+        fields = tuple(
+            StructField(
+                name=short_name(field.name),
+                type=self.word(function, field.datatype),
+                unit=field.units,
+                description=field.description,
+                min=field.min,
+                max=field.max,
+            )
+            for field in datatype.fields or ()
+        )
+        told = {**common, "kind": "structure", "reference": datatype.reference, "description": datatype.description}
+        return TypeEntry(**told, fields=fields)  # type: ignore[arg-type]
+
+    def _array(self, function: FunctionJson, datatype: Datatype, common: dict[str, str | None]) -> TypeEntry:
+        element = self.word(function, datatype.element or "")
+        dimension: int | str = datatype.length if datatype.length is not None else "dynamic"
+        is_number = element not in self._entries and element != "string" and not element.startswith("DT_")
+        shape = {"type": element} if is_number else {"fields": (StructField(name="Element", type=element),)}
+        return TypeEntry(**common, dimension=dimension, reference=datatype.reference, **shape)  # type: ignore[arg-type]
+
+    def _opaque(self, function: FunctionJson, reference: str, datatype: Datatype | None) -> str:
+        """A datatype whose content the function does not tell: an empty structure, so that it has a place."""
+        what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
+        message = f"Datatype {reference} of {function.info.function_name} has {what}: its content is not known."
+        fix = "Give it a Kind with members, symbols or elements; until then it is an empty structure."
+        self._work.report("A005", "warning", message, fix=fix)
+        name = short_name(reference or "Unnamed")
+        return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
+
+    def _add(self, entry: TypeEntry, function: FunctionJson) -> str:
+        """Add a datatype; another one of the same name has its function in its name."""
+        other = self._entries.get(entry.name)
+        if other is not None and other != entry:
+            entry = entry.model_copy(update={"name": short_name(f"{entry.name}_{function.info.function_name}")})
+        self._entries[entry.name] = entry
+        return entry.name
+
+    def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
+        message = f"Datatype {datatype.reference} of {function.info.function_name} contains itself."
+        self._work.report(
+            "A006", "error", message, fix="SOME/IP cannot send it: cut the cycle, for instance by an index."
+        )
+
+
+def _symbols(datatype: Datatype) -> tuple[Symbol, ...]:
+    listed: Sequence[tuple[str, int]] = [(item.symbol, item.value) for item in datatype.symbols or ()]
+    names = distinct({f"{index:06d}": short_name(symbol) for index, (symbol, _) in enumerate(listed)})
+    return tuple(Symbol(symbol=names[f"{index:06d}"], value=value) for index, (_, value) in enumerate(listed))
+
+
+def _storage(datatype: Datatype) -> str:
+    primitive = of_reference("", datatype.c_definition)
+    return primitive.adaptive if primitive else BY_VSS[_STORAGE].adaptive

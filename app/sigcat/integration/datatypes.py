@@ -1,0 +1,67 @@
+"""Primitive datatypes in the spelling of every language that takes part. One row for each; no other table says it.
+
+VSS, reference and C come from the function room; the rest is what C++, AUTOSAR, the two published integration
+schemas and ROS 2 call the same thing.
+"""
+
+from typing import NamedTuple
+
+from sigcat.function.function_json.datatypes import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
+
+
+class Spelling(NamedTuple):
+    """One primitive datatype."""
+
+    vss: str
+    reference: str
+    """Name in Function JSON: `DT_UInt8`."""
+    c: str
+    cpp: str
+    autosar: str
+    """Short name of the AUTOSAR implementation datatype."""
+    adaptive: str
+    """Word of `NumericalDatatypes` in the published schema for AUTOSAR adaptive; `string` stands outside of it."""
+    ros2: str
+    """Built-in type of a ROS 2 message."""
+
+
+_OTHERS = {
+    # vss: C++, AUTOSAR, published adaptive schema, ROS 2
+    "boolean": ("bool", "bool", "bool", "bool"),
+    "uint8": ("std::uint8_t", "uint8_t", "uint8_t", "uint8"),
+    "int8": ("std::int8_t", "int8_t", "int8_t", "int8"),
+    "uint16": ("std::uint16_t", "uint16_t", "uint16_t", "uint16"),
+    "int16": ("std::int16_t", "int16_t", "int16_t", "int16"),
+    "uint32": ("std::uint32_t", "uint32_t", "uint32", "uint32"),
+    "int32": ("std::int32_t", "int32_t", "int32", "int32"),
+    "uint64": ("std::uint64_t", "uint64_t", "uint64", "uint64"),
+    "int64": ("std::int64_t", "int64_t", "int64", "int64"),
+    "float": ("float", "float", "float", "float32"),
+    "double": ("double", "double", "double", "float64"),
+    "string": ("std::string", "String", "string", "string"),
+}
+
+SPELLINGS = tuple(Spelling(row.vss, row.reference, row.c, *_OTHERS[row.vss]) for row in PRIMITIVES)
+BY_VSS = {row.vss: row for row in SPELLINGS}
+BY_ADAPTIVE = {row.adaptive: row for row in SPELLINGS} | {"float32": next(r for r in SPELLINGS if r.vss == "float")}
+"""The published schema has two words for one datatype: `float` and `float32`."""
+
+_BY_KIND = {
+    ("boolean", 8): "boolean", ("text", 0): "string", ("floating", 32): "float", ("floating", 64): "double",
+    ("unsigned", 8): "uint8", ("unsigned", 16): "uint16", ("unsigned", 32): "uint32", ("unsigned", 64): "uint64",
+    ("signed", 8): "int8", ("signed", 16): "int16", ("signed", 32): "int32", ("signed", 64): "int64",
+}  # fmt: skip
+
+
+def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
+    """The primitive that a reference of a document stands for: its C definition decides where its name disagrees.
+
+    The published example calls `double` `DT_SInt64`: the code that is compiled is right, the name is not. But its
+    `DT_Bool` held in an `unsigned char` is a boolean.
+    """
+    meant = c_type(c_definition) if c_definition else None
+    promised = reference_type(reference)
+    if reference in BY_REFERENCE and (meant is None or (promised is not None and agree(promised, meant))):
+        return BY_VSS[BY_REFERENCE[reference].vss]
+    vss = _BY_KIND.get((meant.kind, meant.bits)) if meant else None
+    return BY_VSS[vss] if vss else None

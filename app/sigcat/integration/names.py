@@ -1,0 +1,125 @@
+"""Names that the generators of ROS 2 messages accept, made from names of the catalogue.
+
+One rule for each kind of name, as rosidl checks it (rosidl_adapter, `parser.py`). What is no name there is changed by
+rule: words as lower_snake_case; nothing left or a digit first: a word in front; a keyword of C++ or Python, or a
+macro of the C library: a word behind; taken already: a number behind.
+"""
+
+import keyword
+import re
+from collections.abc import Container
+from hashlib import sha256
+from typing import NamedTuple
+
+from sigcat.names import camel_case, screaming_snake_case, snake_case
+
+FIELD = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
+PACKAGE = FIELD
+MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*")
+CONSTANT = re.compile(r"[A-Z](?:[A-Z0-9_]?[A-Z0-9]+)*")
+LONGEST = 100
+"""Longest name in characters: names of generated files and of DDS types are made of several."""
+
+CPP_KEYWORDS = frozenset(
+    (
+        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
+        "char", "char8_t", "char16_t", "char32_t", "class", "co_await", "co_return", "co_yield", "compl", "concept",
+        "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do",
+        "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend",
+        "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr",
+        "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
+        "restrict", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch",
+        "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
+        "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+    )
+)  # fmt: skip
+PYTHON_KEYWORDS = frozenset((*keyword.kwlist, *keyword.softkwlist))
+C_MACROS = frozenset(
+    (
+        "BUFSIZ", "EOF", "ERROR", "FALSE", "INFINITY", "INT_MAX", "INT_MIN", "NAN", "NULL", "TRUE", "assert", "errno",
+        "stderr", "stdin", "stdout",
+    )
+)  # fmt: skip
+IDL_KEYWORDS = frozenset(
+    (
+        "abstract", "any", "attribute", "boolean", "component", "const", "context", "custom", "exception", "factory",
+        "fixed", "home", "import", "in", "inout", "interface", "local", "map", "module", "multiple", "native", "octet",
+        "oneway", "out", "port", "primarykey", "provides", "publishes", "raises", "readonly", "sequence", "string",
+        "supports", "switch", "truncatable", "typeprefix", "union", "unsigned", "uses", "valuebase", "valuetype",
+        "wchar", "wstring",
+    )
+)  # fmt: skip
+GENERATED = frozenset(("structure_needs_at_least_one_member", "check_fields", "slots", "structure"))
+"""Members that the generated code has already."""
+
+
+class Name(NamedTuple):
+    """A name for the target, and why it is not simply the one it was made from."""
+
+    text: str
+    reason: str = ""
+
+
+def field_name(source: str, taken: Container[str] = ()) -> Name:
+    """Name of a field, a parameter or an argument: `CylP` → `cyl_p`, `Switch` → `switch_value`."""
+    return _named(snake_case(source), "value", "_", taken)
+
+
+def package_name(source: str, taken: Container[str] = ()) -> Name:
+    """Name of a package or a node: `CoreAcc` → `core_acc`."""
+    return _named(snake_case(source), "function", "_", taken)
+
+
+def message_name(source: str, taken: Container[str] = ()) -> Name:
+    """Name of a message or a service, unique without regard to case: `ADAS.Map` → `ADASMap`.
+
+    `taken` has lower-case names: two messages whose names differ in case alone share the name of a header file.
+    """
+    text = re.sub(r"[^A-Za-z0-9]", "", camel_case(source))
+    return _named(text, "Message", "", taken, lower=True)
+
+
+def constant_name(source: str, taken: Container[str] = ()) -> Name:
+    """Name of a constant: `NOT_IN_MAP` stays, `kmPerHour` → `KM_PER_HOUR`, `NULL` → `NULL_VALUE`."""
+    text = source if CONSTANT.fullmatch(source) else screaming_snake_case(source)
+    return _named(text, "VALUE", "_", taken)
+
+
+def topic_name(*segments: str) -> str:
+    """An absolute topic or service name of lower_snake_case segments: `/vehicle/speed`."""
+    return "".join(f"/{_named(snake_case(segment), 'value', '_', (), reserved=False).text}" for segment in segments)
+
+
+def _named(
+    text: str, word: str, joint: str, taken: Container[str], *, lower: bool = False, reserved: bool = True
+) -> Name:
+    reason = ""
+    if not text or not text[0].isalpha():
+        text, reason = f"{word}{joint if text else ''}{text}", "a name begins with a letter"
+    if len(text) > LONGEST:
+        digest = sha256(text.encode()).hexdigest()[:8]
+        text, reason = f"{text[: LONGEST - 9].rstrip('_')}{joint}{_like(digest, text)}", f"cut to {LONGEST} characters"
+    keyword_of = _reserved(text) if reserved else ""
+    if keyword_of:
+        text, reason = f"{text}{joint}{word}", f"{text!r} is a reserved word of {keyword_of}"
+    free, number = text, 1
+    while (free.lower() if lower else free) in taken:
+        number += 1
+        free = f"{text}{joint}{number}"
+    return Name(free, f"{text!r} is taken" if free != text else reason)
+
+
+def _like(digest: str, text: str) -> str:
+    return digest.upper() if text.isupper() else digest
+
+
+def _reserved(text: str) -> str:
+    if text in CPP_KEYWORDS:
+        return "C++"
+    if text in PYTHON_KEYWORDS:
+        return "Python"
+    if text in C_MACROS:
+        return "the C library"
+    if text in GENERATED:
+        return "rosidl"
+    return "IDL" if text in IDL_KEYWORDS else ""

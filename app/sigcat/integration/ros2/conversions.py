@@ -1,0 +1,101 @@
+"""From the variables of the code to the values of the catalogue, and back."""
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
+from sigcat.function.function_json.datatypes import value_range
+from sigcat.function.function_json.model import DataQueue, Datatype, Parameter, Signal
+from sigcat.integration.datatypes import Spelling
+from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.model import Conversion, SymbolMap
+from sigcat.integration.ros2.types import FieldType, c_definition, code_type
+
+_FLOATING = ("float", "double")
+
+
+def to_catalogue(item: Signal | DataQueue | Parameter, interface: str, limits: Limits) -> Linear:
+    """From the number in the code to the value in the catalogue's unit."""
+    scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, limits)
+    return scale.then(physical(item, interface, limits))
+
+
+def physical(item: Signal | DataQueue | Parameter, interface: str, limits: Limits) -> Linear:
+    """From the value in the code's unit to the value in the catalogue's."""
+    return _linear(item.conversion_factor, item.conversion_offset, interface, limits)
+
+
+def conversion(
+    name: str, field: str, reference: str, kind: FieldType, linear: Linear, table: Mapping[str, Datatype],
+    written: str, *, is_outgoing: bool,
+) -> Conversion | None:  # fmt: skip
+    """The conversion between a variable and a field, or None if they are the same. `written`: the field's datatype.
+
+    `linear` leads from the variable to the field.
+    """
+    result = written if is_outgoing else c_definition(reference, table)
+    code = code_type(reference, table)
+    if kind.element is None or code is None:
+        return Conversion(name=name, return_type=result, field=field, kind="Members")
+    if kind.is_text and kind.symbols:
+        maps = tuple(SymbolMap(text=symbol.symbol, value=symbol.value) for symbol in kind.symbols)
+        return Conversion(name=name, return_type=result, field=field, kind="Symbols", symbols=maps)
+    if linear == IDENTITY and code.vss == kind.element.vss:
+        return None
+    way = linear if is_outgoing else linear.inverse
+    target, source = (kind.element, code) if is_outgoing else (code, kind.element)
+    return Conversion(
+        name=name,
+        return_type=result,
+        field=field,
+        kind="Cast" if way == IDENTITY else "Linear",
+        factor=None if way == IDENTITY else as_text(way.factor),
+        offset=None if way == IDENTITY else as_text(way.offset),
+        rounding="Nearest" if _rounds(source, target, way) else None,
+        saturates=_narrows(source, target, way) or None,
+    )
+
+
+def converted(value: float | None, linear: Linear) -> float | None:
+    """A number, converted exactly."""
+    return None if value is None else as_number(linear(Fraction(repr(value))))
+
+
+def _rounds(source: Spelling, target: Spelling, way: Linear) -> bool:
+    is_integer = target.vss not in _FLOATING
+    return is_integer and (source.vss in _FLOATING or way.factor.denominator != 1 or way.offset.denominator != 1)
+
+
+def _narrows(source: Spelling, target: Spelling, way: Linear) -> bool:
+    """Whether some value of the source's datatype does not fit the target's."""
+    given, held = value_range(source.vss), value_range(target.vss)
+    if given is None or held is None:
+        return False
+    ends = sorted((way(given[0]), way(given[1])))
+    return ends[0] < Fraction(held[0]) or ends[1] > Fraction(held[1])
+
+
+def _linear(factor: object, offset: object, interface: str, limits: Limits) -> Linear:
+    if factor is None and offset is None:
+        return IDENTITY
+    numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
+    if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
+        message = f"{interface}: factor {factor!r} and offset {offset!r} are no conversion."
+        limits.report("N217", interface, message, "Give a factor other than 0, and numbers.")
+        return IDENTITY
+    return Linear(numbers[0], numbers[1])
+
+
+def _fraction(given: object, missing: Fraction) -> Fraction | None:
+    """A number as it is written, if a double can hold it: exponents of a thousand digits stay out."""
+    if given is None or given == "":
+        return missing
+    text = str(given).strip()
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    if not math.isfinite(value):
+        return None
+    return Fraction(text.replace("_", "")) if value else Fraction(0)

@@ -1,0 +1,276 @@
+"""For every field of every interface of a function: where it stands in the Integration JSON."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from pydantic import BaseModel
+
+from sigcat.function.function_json.model import FunctionJson, Runnable
+from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, entries
+from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
+from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, Place, run_kind
+
+Targets = Mapping[str, FieldTarget | str]
+
+_VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
+_FIELD = "{topic}, field {field}"
+_DATA: Targets = {
+    "Name": _FIELD + ": Signal",
+    "Description": "message {message}: description of {field}",
+    "Role": "{topic}: Role",
+    "AsilLevel": FieldTarget("{topic}: QualityOfService", "ROS 2 itself has no ASIL"),
+    "AsilInfo": FieldTarget("{topic}: QualityOfService", "ROS 2 itself has no ASIL"),
+    "Timeout": "{topic}: Deadline; " + _FIELD + ": Timeout",
+    "TimeoutError": _FIELD + ": TimeoutError",
+    "Access": _FIELD + ": Access",
+    "QueueLength": "{topic}: Depth",
+    "Datatype": _FIELD + ": VariableDataType",
+    "Factor": "{conversion}",
+    "Offset": "{conversion}",
+    "ConversionFactor": "{conversion}",
+    "ConversionOffset": "{conversion}",
+    "Min": _FIELD + ": Min",
+    "Max": _FIELD + ": Max",
+    "Default": _FIELD + ": Default",
+    "InitValue": _FIELD + ": InitValue",
+    "Units": _FIELD + ": VariableUnits",
+    "RangeErrorAction": _FIELD + ": RangeErrorAction",
+    "Type": FieldTarget("{topic}: QualityOfService", "attributes are kept for late subscribers"),
+    "Resolution": FieldTarget("ComponentList", "no field of a message has a resolution"),
+    "VssPath": "{topic}: TopicName",
+    "VssDatatype": _FIELD + ": FieldDataType",
+    "VssUnit": _FIELD + ": FieldUnits",
+    "ExternalProvider": _FIELD + ": ExternalProvider",
+    "Variable": _FIELD + ": Variable",
+}
+_PARAMETER: Targets = {
+    "Name": "{parameter}: Parameter",
+    "Description": "{parameter}: Description",
+    "Datatype": "{parameter}: VariableDataType",
+    "Asillevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "Min": FieldTarget("{parameter}: From", "in the catalogue's unit; absent if it is the datatype's own limit"),
+    "Max": FieldTarget("{parameter}: To", "in the catalogue's unit; absent if it is the datatype's own limit"),
+    "Default": FieldTarget("ComponentList", "a node has one default: the value at start-up"),
+    "InitValue": "{parameter}: Default",
+    "DefaultText": "{parameter}: Default",
+    "RangeErrorAction": "{parameter}: RangeErrorAction",
+    "Interfacetype": "{parameter}: Interfacetype",
+    "Attribute": "{parameter}: Attribute",
+    "Units": "{parameter}: VariableUnits",
+    "VssPath": "{parameter}: VssPath",
+    "VssDatatype": "{parameter}: Type",
+    "VssUnit": "{parameter}: Units",
+    "ConversionFactor": "{parameter}: Conversion",
+    "ConversionOffset": "{parameter}: Conversion",
+    "Variable": "{parameter}: Variable",
+}
+_METHOD: Targets = {
+    "Name": "{service}: MethodName",
+    "Description": "service {type}: description",
+    "Role": "{service}: Role",
+    "InDataTypeList": "service {type}: Request",
+    "OutDataTypeList": "service {type}: Response",
+}
+_ERROR: Targets = {
+    "Name": "{status}: Error",
+    "Description": "{status}: Message",
+    "Datatype": FieldTarget("{status}: Level", "a status has a level instead of a datatype"),
+    "Dependancy": "{status}: Dependencies",
+    "OccurenceCountLimit": "{status}: OccurenceCountLimit",
+    "IgnitionCountLimit": FieldTarget(NOT_CARRIED, "ROS 2 counts no ignition cycles; 0 asks for none"),
+    "MaturationTime": "{status}: MaturationTime",
+    "Severity": "{status}: Severity and Level",
+    "ResetTime": "{status}: ResetTime",
+    "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, which no node can check"),
+    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "VssPath": "{status}: VssPath",
+}
+_REACTION: Targets = {
+    "Name": "{condition}: SafetyReaction",
+    "Description": "{condition}: Description",
+    "Datatype": "{condition}: VariableDataType",
+    "ErrorList": "{condition}: Statuses",
+    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "VssPath": "{condition}: VssPath",
+}
+_CALL: Targets = {
+    "Name": "{schedule}: RunnableName",
+    "Description": _VERBATIM,
+    "Runtype": "{schedule}: Trigger",
+    "Cycletime": "{schedule}: Period",
+    "StackSize": FieldTarget(NOT_CARRIED, "ROS 2 sets no stack size"),
+    "PrevRunnable": FieldTarget("{schedule}: After", "init comes first by the life cycle"),
+    "ExecOffset": "{schedule}: Offset",
+    "ParallelProcessing": "{schedule}: CallbackGroupType",
+    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "Watchdog": FieldTarget("{schedule}: Alive…, Deadline…, Logical…", "a logical supervision is in words"),
+    "Scheduling": "{schedule}: CallbackGroup",
+    "DebounceDelay": "{schedule}: Debounce",
+    "Priority": FieldTarget("{schedule}: ThreadPriority", "if it is a priority of a thread"),
+    "EventList": FieldTarget("ComponentList", "topics trigger calls"),
+    "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
+    "SupervisionType": FieldTarget("{schedule}: Alive…, Deadline…", "the limits say which there are"),
+    "VssPath": _VERBATIM,
+}
+_TRANSITIONS: Targets = {
+    **{
+        field: FieldTarget("ComponentList", "a transition runs when it is asked for, in the thread of the service")
+        for field in ("Cycletime", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
+                      "Watchdog", "SupervisionType", "PrevRunnable", "EventList", "Description", "VssPath")
+    },
+    "Name": "{schedule}: Runnables",
+    "Runtype": "{schedule}: Runnables",
+    "StackSize": FieldTarget(NOT_CARRIED, "ROS 2 sets no stack size"),
+    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
+}  # fmt: skip
+_MODE_INTERFACE: Targets = {
+    "Name": "{topic}: InterfaceName",
+    "Description": "message {message}: description",
+    "Direction": "{topic}: Role",
+    "Datatype": "message {message}: field mode",
+    "Modes": "message {message}: Constants",
+    "VssPath": "{topic}: VssPath",
+}
+_MODE: Targets = {
+    "Name": "Schedules: ActiveModes",
+    "Description": "ModesList",
+    "RunnablesList": "Schedules: ActiveModes",
+}
+_DATATYPE: Targets = dict.fromkeys(
+    ("typeRef", "category", "cDef", "Kind", "VssDatatype", "Symbols", "ElementType", "Length", "Fields", "Description"),
+    FieldTarget("Datatypes", "messages use the catalogue's datatypes; conversions lead to these"),
+)
+_INFO: Targets = dict.fromkeys(
+    ("FunctionName", "FunctionResponsible", "Description", "Version"), "FunctionInfo, packages"
+)
+
+TABLES: Mapping[str, Targets] = {
+    "signal": _DATA, "queue": _DATA, "parameter": _PARAMETER, "method": _METHOD, "error": _ERROR,
+    "safety reaction": _REACTION, "call": _CALL, "transition": _TRANSITIONS, "mode interface": _MODE_INTERFACE,
+    "mode": _MODE, "datatype": _DATATYPE, "function": _INFO,
+}  # fmt: skip
+
+
+def report(
+    places: Sequence[Place], nodes: Mapping[str, RosNode], exchanged: Sequence[Communication]
+) -> tuple[Entry, ...]:
+    """Every field that has a value, in the order of the functions."""
+    told = _Told(exchanged)
+    made: list[Entry] = []
+    functions: dict[str, FunctionJson] = {}
+    for place in places:
+        if functions.setdefault(place.name, place.function) and place.component == place.function.components[0]:
+            made.extend(_of_function(place, nodes[place.node]))
+        for call in place.component.runnables:
+            made.extend(_of_call(call, place))
+            made.extend(_of_contracts(call, place, nodes[place.node], told))
+    return tuple(made)
+
+
+class _Told:
+    """What the communications say, by node, call and name."""
+
+    def __init__(self, exchanged: Iterable[Communication]) -> None:
+        self.fields: dict[tuple[str, str, str, str], tuple[RosTopic, FieldMapping]] = {}
+        self.services: dict[tuple[str, str, str, str], RosService] = {}
+        for communication in exchanged:
+            for topic in communication.topics:
+                for mapping in (field for data_map in topic.data_maps for field in data_map.mappings or ()):
+                    role = "Provider" if topic.role == "Publisher" else "Consumer"
+                    self.fields[(topic.node or "", communication.runnable, mapping.signal, role)] = topic, mapping
+            for service in communication.services or ():
+                role = "Provider" if service.role == "Server" else "Consumer"
+                self.services[(service.node, communication.runnable, service.method, role)] = service
+
+
+def _entries(place: Place, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
+    table = TABLES[kind]
+    fields = {field.alias: name for name, field in type(model).model_fields.items()}
+    told = {
+        alias: _filled(target, names)
+        for alias, target in table.items()
+        if alias in fields and getattr(model, fields[alias]) is not None
+    }
+    return entries(place.name, interface, "call" if kind == "transition" else kind, model, told)
+
+
+def _filled(target: FieldTarget | str, names: Mapping[str, str]) -> FieldTarget | str:
+    text, note = (target, "") if isinstance(target, str) else target
+    if "{" in text:
+        for name, value in names.items():
+            text = text.replace(f"{{{name}}}", value)
+    return FieldTarget(text, note)
+
+
+def _left_out(place: Place, interface: str, kind: str, model: BaseModel) -> list[Entry]:
+    gone = FieldTarget(NOT_CARRIED, "left out: see the findings")
+    return entries(place.name, interface, kind, model, dict.fromkeys(TABLES[kind], gone))
+
+
+def _of_function(place: Place, node: RosNode) -> Iterator[Entry]:
+    function = place.function
+    yield from _entries(place, place.name, "function", function.info)
+    for datatype in function.datatypes:
+        yield from _entries(place, datatype.reference, "datatype", datatype)
+    for mode in function.modes or ():
+        yield from _entries(place, mode.name, "mode", mode)
+    topics = {topic.interface: topic for topic in node.modes}
+    for interface in function.mode_interfaces or ():
+        topic = topics.get(interface.name)
+        if topic is None:
+            yield from _left_out(place, interface.name, "mode interface", interface)
+        else:
+            names = {"topic": f"topic {topic.topic}", "message": topic.message}
+            yield from _entries(place, interface.name, "mode interface", interface, **names)
+
+
+def _of_call(call: Runnable, place: Place) -> list[Entry]:
+    kind = run_kind(call)
+    if kind in (INIT, SHUTDOWN):
+        callback = "on_configure" if kind == INIT else "on_cleanup, on_shutdown, on_error"
+        return _entries(place, call.name, "transition", call, schedule=f"node {place.node}, {callback}")
+    return _entries(place, call.name, "call", call, schedule=f"node {place.node}, Schedules")
+
+
+def _of_contracts(call: Runnable, place: Place, node: RosNode, told: _Told) -> Iterator[Entry]:
+    parameters = {parameter.parameter: parameter.name for parameter in node.parameters}
+    for contract in call.contracts or ():
+        for kind, items in (("signal", contract.signals), ("queue", contract.queues)):
+            for item in items or ():
+                found = told.fields.get((place.node, call.name, item.name, item.role))
+                yield from _of_data(item, kind, place, found)
+        for method in contract.methods or ():
+            service = told.services.get((place.node, call.name, method.name, method.role))
+            if service is None:
+                yield from _left_out(place, method.name, "method", method)
+            else:
+                names = {"service": f"service {service.name}", "type": service.service}
+                yield from _entries(place, method.name, "method", method, **names)
+        for parameter in contract.parameters or ():
+            name = parameters.get(parameter.name)
+            if name is None:
+                yield from _left_out(place, parameter.name, "parameter", parameter)
+            else:
+                names = {"parameter": f"node {node.name}, parameter {name}"}
+                yield from _entries(place, parameter.name, "parameter", parameter, **names)
+        for error in contract.errors or ():
+            yield from _entries(
+                place, error.name, "error", error, status=f"diagnostic status {place.node}: {error.name}"
+            )
+        for reaction in contract.safety_reactions or ():
+            where = f"node {node.name}, SafetyReactions"
+            yield from _entries(place, reaction.name, "safety reaction", reaction, condition=where)
+
+
+def _of_data(item: BaseModel, kind: str, place: Place, found: tuple[RosTopic, FieldMapping] | None) -> list[Entry]:
+    name = str(getattr(item, "vss_path", None) or getattr(item, "name", ""))
+    if found is None:
+        return _left_out(place, name, kind, item)
+    topic, mapping = found
+    names = {
+        "topic": f"topic {topic.name}",
+        "field": mapping.field,
+        "message": topic.message or "",
+        "conversion": f"conversion {mapping.conversion}" if mapping.conversion else "no conversion: nothing changes",
+    }
+    return _entries(place, name, kind, item, **names)

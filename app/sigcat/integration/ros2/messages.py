@@ -1,0 +1,125 @@
+"""Messages and services of the interface package, each made once."""
+
+from collections.abc import Iterable, Mapping
+
+from sigcat.function.function_json.model import Datatype, Symbol
+from sigcat.integration.names import constant_name, field_name, message_name
+from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
+from sigcat.integration.ros2.types import FieldType, field_type
+
+STAMP = MessageField(
+    name="stamp", datatype="builtin_interfaces/Time", description="Time at which the call that wrote the values began."
+)
+
+
+class MessageBook:
+    """The messages and services of one package."""
+
+    def __init__(self, package: str, table: Mapping[str, Datatype], limits: Limits) -> None:
+        self.package = package
+        self.table = table
+        self._limits = limits
+        self._messages: dict[str, Message] = {}
+        self._services: dict[str, Service] = {}
+        self._taken: set[str] = set()
+        self._structs: dict[str, str] = {}
+        self.modes: dict[str, str] = {}
+        """Messages of mode interfaces, by interface name: every node of a function has them."""
+        self._open: list[str] = []
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        """All messages, by name."""
+        return tuple(self._messages[name] for name in sorted(self._messages))
+
+    @property
+    def services(self) -> tuple[Service, ...]:
+        """All services, by name."""
+        return tuple(self._services[name] for name in sorted(self._services))
+
+    def add(
+        self, source: str, interface: str, description: str,
+        fields: Iterable[MessageField], constants: Iterable[MessageConstant],
+    ) -> str:  # fmt: skip
+        """Add a message and return its name."""
+        name = self._name(source, interface)
+        message = Message(name=name, description=description, constants=tuple(constants), fields=tuple(fields))
+        self._messages[name.lower()] = message
+        return name
+
+    def add_service(
+        self, source: str, description: str, request: Iterable[MessageField], response: Iterable[MessageField]
+    ) -> str:
+        """Add a service and return its name."""
+        name = self._name(source, source)
+        service = Service(name=name, description=description, request=tuple(request), response=tuple(response))
+        self._services[name.lower()] = service
+        return name
+
+    def written(self, kind: FieldType, interface: str) -> str | None:
+        """How a message of this package writes a datatype. None, and a finding, if no message can have it."""
+        if kind.element is not None:
+            return kind.element.ros2 + kind.suffix
+        name = self._struct(kind.struct, interface)
+        return None if name is None else name + kind.suffix
+
+    def _name(self, source: str, interface: str) -> str:
+        name = message_name(source, self._taken)
+        self._limits.renamed(interface, source, name.text, name.reason)
+        self._taken.add(name.text.lower())
+        return name.text
+
+    def _struct(self, reference: str, interface: str) -> str | None:
+        if reference in self._structs:
+            return self._structs[reference]
+        if reference in self._open:
+            message = f"{interface}: {reference} contains itself, which no message of ROS 2 can."
+            self._limits.report("N200", interface, message, "Refer to the other value by a number.")
+            return None
+        self._open.append(reference)
+        fields = self._members(self.table[reference], interface)
+        self._open.pop()
+        if fields is None:
+            return None
+        datatype = self.table[reference]
+        description = datatype.description or f"Struct {datatype.vss_datatype or reference}."
+        name = self.add(reference.removeprefix("DT_"), interface, description, fields, ())
+        self._structs[reference] = name
+        return name
+
+    def _members(self, datatype: Datatype, interface: str) -> list[MessageField] | None:
+        made: list[MessageField] = []
+        for member in datatype.fields or ():
+            kind = field_type(member.datatype, None, self.table)
+            if kind is None:
+                unresolved(self._limits, interface, member.datatype)
+                return None
+            written = self.written(kind, interface)
+            if written is None:
+                return None
+            name = field_name(member.name, {field.name for field in made})
+            self._limits.renamed(interface, member.name, name.text, name.reason)
+            meaning = member.description or member.name
+            made.append(MessageField(name=name.text, datatype=written, description=meaning, units=member.units))
+        return made
+
+
+def unresolved(limits: Limits, interface: str, reference: str) -> None:
+    """Note that a datatype cannot be resolved."""
+    message = f"{interface}: the datatype {reference} is not defined, or C has no such type; the field is left out."
+    limits.report("N200", interface, message, f"Define {reference} under `Datatypes`, with a C definition.")
+
+
+def constants(
+    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: str, limits: Limits
+) -> tuple[MessageConstant, ...]:
+    """The values of an enumeration. Where the catalogue has texts, so has the message: numbers differ between codes."""
+    made: dict[str, MessageConstant] = {}
+    datatype = kind.element.ros2 if kind.element else "string"
+    for symbol in symbols:
+        name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, made)
+        limits.renamed(interface, symbol.symbol, name.text, name.reason)
+        value = symbol.symbol if kind.is_text else str(symbol.value)
+        made[name.text] = MessageConstant(name=name.text, datatype=datatype, value=value)
+    return tuple(made.values())

@@ -1,0 +1,375 @@
+"""Integration JSON for ROS 2: the published schema, which is Function JSON with topics, and what it lacks.
+
+Fields of the authors' schema keep their spelling (`ROSTopicList`, `GlobalVariableName`). Everything else is optional
+there: packages with messages and services, nodes with their life cycle, quality of service, conversions.
+"""
+
+from typing import Any
+
+from sigcat.function.function_json.model import FunctionJson, Provenance
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+
+ROS2 = "published ROS 2 integration schema 1.0.0"
+
+
+class SymbolMap(WireModel):
+    """A text of a field and the number that stands for it in the code."""
+
+    text: str = described("Text", "Value in the message.", source=OWN)
+    value: Integer = described("Value", "Number in the code.", source=OWN)
+
+
+class Conversion(WireModel):
+    """A conversion between a variable of the code and a field of a message."""
+
+    name: str = described("Name", "Name of the conversion.", source=ROS2)
+    return_type: str = described("ReturnDataType", "Datatype of the result.", source=ROS2)
+    field: str | None = described("Field", "Field of the message that it belongs to.", default=None, source=OWN)
+    kind: str | None = described("Kind", "Cast, Linear or Symbols.", default=None, source=OWN)
+    factor: str | None = described("Factor", "Result = value × factor + offset.", default=None, source=OWN)
+    offset: str | None = described("Offset", "Offset of the result, in its unit.", default=None, source=OWN)
+    rounding: str | None = described("Rounding", "Nearest, where the result is an integer.", default=None, source=OWN)
+    saturates: bool | None = described(
+        "Saturates", "Whether the result stops at the limits of its datatype.", default=None, source=OWN
+    )
+    symbols: tuple[SymbolMap, ...] | None = described(
+        "Symbols", "Texts and numbers, where one stands for the other.", default=None, source=OWN, strict=False
+    )
+
+
+class FieldMapping(WireModel):
+    """Everything that the adapter has to know about one field of a topic."""
+
+    signal: str = described("Signal", "Name of the signal in the function.", source=OWN)
+    field: str = described("Field", "Field of the message.", source=OWN)
+    field_type: str = described("FieldDataType", "Datatype of the field.", source=OWN)
+    field_units: str | None = described("FieldUnits", "Unit of the field: the catalogue's.", default=None, source=OWN)
+    variable: str = described("Variable", "Expression of the C code.", source=OWN)
+    variable_type: str = described("VariableDataType", "Its datatype.", source=OWN)
+    variable_units: str | None = described("VariableUnits", "Its unit.", default=None, source=OWN)
+    conversion: str | None = described(
+        "Conversion", "Name of the conversion, if one is needed.", default=None, source=OWN
+    )
+    min: Number | None = described(
+        "Min", "Smallest valid value, in the unit of the variable.", default=None, source=OWN
+    )
+    max: Number | None = described("Max", "Largest valid value, in the unit of the variable.", default=None, source=OWN)
+    default: Number | None = described("Default", "Value that stands in.", default=None, source=OWN)
+    init_value: Number | None = described("InitValue", "Value before the first one.", default=None, source=OWN)
+    range_error_action: str | None = described("RangeErrorAction", "Default or Init.", default=None, source=OWN)
+    timeout: Number | None = described("Timeout", "Longest age of a value.", default=None, unit="ms", source=OWN)
+    timeout_error: str | None = described("TimeoutError", "Error that it sets.", default=None, source=OWN)
+    access: str | None = described("Access", "Immediate or Buffered.", default=None, source=OWN)
+    queue_length: Integer | None = described("QueueLength", "Values to queue.", default=None, source=OWN)
+    external_provider: str | None = described(
+        "ExternalProvider", "Who provides it, where no other function does.", default=None, source=OWN
+    )
+    asil_level: str | None = described("AsilLevel", "ASIL of the signal.", default=None, source=OWN)
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class DataMap(WireModel):
+    """Fields of a topic and variables of the code: the n-th of each list belong together."""
+
+    variables: tuple[str, ...] = described("GlobalVariableName", "Variables.", source=ROS2, strict=False)
+    variable_types: tuple[str, ...] = described("GlobalVariableDataType", "Their datatypes.", source=ROS2, strict=False)
+    fields: tuple[str, ...] = described("ROSTopicFieldName", "Fields.", source=ROS2, strict=False)
+    field_types: tuple[str, ...] = described("ROSTopicFieldDataType", "Their datatypes.", source=ROS2, strict=False)
+    conversions: tuple[Conversion, ...] | None = described(
+        "ConversionAPI", "Conversions, where datatypes or units differ.", source=ROS2, strict=False
+    )
+    mappings: tuple[FieldMapping, ...] | None = described(
+        "FieldList", "The same, with all that is known of each field.", default=None, source=OWN, strict=False
+    )
+
+
+class QualityOfService(WireModel):
+    """Quality of service of one end of a topic."""
+
+    reliability: str = described("Reliability", "reliable or best_effort.", source=OWN)
+    durability: str = described("Durability", "transient_local or volatile.", source=OWN)
+    history: str = described("History", "keep_last.", source=OWN)
+    depth: Integer = described("Depth", "Values that are kept.", source=OWN)
+    deadline: Number | None = described(
+        "Deadline", "Longest time between two values; absent if there is none.", default=None, unit="ms", source=OWN
+    )
+    liveliness: str = described("Liveliness", "automatic or manual_by_topic.", source=OWN)
+    lease_duration: Number | None = described(
+        "LeaseDuration", "Time after which a silent publisher is taken for dead.", default=None, unit="ms", source=OWN
+    )
+    reasons: tuple[str, ...] = described("Reasons", "What led to it.", source=OWN, strict=False)
+
+
+class RosTopic(WireModel):
+    """A topic that a call publishes or subscribes to."""
+
+    name: str = described("TopicName", "Name of the topic.", source=ROS2)
+    interface: str = described("InterfaceName", "Name of the interface in the function.", source=ROS2)
+    data_maps: tuple[DataMap, ...] = described("DataMappingList", "Fields and variables.", source=ROS2, strict=False)
+    role: str | None = described("Role", "Publisher or Subscription.", default=None, source=OWN)
+    message: str | None = described("MessageType", "Package, `msg` and message.", default=None, source=OWN)
+    stamp: str | None = described("StampField", "Field that has the time of the call.", default=None, source=OWN)
+    node: str | None = described("NodeName", "Node that has the publisher or subscription.", default=None, source=OWN)
+    providers: tuple[str, ...] | None = described(
+        "Providers", "Functions of the set that publish it; empty if it comes from outside.", default=None, source=OWN,
+        strict=False,
+    )  # fmt: skip
+    quality: QualityOfService | None = described(
+        "QualityOfService", "Quality of service of this end.", default=None, source=OWN
+    )
+
+
+class ArgumentMap(WireModel):
+    """An argument or a return value of a service."""
+
+    name: str = described("Name", "Name in the function.", source=OWN)
+    field: str = described("Field", "Field of the request or response.", source=OWN)
+    field_type: str = described("FieldDataType", "Datatype of the field.", source=OWN)
+    variable_type: str = described("VariableDataType", "Datatype in the code.", source=OWN)
+
+
+class RosService(WireModel):
+    """A service that a call offers or uses."""
+
+    name: str = described("ServiceName", "Name of the service.", source=OWN)
+    method: str = described("MethodName", "Name of the method in the function.", source=OWN)
+    role: str = described("Role", "Server or Client.", source=OWN)
+    service: str = described("ServiceType", "Package, `srv` and service.", source=OWN)
+    node: str = described("NodeName", "Node that has the server or client.", source=OWN)
+    request: tuple[ArgumentMap, ...] = described("Request", "Arguments.", source=OWN, strict=False)
+    response: tuple[ArgumentMap, ...] = described("Response", "Return values.", source=OWN, strict=False)
+
+
+class Communication(WireModel):
+    """What one call exchanges with others."""
+
+    runnable: str = described("RunnableName", "Name of the call.", source=ROS2)
+    topics: tuple[RosTopic, ...] = described("ROSTopicList", "Topics of the call.", source=ROS2, strict=False)
+    services: tuple[RosService, ...] | None = described(
+        "ROSServiceList", "Services of the call.", default=None, source=OWN, strict=False
+    )
+
+
+class MessageConstant(WireModel):
+    """A constant of a message."""
+
+    name: str = described("Name", "Name of the constant.", source=OWN)
+    datatype: str = described("DataType", "Its datatype.", source=OWN)
+    value: str = described("Value", "Its value.", source=OWN)
+
+
+class MessageField(WireModel):
+    """A field of a message."""
+
+    name: str = described("Name", "Name of the field.", source=OWN)
+    datatype: str = described("DataType", "Its datatype, as a message file writes it.", source=OWN)
+    description: str = described("Description", "What it means.", source=OWN)
+    units: str | None = described("Units", "Its unit.", default=None, source=OWN)
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class Message(WireModel):
+    """A message."""
+
+    name: str = described("Name", "Name of the message.", source=OWN)
+    description: str = described("Description", "What it carries.", source=OWN)
+    constants: tuple[MessageConstant, ...] = described("Constants", "Its constants.", source=OWN, strict=False)
+    fields: tuple[MessageField, ...] = described("Fields", "Its fields, in order.", source=OWN, strict=False)
+
+
+class Service(WireModel):
+    """A service."""
+
+    name: str = described("Name", "Name of the service.", source=OWN)
+    description: str = described("Description", "What it does.", source=OWN)
+    request: tuple[MessageField, ...] = described("Request", "Fields of the request.", source=OWN, strict=False)
+    response: tuple[MessageField, ...] = described("Response", "Fields of the response.", source=OWN, strict=False)
+
+
+class Transition(WireModel):
+    """A transition of the life cycle and the calls that it makes."""
+
+    name: str = described("Transition", "configure, activate, deactivate, cleanup, shutdown or error.", source=OWN)
+    callback: str = described("Callback", "Callback of the lifecycle node.", source=OWN)
+    start: str = described("From", "State or states before.", source=OWN)
+    end: str = described("To", "State after.", source=OWN)
+    runnables: tuple[str, ...] = described("Runnables", "Calls that are made, in order.", source=OWN, strict=False)
+    starts: tuple[str, ...] = described("Starts", "Calls whose timer or trigger starts.", source=OWN, strict=False)
+    stops: tuple[str, ...] = described("Stops", "Calls whose timer or trigger stops.", source=OWN, strict=False)
+
+
+class Schedule(WireModel):
+    """When a call runs while the node is active."""
+
+    runnable: str = described("RunnableName", "Name of the call.", source=OWN)
+    trigger: str = described("Trigger", "Timer or Topics.", source=OWN)
+    period: Number | None = described("Period", "Period of the timer.", default=None, unit="ms", source=OWN)
+    offset: Number | None = described("Offset", "Delay of the timer's first call.", default=None, unit="ms", source=OWN)
+    debounce: Number | None = described("Debounce", "Shortest time between calls.", default=None, unit="ms", source=OWN)
+    topics: tuple[str, ...] = described("Topics", "Topics whose values trigger the call.", source=OWN, strict=False)
+    after: str | None = described("After", "Call of the node that it follows.", default=None, source=OWN)
+    callback_group: str = described("CallbackGroup", "Name of its callback group.", source=OWN)
+    callback_group_type: str = described("CallbackGroupType", "MutuallyExclusive or Reentrant.", source=OWN)
+    thread_priority: Integer | None = described(
+        "ThreadPriority", "Priority of the executor's thread.", default=None, source=OWN
+    )
+    modes: tuple[str, ...] | None = described(
+        "ActiveModes", "Modes in which it runs; absent if in all.", default=None, source=OWN, strict=False
+    )
+    alive_min: Number | None = described("AliveMin", "Fewest calls in the reference.", default=None, source=OWN)
+    alive_max: Number | None = described("AliveMax", "Most calls in the reference.", default=None, source=OWN)
+    alive_reference: Number | None = described("AliveReference", "Cycles counted.", default=None, source=OWN)
+    alive_error: str | None = described("AliveError", "Error that it sets.", default=None, source=OWN)
+    deadline_min: Number | None = described("DeadlineMin", "Shortest duration.", default=None, unit="ms", source=OWN)
+    deadline_max: Number | None = described("DeadlineMax", "Longest duration.", default=None, unit="ms", source=OWN)
+    deadline_error: str | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
+    logical: str | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
+    logical_error: str | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
+
+
+class RosParameter(WireModel):
+    """A parameter of a node."""
+
+    name: str = described("Name", "Name of the parameter of the node.", source=OWN)
+    parameter: str = described("Parameter", "Name in the function.", source=OWN)
+    type: str = described("Type", "bool, integer, double or string, or an array of them.", source=OWN)
+    description: str = described("Description", "What it means.", source=OWN)
+    default: Any = described("Default", "Value without a parameter file, in the unit of the parameter.", source=OWN)
+    low: Number | None = described("From", "Smallest value.", default=None, source=OWN)
+    high: Number | None = described("To", "Largest value.", default=None, source=OWN)
+    constraints: str | None = described("AdditionalConstraints", "What else holds.", default=None, source=OWN)
+    read_only: bool = described("ReadOnly", "Whether it is set at start-up only.", source=OWN)
+    units: str | None = described("Units", "Its unit: the catalogue's.", default=None, source=OWN)
+    variable: str = described("Variable", "Expression of the C code.", source=OWN)
+    variable_type: str = described("VariableDataType", "Its datatype.", source=OWN)
+    variable_units: str | None = described("VariableUnits", "Its unit.", default=None, source=OWN)
+    conversion: Conversion | None = described(
+        "Conversion", "From the parameter to the variable.", default=None, source=OWN
+    )
+    storage: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.", source=OWN)
+    attribute: str = described("Attribute", "Normal, LearningParameter or NA.", source=OWN)
+    range_error_action: str = described("RangeErrorAction", "Default or Init.", source=OWN)
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class Diagnostic(WireModel):
+    """A diagnostic status that stands for an error."""
+
+    name: str = described("Name", "Name of the status: node and error interface.", source=OWN)
+    error: str = described("Error", "Error interface.", source=OWN)
+    message: str = described("Message", "Text of the status while the error is present.", source=OWN)
+    level: str = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
+    severity: str = described("Severity", "What the error leads to.", source=OWN)
+    maturation_time: Integer = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
+    occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
+    reset_time: Number | None = described("ResetTime", "Time until reset.", default=None, unit="ms", source=OWN)
+    reset_condition: str | None = described(
+        "ResetCondition", "Condition of the reset, in words.", default=None, source=OWN
+    )
+    dependencies: tuple[str, ...] = described(
+        "Dependencies", "Names of statuses that set this error too.", source=OWN, strict=False
+    )
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class ConditionMonitor(WireModel):
+    """A safety condition: present while any of these statuses is at its level."""
+
+    condition: str = described("SafetyReaction", "Name of the interface.", source=OWN)
+    description: str = described("Description", "What the condition means.", source=OWN)
+    topic: str = described("TopicName", "Topic of the statuses.", source=OWN)
+    statuses: tuple[str, ...] = described("Statuses", "Names of the statuses.", source=OWN, strict=False)
+    variable_type: str = described("VariableDataType", "Datatype in the code.", source=OWN)
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class ModeTopic(WireModel):
+    """The topic of a mode interface."""
+
+    interface: str = described("InterfaceName", "Name of the mode interface.", source=OWN)
+    topic: str = described("TopicName", "Name of the topic.", source=OWN)
+    role: str = described("Role", "Publisher or Subscription.", source=OWN)
+    message: str = described("MessageType", "Package, `msg` and message.", source=OWN)
+    field: str = described("Field", "Field that has the mode.", source=OWN)
+    quality: QualityOfService = described("QualityOfService", "Quality of service.", source=OWN)
+    vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
+
+
+class RosNode(WireModel):
+    """A lifecycle node: one component of a function."""
+
+    name: str = described("NodeName", "Name of the node.", source=OWN)
+    namespace: str = described("Namespace", "Its namespace.", source=OWN)
+    function: str = described("FunctionName", "Function that it belongs to.", source=OWN)
+    component: str = described("ComponentName", "Component that it runs.", source=OWN)
+    transitions: tuple[Transition, ...] = described("Lifecycle", "Transitions.", source=OWN, strict=False)
+    schedules: tuple[Schedule, ...] = described("Schedules", "When calls run.", source=OWN, strict=False)
+    parameters: tuple[RosParameter, ...] = described("Parameters", "Parameters.", source=OWN, strict=False)
+    modes: tuple[ModeTopic, ...] = described("ModeTopics", "Topics of modes.", source=OWN, strict=False)
+    diagnostics: tuple[Diagnostic, ...] = described("Diagnostics", "Statuses of errors.", source=OWN, strict=False)
+    diagnostics_topic: str = described("DiagnosticsTopic", "Topic of the statuses.", source=OWN)
+    conditions: tuple[ConditionMonitor, ...] = described(
+        "SafetyReactions", "Safety conditions.", source=OWN, strict=False
+    )
+
+
+class Package(WireModel):
+    """A package: of messages and services, or of a node."""
+
+    name: str = described("Name", "Name of the package.", source=OWN)
+    version: str = described("Version", "Version, as three numbers.", source=OWN)
+    description: str = described("Description", "What it is.", source=OWN)
+    maintainer: str = described("Maintainer", "Who maintains it.", source=OWN)
+    email: str = described("MaintainerEmail", "Mail address of the maintainer.", source=OWN)
+    license: str = described("License", "License.", source=OWN)
+    dependencies: tuple[str, ...] = described("Dependencies", "Packages that it needs.", source=OWN, strict=False)
+
+
+class InterfacePackage(Package):
+    """A package of messages and services."""
+
+    messages: tuple[Message, ...] = described("Messages", "Messages.", source=OWN, strict=False)
+    services: tuple[Service, ...] = described("Services", "Services.", source=OWN, strict=False)
+
+
+class NodePackage(Package):
+    """A package of one executable with its nodes."""
+
+    executable: str = described("Executable", "Name of the executable.", source=OWN)
+    nodes: tuple[RosNode, ...] = described("Nodes", "Nodes of the executable.", source=OWN, strict=False)
+
+
+class SourceFunction(WireModel):
+    """A function that was integrated."""
+
+    name: str = described("FunctionName", "Name of the function.", source=OWN)
+    version: str | None = described("Version", "Its version.", default=None, source=OWN)
+    provenance: Provenance | None = described("Provenance", "What it was made from.", default=None, source=OWN)
+
+
+class Ros2Integration(FunctionJson):
+    """The whole document."""
+
+    communications: tuple[Communication, ...] = described(
+        "CommunicationList", "What each call exchanges.", source=ROS2, strict=False
+    )
+    interface_packages: tuple[InterfacePackage, ...] | None = described(
+        "InterfacePackageList", "Packages of messages and services.", default=None, source=OWN, strict=False
+    )
+    node_packages: tuple[NodePackage, ...] | None = described(
+        "NodePackageList", "Packages of nodes.", default=None, source=OWN, strict=False
+    )
+    functions: tuple[SourceFunction, ...] | None = described(
+        "SourceFunctionList", "Functions that were integrated.", default=None, source=OWN, strict=False
+    )
+
+
+def to_json(model: Ros2Integration) -> bytes:
+    """The document as UTF-8 text with a stable layout."""
+    return written(model)
+
+
+def ros2_schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of Integration JSON for ROS 2."""
+    schema = Ros2Integration.model_json_schema(by_alias=True)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

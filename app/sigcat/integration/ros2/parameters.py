@@ -1,0 +1,152 @@
+"""Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
+
+import json
+from collections.abc import Iterable, Mapping
+from math import isfinite
+from typing import Any
+
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES
+from sigcat.function.function_json.conversion import Linear
+from sigcat.function.function_json.datatypes import value_range
+from sigcat.function.function_json.model import Contract, Datatype, Parameter
+from sigcat.integration.names import field_name, package_name
+from sigcat.integration.ros2.conversions import conversion, converted, physical
+from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.messages import unresolved
+from sigcat.integration.ros2.model import RosParameter
+from sigcat.integration.ros2.signal_uses import Place
+from sigcat.integration.ros2.types import FieldType, c_definition, field_type
+
+_LARGEST = 2**63 - 1
+"""Largest integer of a parameter."""
+_LONGEST = 10_000
+"""Most elements of a default that is written."""
+
+
+def parameters_of(
+    contracts: Iterable[Contract], place: Place, table: Mapping[str, Datatype], limits: Limits
+) -> tuple[RosParameter, ...]:
+    """The parameters of a component's calls, each once."""
+    made: dict[str, RosParameter] = {}
+    for contract in contracts:
+        for parameter in contract.parameters or ():
+            if parameter.name not in {known.parameter for known in made.values()}:
+                resolved = _parameter(parameter, place, set(made), table, limits)
+                if resolved is not None:
+                    made[resolved.name] = resolved
+    return tuple(made.values())
+
+
+def _parameter(
+    item: Parameter, place: Place, taken: set[str], table: Mapping[str, Datatype], limits: Limits
+) -> RosParameter | None:
+    interface = item.vss_path or f"{place.name}.{item.name}"
+    kind = field_type(item.datatype, item.vss_datatype, table)
+    if kind is None:
+        unresolved(limits, interface, item.datatype)
+        return None
+    if kind.element is None:
+        message = f"{interface}: nodes have no parameters that are structs; it is left out."
+        limits.report("N209", interface, message, "Declare a parameter for each member.")
+        return None
+    _unexpressed(item, kind, interface, limits)
+    name = field_name(item.name, taken)
+    limits.renamed(interface, item.name, name.text, name.reason)
+    return _resolved(item, kind, name.text, place, table, physical(item, interface, limits))
+
+
+def _resolved(
+    item: Parameter, kind: FieldType, name: str, place: Place, table: Mapping[str, Datatype], linear: Linear
+) -> RosParameter:
+    low, high = _limits(item, kind, linear)
+    api = package_name(f"{place.name}_{item.name}_from_parameter").text
+    return RosParameter(
+        name=name,
+        parameter=item.name,
+        type=_type(kind),
+        description=item.description,
+        default=_default(item, kind, linear),
+        low=low,
+        high=high,
+        constraints=_constraints(kind),
+        read_only=item.interface_type == "Measurement",
+        units=item.vss_unit or item.units or None,
+        variable=item.variable or item.name,
+        variable_type=c_definition(item.datatype, table),
+        variable_units=item.units or None,
+        conversion=conversion(api, name, item.datatype, kind, linear, table, _type(kind), is_outgoing=False),
+        storage=item.interface_type,
+        attribute=item.attribute,
+        range_error_action=item.range_error_action,
+        vss_path=item.vss_path,
+    )
+
+
+def _type(kind: FieldType) -> str:
+    assert kind.element is not None
+    vss = kind.element.vss
+    name = {"boolean": "bool", "string": "string"}.get(vss) or ("integer" if vss in INTEGER_RANGES else "double")
+    return f"{name}_array" if kind.suffix else name
+
+
+def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | None, float | None]:
+    """The range, where it says more than the datatype does."""
+    assert kind.element is not None
+    full = value_range(kind.element.vss)
+    if full is None or kind.element.vss == "boolean" or kind.suffix or item.min == item.max:
+        return None, None
+    ends = sorted(value for value in (converted(item.min, linear), converted(item.max, linear)) if value is not None)
+    low, high = (ends[0] if ends[0] > full[0] else None), (ends[1] if ends[1] < full[1] else None)
+    return (low, high) if low is not None or high is not None else (None, None)
+
+
+def _default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
+    if not kind.suffix:
+        return _one_default(item.default_text if kind.is_text and not kind.symbols else item.init_value, kind, linear)
+    elements = _elements(item.default_text)
+    if elements is None:
+        elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
+    return [_one_default(each, kind, linear) for each in elements[:_LONGEST]]
+
+
+def _elements(text: str | None) -> list[Any] | None:
+    """Elements of an array, which Function JSON has as JSON in a text."""
+    try:
+        value = json.loads(text) if text else None
+    except (ValueError, RecursionError):
+        return None
+    return value if isinstance(value, list) else None
+
+
+def _one_default(given: Any, kind: FieldType, linear: Linear) -> Any:
+    assert kind.element is not None
+    if kind.is_text and kind.symbols:
+        names = {symbol.value: symbol.symbol for symbol in kind.symbols}
+        return given if given in names.values() else names.get(given, "")
+    if kind.is_text:
+        return given if isinstance(given, str) else ""
+    number = given if isinstance(given, int | float) and isfinite(given) else 0
+    if kind.element.vss == "boolean":
+        return bool(number)
+    value = converted(number, linear) or 0
+    return round(value) if kind.element.vss in INTEGER_RANGES else float(value)
+
+
+def _constraints(kind: FieldType) -> str | None:
+    if not kind.symbols:
+        return None
+    if kind.is_text:
+        return "one of " + ", ".join(symbol.symbol for symbol in kind.symbols)
+    return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
+
+
+def _unexpressed(item: Parameter, kind: FieldType, interface: str, limits: Limits) -> None:
+    if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
+        message = f"{interface} is kept over a restart; parameters of nodes are not."
+        limits.report("N208", interface, message, "Write it to a file when the node is cleaned up.")
+    if item.interface_type == "Measurement":
+        message = f"{interface} is a measurement; as a parameter it is read, and nobody is told when it changes."
+        limits.report("N209", interface, message, "Provide it as a signal.")
+    if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
+        message = f"{interface}: integers of parameters end at {_LARGEST}."
+        limits.report("N209", interface, message, "Narrow the range with `max`.")

@@ -1,0 +1,98 @@
+"""Quality of service: from ASIL, cycle, time-out and queue, by rule.
+
+- reliable where a lost value is not replaced by the next one, or matters: queues, attributes, calls without a cycle,
+  ASIL A to D; best effort for QM values that come again in the next cycle.
+- transient local where values do not come again: attributes, and publishers without a cycle.
+- depth: the queue's length, on both ends; 1 where only the latest value counts.
+- deadline: the subscriber's time-out. A publisher offers twice its cycle, so that one lost or late value passes, or
+  the shortest time-out of the set's subscribers, if that is shorter.
+- liveliness asserted by the publishing call itself for ASIL C and D, by the middleware otherwise.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from sigcat.integration.ros2.model import QualityOfService
+from sigcat.integration.ros2.settings import QualitySettings
+from sigcat.integration.ros2.signal_uses import Use
+
+_ASILS = ("QM", "A", "B", "C", "D")
+MODE = QualityOfService(
+    reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
+    reasons=("A mode is told once and holds until the next one.",),
+)  # fmt: skip
+
+
+def quality(
+    mine: Sequence[Use], everyone: Sequence[Use], topic: str, settings: Mapping[str, QualitySettings]
+) -> QualityOfService:
+    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
+    reasons: list[str] = []
+    asil = max((use.asil for use in everyone), key=_ASILS.index)
+    is_strict = asil in ("C", "D")
+    deadline = _deadline(mine, everyone, reasons)
+    derived = QualityOfService(
+        reliability=_reliability(everyone, asil, reasons),
+        durability=_durability(everyone, reasons),
+        history="keep_last",
+        depth=_depth(mine, everyone, reasons),
+        deadline=deadline,
+        liveliness="manual_by_topic" if is_strict else "automatic",
+        lease_duration=deadline if is_strict else None,
+        reasons=tuple(reasons),
+    )
+    return _overridden(derived, [settings[key] for key in (topic, *(use.path for use in mine)) if key in settings])
+
+
+def _reliability(everyone: Sequence[Use], asil: str, reasons: list[str]) -> str:
+    causes = (
+        (asil != "QM", f"reliable: ASIL {asil}"),
+        (any(use.queue_length for use in everyone), "reliable: queued, no value may be lost"),
+        (any(use.data.type == "attribute" for use in everyone), "reliable: an attribute is not sent again"),
+        (any(use.is_provider and use.cycle is None for use in everyone), "reliable: the provider has no cycle"),
+    )
+    for holds, reason in causes:
+        if holds:
+            reasons.append(reason)
+            return "reliable"
+    reasons.append("best effort: QM, and the next value replaces a lost one")
+    return "best_effort"
+
+
+def _durability(everyone: Sequence[Use], reasons: list[str]) -> str:
+    if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
+        reasons.append("transient local: whoever starts late needs the last value")
+        return "transient_local"
+    return "volatile"
+
+
+def _depth(mine: Sequence[Use], everyone: Sequence[Use], reasons: list[str]) -> int:
+    relevant = everyone if any(use.is_provider for use in mine) else mine
+    depth = max((use.queue_length or 1 for use in relevant), default=1)
+    reasons.append(f"depth {depth}: length of the queue" if depth > 1 else "depth 1: only the latest value counts")
+    return depth
+
+
+def _deadline(mine: Sequence[Use], everyone: Sequence[Use], reasons: list[str]) -> float | None:
+    timeouts = [use.timeout for use in everyone if not use.is_provider and use.timeout]
+    if not any(use.is_provider for use in mine):
+        own = [use.timeout for use in mine if use.timeout]
+        if own:
+            reasons.append("deadline: the time-out")
+        return min(own, default=None)
+    cycles = [2 * use.cycle for use in mine if use.cycle]
+    if not cycles:
+        return None
+    shortest = min([*timeouts, max(cycles)])
+    reasons.append("deadline: twice the cycle" if shortest == max(cycles) else "deadline: a subscriber's time-out")
+    return shortest
+
+
+def _overridden(derived: QualityOfService, settings: Sequence[QualitySettings]) -> QualityOfService:
+    changes: dict[str, object] = {}
+    for setting in settings:
+        changes.update(setting.model_dump(exclude_none=True, by_alias=False))
+    if not changes:
+        return derived
+    if changes.get("deadline") == 0:
+        changes["deadline"] = None
+    return derived.model_copy(update={**changes, "reasons": (*derived.reasons, "as the deployment file says")})

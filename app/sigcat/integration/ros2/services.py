@@ -1,0 +1,108 @@
+"""Methods as services: requests and responses in the interface package, servers and clients at the calls."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from sigcat.function.function_json.model import PROVIDER, Argument, Method, Runnable
+from sigcat.integration.names import field_name, topic_name
+from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.messages import MessageBook, unresolved
+from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
+from sigcat.integration.ros2.settings import Ros2Settings
+from sigcat.integration.ros2.signal_uses import Place
+from sigcat.integration.ros2.types import c_definition, field_type
+from sigcat.names import camel_case
+
+
+class _Call(NamedTuple):
+    place: Place
+    runnable: Runnable
+    method: Method
+
+
+class _Side(NamedTuple):
+    """A request or a response."""
+
+    fields: tuple[MessageField, ...]
+    arguments: tuple[ArgumentMap, ...]
+
+
+def with_services(
+    exchanged: Sequence[Communication], places: Sequence[Place], settings: Ros2Settings, book: MessageBook,
+    limits: Limits,
+) -> tuple[Communication, ...]:  # fmt: skip
+    """The communications with the services of every call. Calls that exchange nothing else are added."""
+    services: dict[tuple[str, str], list[RosService]] = {}
+    types: dict[str, tuple[str, _Side, _Side]] = {}
+    for call in _calls(places):
+        service = _service(call, types, settings, book, limits)
+        if service is not None:
+            services.setdefault((call.place.node, call.runnable.name), []).append(service)
+    made = []
+    for communication in exchanged:
+        node = next((topic.node for topic in communication.topics), "") or ""
+        own = services.pop((node, communication.runnable), [])
+        made.append(communication.model_copy(update={"services": tuple(own)}) if own else communication)
+    made.extend(Communication(runnable=name, topics=(), services=tuple(own)) for (_, name), own in services.items())
+    return tuple(made)
+
+
+def _calls(places: Sequence[Place]) -> Iterator[_Call]:
+    for place in places:
+        for runnable in place.component.runnables:
+            for contract in runnable.contracts or ():
+                yield from (_Call(place, runnable, method) for method in contract.methods or ())
+
+
+def _service(
+    call: _Call, types: dict[str, tuple[str, _Side, _Side]], settings: Ros2Settings, book: MessageBook, limits: Limits
+) -> RosService | None:
+    """Server or client of a method. Providers and users of one name have one service."""
+    method = call.method
+    request = _side(method.inputs, method.name, book, limits)
+    response = _side(method.outputs, method.name, book, limits)
+    if request is None or response is None:
+        return None
+    if method.name not in types:
+        types[method.name] = (
+            book.add_service(camel_case(method.name), method.description, request.fields, response.fields),
+            request,
+            response,
+        )
+    name, asked, answered = types[method.name]
+    if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
+        message = f"{call.place.name} and another function mean the method {method.name} with other arguments."
+        limits.report("N214", method.name, message, "Give one of them another name.")
+    return RosService(
+        name=settings.namespace + topic_name(method.name),
+        method=method.name,
+        role="Server" if method.role == PROVIDER else "Client",
+        service=f"{book.package}/srv/{name}",
+        node=call.place.node,
+        request=request.arguments,
+        response=response.arguments,
+    )
+
+
+def _shape(side: _Side) -> list[tuple[str, str]]:
+    return [(field.name, field.datatype) for field in side.fields]
+
+
+def _side(arguments: Sequence[Argument], interface: str, book: MessageBook, limits: Limits) -> _Side | None:
+    fields: list[MessageField] = []
+    maps: list[ArgumentMap] = []
+    for argument in arguments:
+        kind = field_type(argument.datatype, None, book.table)
+        written = book.written(kind, interface) if kind else None
+        if kind is None:
+            unresolved(limits, interface, argument.datatype)
+        if written is None:
+            return None
+        name = field_name(argument.name, {field.name for field in fields})
+        limits.renamed(interface, argument.name, name.text, name.reason)
+        fields.append(
+            MessageField(name=name.text, datatype=written, description=argument.name, units=argument.units or None)
+        )
+        c = c_definition(argument.datatype, book.table)
+        maps.append(ArgumentMap(name=argument.name, field=name.text, field_type=written, variable_type=c))
+    return _Side(tuple(fields), tuple(maps))

@@ -1,0 +1,43 @@
+"""The section of the deployment file that concerns ROS 2."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sigcat.function.document.form import DeclarationModel, Natural, Text
+
+RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100)]
+Topics = Literal["signal", "branch", "function"]
+
+
+class QualitySettings(DeclarationModel):
+    """What differs from the quality of service that ASIL, cycle and queue lead to."""
+
+    reliability: Literal["reliable", "best_effort"] | None = Field(None, description="Whether lost values are resent.")
+    durability: Literal["transient_local", "volatile"] | None = Field(
+        None, description="Whether a late subscriber gets the last value."
+    )
+    depth: Annotated[Natural, Field(ge=1)] | None = Field(None, description="Values that are kept.")
+    deadline: Natural | None = Field(None, description="Longest time between two values, in ms; 0 for none.")
+
+
+class Ros2Settings(DeclarationModel):
+    """What holds for ROS 2."""
+
+    topics: Topics = Field(
+        "signal",
+        description="One topic for each signal, for each branch and provider, or for all outputs of a function. "
+        "Only topics for single signals keep name and type whatever else is integrated.",
+    )
+    namespace: Annotated[str, Field(pattern=r"^(/[a-z](_?[a-z0-9]+)*)*$", max_length=100)] = Field(
+        "", description="What stands before every topic, service and node, as /ego."
+    )
+    message_package: RosName = Field("vehicle_msgs", description="Package that holds the messages and services.")
+    maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")
+    email: Annotated[str, Field(pattern=r"^[^@\s<>\"&]+@[^@\s<>\"&]+$", max_length=200)] = Field(
+        "maintainer@example.com", description="Mail address of the maintainer; package.xml requires one."
+    )
+    license: Text = Field("Proprietary", description="License of the packages, as package.xml states it.")
+    quality: dict[Text, QualitySettings] = Field(
+        {}, description="Quality of service by VSS path or name of a topic, where it differs from the derived one."
+    )

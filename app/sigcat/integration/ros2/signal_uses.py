@@ -1,0 +1,131 @@
+"""Which call of which node reads or writes which signal."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.function.function_json.model import (
+    PROVIDER,
+    Component,
+    Contract,
+    DataQueue,
+    FunctionJson,
+    Runnable,
+    Signal,
+    milliseconds,
+)
+from sigcat.integration.names import package_name
+from sigcat.integration.ros2.limits import Limits
+
+Kind = str
+INIT, CYCLIC, SHUTDOWN, EVENT = "init", "cyclic", "shutdown", "event"
+
+
+class Place(NamedTuple):
+    """A component of a function, and the node that it becomes."""
+
+    function: FunctionJson
+    component: Component
+    node: str
+
+    @property
+    def name(self) -> str:
+        """Name of the function."""
+        return self.function.info.function_name
+
+
+class Use(NamedTuple):
+    """One call reads or writes one signal."""
+
+    place: Place
+    runnable: Runnable
+    data: Signal | DataQueue
+    path: str
+    """Path in the catalogue; empty if the signal names none."""
+
+    @property
+    def is_provider(self) -> bool:
+        """Whether the call writes the signal."""
+        return self.data.role == PROVIDER
+
+    @property
+    def key(self) -> str:
+        """What the signal is known by in the set: its path, or its name in the function."""
+        return self.path or f"{self.place.name}.{self.data.name}"
+
+    @property
+    def interface(self) -> str:
+        """What findings call it."""
+        return self.path or f"{self.place.name}.{self.data.name}"
+
+    @property
+    def queue_length(self) -> int | None:
+        """Values to queue, if it is a queue."""
+        return self.data.queue_length if isinstance(self.data, DataQueue) else None
+
+    @property
+    def timeout(self) -> float | None:
+        """Longest time between two values, in ms."""
+        return whole(milliseconds(self.data.timeout)) or None
+
+    @property
+    def asil(self) -> str:
+        """ASIL of the signal, or else of the call."""
+        return asil_of(self.data.asil_level or self.runnable.asil_level)
+
+    @property
+    def cycle(self) -> int | None:
+        """Cycle of the call, in ms, if it has one."""
+        return self.runnable.cycle_time if run_kind(self.runnable) == CYCLIC else None
+
+
+def places(functions: Sequence[FunctionJson], limits: Limits) -> tuple[Place, ...]:
+    """Every component with a node name of its own. Two components of one name bear their function's name too."""
+    names = [component.name for function in functions for component in function.components]
+    made: list[Place] = []
+    taken: set[str] = set()
+    for function in functions:
+        for component in function.components:
+            is_shared = names.count(component.name) > 1 and component.name != function.info.function_name
+            source = f"{function.info.function_name}_{component.name}" if is_shared else component.name
+            name = package_name(source, taken)
+            limits.renamed(component.name, component.name, name.text, name.reason)
+            taken.add(name.text)
+            made.append(Place(function, component, name.text))
+    return tuple(made)
+
+
+def uses_of(all_places: Sequence[Place], paths: Mapping[str, str]) -> tuple[Use, ...]:
+    """Every use of every signal and queue. `paths` are those of signals that name none, by `Function.Signal`."""
+    return tuple(use for place in all_places for use in _uses(place, paths))
+
+
+def _uses(place: Place, paths: Mapping[str, str]) -> Iterator[Use]:
+    for runnable in place.component.runnables:
+        for contract in runnable.contracts or ():
+            for data in data_of(contract):
+                yield Use(place, runnable, data, data.vss_path or paths.get(f"{place.name}.{data.name}", ""))
+
+
+def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
+    """Signals and queues."""
+    return (*(contract.signals or ()), *(contract.queues or ()))
+
+
+def run_kind(runnable: Runnable) -> Kind:
+    """When a call runs, however the document spells it: `Terminate` and `Shutdown`, `event based`."""
+    text = runnable.run_type.strip().lower()
+    for start, kind in (("init", INIT), ("cyc", CYCLIC), ("shut", SHUTDOWN), ("term", SHUTDOWN)):
+        if text.startswith(start):
+            return kind
+    return EVENT
+
+
+def asil_of(text: str | None) -> str:
+    """`qm`, `ASIL B`, `B(D)` → QM, B, B; without a statement QM."""
+    letter = (text or "").upper().replace("ASIL", "").strip(" -_")[:1]
+    return letter if letter in ("A", "B", "C", "D") else "QM"
+
+
+def whole(number: float | None) -> float | None:
+    """A number that is whole as an integer, so that it is written as one."""
+    return int(number) if number is not None and number == int(number) else number

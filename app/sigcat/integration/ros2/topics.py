@@ -1,0 +1,295 @@
+"""Topics: which signals travel together, in which message, and how their fields meet the variables of the code."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from sigcat.integration.names import field_name, package_name, topic_name
+from sigcat.integration.ros2.conversions import conversion, to_catalogue
+from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
+from sigcat.integration.ros2.model import (
+    Communication,
+    Conversion,
+    DataMap,
+    FieldMapping,
+    MessageConstant,
+    MessageField,
+    RosTopic,
+)
+from sigcat.integration.ros2.quality import quality
+from sigcat.integration.ros2.settings import Ros2Settings
+from sigcat.integration.ros2.signal_uses import Use
+from sigcat.integration.ros2.types import FieldType, c_definition, field_type
+from sigcat.names import camel_case, last_name, parent_path
+
+PUBLISHER = "Publisher"
+SUBSCRIPTION = "Subscription"
+
+
+class Member(NamedTuple):
+    """A field of a topic's message."""
+
+    field: str
+    written: str
+    """Its datatype as the message writes it."""
+    kind: FieldType
+
+
+class Topic(NamedTuple):
+    """A topic of the set: its message, and every use of every signal that it carries."""
+
+    name: str
+    message: str
+    members: dict[str, Member]
+    """By the key of the signal."""
+    uses: tuple[Use, ...]
+
+
+class _Group(NamedTuple):
+    segments: tuple[str, ...]
+    message: str
+
+
+def topics_of(uses: Sequence[Use], settings: Ros2Settings, book: MessageBook, limits: Limits) -> tuple[Topic, ...]:
+    """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
+    providers = _providers(uses, limits)
+    groups: dict[_Group, list[Use]] = {}
+    for use in uses:
+        groups.setdefault(_group(use, providers.get(use.key, ""), settings), []).append(use)
+    taken: dict[str, str] = {}
+    made = []
+    for group in sorted(groups):
+        name = _free(settings.namespace + topic_name(*group.segments), taken, groups[group][0], limits)
+        made.append(_topic(name, group, groups[group], book, limits))
+    return tuple(made)
+
+
+def communications(
+    topics: Sequence[Topic], uses: Sequence[Use], settings: Ros2Settings, book: MessageBook, limits: Limits
+) -> tuple[Communication, ...]:
+    """What each call exchanges, in the order of the document."""
+    by_key = {key: topic for topic in topics for key in topic.members}
+    calls: dict[tuple[str, str], list[Use]] = {}
+    for use in uses:
+        calls.setdefault((use.place.node, use.runnable.name), []).append(use)
+    return tuple(
+        Communication(runnable=runnable, topics=tuple(_ends(own, by_key, settings, book, limits)))
+        for (_, runnable), own in calls.items()
+    )
+
+
+# -- which signals travel together --------------------------------------------------------------------------------
+
+
+def _providers(uses: Iterable[Use], limits: Limits) -> dict[str, str]:
+    providers: dict[str, str] = {}
+    for use in uses:
+        if not use.path:
+            message = f"{use.interface} names no path of the catalogue; only {use.place.name} can know its topic."
+            limits.report("N211", use.interface, message, "Give its path under `paths` in the deployment file.")
+        if use.is_provider:
+            first = providers.setdefault(use.key, use.place.name)
+            if first != use.place.name:
+                message = f"{first} and {use.place.name} both publish {use.interface}; subscribers get a mixture."
+                limits.report("N218", use.interface, message, "Let one function provide it.")
+    return providers
+
+
+def _group(use: Use, provider: str, settings: Ros2Settings) -> _Group:
+    if settings.topics == "function":
+        source, way = (provider, "out") if provider else (use.place.name, "in")
+        return _Group((source, way), camel_case(source) + camel_case(way))
+    if not use.path:
+        return _Group((use.place.name, use.data.name), camel_case(use.place.name) + camel_case(use.data.name))
+    path = parent_path(use.path) if settings.topics == "branch" else use.path
+    names = path.split(".")
+    source = camel_case(provider) if settings.topics == "branch" else ""
+    segments = (provider, *names) if source else tuple(names)
+    return _Group(segments, "".join(map(camel_case, names[1:] or names)) + source)
+
+
+def _free(name: str, taken: dict[str, str], use: Use, limits: Limits) -> str:
+    free, number = name, 1
+    while free in taken:
+        number += 1
+        free = f"{name}_{number}"
+    limits.renamed(use.interface, name, free, f"{name!r} is taken by {taken[name]}" if free != name else "")
+    taken[free] = use.interface
+    return free
+
+
+# -- messages -----------------------------------------------------------------------------------------------------
+
+
+def _topic(name: str, group: _Group, uses: list[Use], book: MessageBook, limits: Limits) -> Topic:
+    members: dict[str, Member] = {}
+    fields: list[MessageField] = [STAMP]
+    values: list[MessageConstant] = []
+    of_key: dict[str, list[Use]] = {}
+    for use in uses:
+        of_key.setdefault(use.key, []).append(use)
+    for key, own in of_key.items():
+        own.sort(key=lambda use: not use.is_provider)
+        member = _member(own, {field.name for field in fields}, book, limits)
+        if member is None:
+            continue
+        members[key] = member
+        first = own[0]
+        fields.append(
+            MessageField(
+                name=member.field,
+                datatype=member.written,
+                description=first.data.description,
+                units=first.data.vss_unit or (None if first.path else first.data.units) or None,
+                vss_path=first.path or None,
+            )
+        )
+        values.extend(constants(member.kind.symbols, member.kind, _prefix(member, of_key), first.interface, limits))
+    what = uses[0].data.description if len(of_key) == 1 else f"Signals of {' '.join(group.segments)}."
+    message = book.add(group.message, uses[0].interface, what, fields, values)
+    return Topic(name, message, members, tuple(uses))
+
+
+def _prefix(member: Member, of_key: dict[str, list[Use]]) -> str:
+    return member.field.upper() if len(of_key) > 1 else ""
+
+
+def _member(own: list[Use], taken: set[str], book: MessageBook, limits: Limits) -> Member | None:
+    """The field of a signal. All who use it have to mean the same."""
+    first = own[0]
+    resolved = [field_type(use.data.datatype, use.data.vss_datatype, book.table) for use in own]
+    kind = resolved[0]
+    if kind is None:
+        unresolved(limits, first.interface, first.data.datatype)
+        return None
+    for use, other in zip(own[1:], resolved[1:], strict=True):
+        if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
+            message = f"{first.place.name} and {use.place.name} mean {first.interface} in two datatypes or units."
+            limits.report("N214", first.interface, message, "Build both functions from one catalogue.")
+    written = book.written(kind, first.interface)
+    if written is None:
+        return None
+    source = last_name(first.path) if first.path else first.data.name
+    name = field_name(source, taken)
+    limits.renamed(first.interface, source, name.text, name.reason)
+    return Member(name.text, written, kind)
+
+
+def _disagree(one: FieldType, other: FieldType | None) -> bool:
+    if other is None or (one.element, one.struct, one.suffix) != (other.element, other.struct, other.suffix):
+        return True
+    if one.is_text:
+        return {symbol.symbol for symbol in one.symbols} != {symbol.symbol for symbol in other.symbols}
+    return one.symbols != other.symbols
+
+
+# -- ends ---------------------------------------------------------------------------------------------------------
+
+
+def _ends(
+    own: Sequence[Use], by_key: dict[str, Topic], settings: Ros2Settings, book: MessageBook, limits: Limits
+) -> Iterable[RosTopic]:
+    """The publishers and subscriptions of one call."""
+    ends: dict[tuple[str, bool], list[Use]] = {}
+    for use in own:
+        topic = by_key.get(use.key)
+        if topic is not None:
+            ends.setdefault((topic.name, use.is_provider), []).append(use)
+    taken: set[str] = set()
+    for (_, is_provider), mine in ends.items():
+        topic = by_key[mine[0].key]
+        _check_timeouts(mine, topic, limits)
+        yield RosTopic(
+            name=topic.name,
+            interface=_interface(mine),
+            data_maps=(_data_map(mine, topic, taken, book, limits),),
+            role=PUBLISHER if is_provider else SUBSCRIPTION,
+            message=f"{book.package}/msg/{topic.message}",
+            stamp=STAMP.name,
+            node=mine[0].place.node,
+            providers=tuple(dict.fromkeys(use.place.name for use in topic.uses if use.is_provider)),
+            quality=quality(mine, topic.uses, topic.name, settings.quality),
+        )
+
+
+def _interface(mine: Sequence[Use]) -> str:
+    """The signal's name, or for several the structure of the code that holds their variables."""
+    if len(mine) == 1:
+        return mine[0].data.name
+    parts = [(use.data.variable or use.data.name).split(".")[:-1] for use in mine]
+    common = []
+    for names in zip(*parts, strict=False):
+        if len(set(names)) > 1:
+            break
+        common.append(names[0])
+    return ".".join(common) or mine[0].runnable.name
+
+
+def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
+    slowest: dict[str, int] = {}
+    for use in topic.uses:
+        if use.is_provider and use.cycle:
+            slowest[use.key] = max(use.cycle, slowest.get(use.key, 0))
+    for use in mine:
+        cycle = slowest.get(use.key)
+        if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
+            message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {cycle} ms."
+            limits.report("N213", use.interface, message, "One late value sets it: allow twice the cycle.")
+
+
+def _data_map(mine: Sequence[Use], topic: Topic, taken: set[str], book: MessageBook, limits: Limits) -> DataMap:
+    rows = [_row(use, topic.members[use.key], taken, book, limits) for use in mine]
+    mappings = [mapping for mapping, _ in rows]
+    conversions = tuple(made for _, made in rows if made is not None)
+    return DataMap(
+        variables=tuple(mapping.variable for mapping in mappings),
+        variable_types=tuple(mapping.variable_type for mapping in mappings),
+        fields=tuple(mapping.field for mapping in mappings),
+        field_types=tuple(mapping.field_type for mapping in mappings),
+        conversions=conversions or None,
+        mappings=tuple(mappings),
+    )
+
+
+def _row(
+    use: Use, member: Member, taken: set[str], book: MessageBook, limits: Limits
+) -> tuple[FieldMapping, Conversion | None]:
+    data = use.data
+    if not data.variable:
+        message = f"{use.interface} names no variable; its name {data.name!r} is taken for one."
+        limits.report("N212", use.interface, message, "Give `variable` in the declaration.")
+    way = "to_topic" if use.is_provider else "from_topic"
+    name = package_name(f"{use.place.name}_{data.name}_{way}", taken).text
+    made = conversion(
+        name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, limits), book.table,
+        member.written, is_outgoing=use.is_provider,
+    )  # fmt: skip
+    if made is not None:
+        taken.add(name)
+    return _mapping(use, member, book, made), made
+
+
+def _mapping(use: Use, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
+    data = use.data
+    return FieldMapping(
+        signal=data.name,
+        field=member.field,
+        field_type=member.written,
+        field_units=data.vss_unit or (None if use.path else data.units) or None,
+        variable=data.variable or data.name,
+        variable_type=c_definition(data.datatype, book.table),
+        variable_units=data.units or None,
+        conversion=made.name if made else None,
+        min=data.min,
+        max=data.max,
+        default=getattr(data, "default", None),
+        init_value=data.init_value,
+        range_error_action=data.range_error_action,
+        timeout=use.timeout,
+        timeout_error=data.timeout_error,
+        access=getattr(data, "access", None),
+        queue_length=use.queue_length,
+        external_provider=data.external_provider,
+        asil_level=use.asil,
+        vss_path=use.path or None,
+    )

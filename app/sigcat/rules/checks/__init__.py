@@ -1,0 +1,64 @@
+"""The checks by the names that rules call them by. To add one: write it in its file and name it here."""
+
+from collections.abc import Mapping
+
+from sigcat.rules.checks import attributes, fields, groups, naming, overlays, portable, references, signals, text
+from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, TreeCheck
+
+_PORTABLE = {"case": str, "target": str}
+
+CHECKS: Mapping[str, Check] = {
+    "name": NodeCheck(naming.name, {"pattern": str, "prefixes": list, "exempt": list, "endings": list, "case": str}),
+    "instance-name": NodeCheck(naming.instance_name, {"pattern": str}, ("pattern",), "=instances"),
+    "path": NodeCheck(signals.path, {"pattern": str}, ("pattern",)),
+    "path-depth": NodeCheck(signals.path_depth, {"most": int}, ("most",)),
+    "text": NodeCheck(
+        text.text,
+        {"attribute": str, "pattern": str, "forbidden": str, "each": str, "case": str, "repair": str},
+        ("attribute",),
+        "attribute",
+    ),
+    "line-length": LineCheck(text.line_length, {"most": int}, ("most",)),
+    "required": NodeCheck(attributes.required, {"attributes": list}, ("attributes",)),
+    "forbidden": NodeCheck(attributes.forbidden, {"attributes": list}, ("attributes",)),
+    "exclusive": NodeCheck(attributes.exclusive, {"attributes": list}, ("attributes",)),
+    "implied": NodeCheck(
+        attributes.implied,
+        {"attribute": str, "values": list, "then": list, "never": list},
+        ("attribute",),
+        "attribute",
+    ),
+    "backed": NodeCheck(
+        attributes.backed, {"attribute": str, "by": str, "value": str}, ("attribute", "by", "value"), "attribute"
+    ),
+    "ordered": NodeCheck(attributes.ordered, {"attributes": list}, ("attributes",)),
+    "default-first": NodeCheck(attributes.default_first, {}, (), "=default"),
+    "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": list}),
+    "required-fields": NodeCheck(fields.required_fields, {"fields": dict}, ("fields",)),
+    "field-values": NodeCheck(fields.field_values, {"fields": dict}, ("fields",)),
+    "reference": NodeCheck(
+        references.reference, {"attribute": str, "to": str, "external": str}, ("attribute", "to"), "attribute"
+    ),
+    "reference-cycle": TreeCheck(references.cycle, {"attribute": str}, ("attribute",)),
+    "companions": NodeCheck(groups.companions, {"required": list}, ("required",)),
+    "node-type": NodeCheck(groups.type_of, {"types": list}, ("types",)),
+    "asil-of-step": NodeCheck(groups.asil_of_step, {"provides": list}, ("provides",)),
+    "deprecated-unit": NodeCheck(signals.deprecated_unit, {}, (), "=unit"),
+    "unit-spelling": NodeCheck(signals.unit_spelling, {}, (), "=unit"),
+    "deprecation-target": NodeCheck(signals.deprecation_target, {}, (), "=deprecation"),
+    "instance-start": NodeCheck(signals.instance_start, {"first": int}, ("first",), "=instances"),
+    "instance-duplicates": NodeCheck(signals.instance_duplicates, {}, (), "=instances"),
+    "unique-path": TreeCheck(signals.unique_path, {}),
+    "twice-written": TreeCheck(signals.twice_written, {"ignored": list}),
+    "overlay-unknown-node": NodeCheck(overlays.unknown_node, {}, of_overlays=True),
+    "overlay-deletes-nothing": NodeCheck(overlays.deletes_nothing, {}, (), "=delete", of_overlays=True),
+    "overlay-changes": NodeCheck(overlays.changes, {"attributes": list}, ("attributes",), of_overlays=True),
+    "overlay-narrows": NodeCheck(overlays.narrows, {}, of_overlays=True),
+    "overlay-conflict": NodeCheck(overlays.conflict, {"ignored": list}, of_overlays=True),
+    "overlay-no-effect": TreeCheck(overlays.no_effect, {}),
+    "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": list}, ("words", "target")),
+    "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": str}, ("pattern", "target")),
+    "name-length": NodeCheck(portable.name_length, {"most": int, "of": str, "target": str}, ("most", "target")),
+    "collision": TreeCheck(portable.collision, {**_PORTABLE, "of": str}, ("target",)),
+}
+"""`needs` that starts with `=` is the attribute itself; otherwise it names the option that holds it."""

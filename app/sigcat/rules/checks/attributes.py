@@ -1,0 +1,173 @@
+"""Checks of a node's attributes: which are there, which go together, and in which order their values are."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
+from sigcat.names import did_you_mean, nearest
+from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested, shown
+from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+
+def required(rule: Rule, _tree: Tree) -> NodeTest:
+    """Each of `attributes` is there and not empty."""
+    names = tuple(rule.options["attributes"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for attribute in names:
+            if is_empty(definition.values.get(attribute)):
+                message = f"The node has no `{attribute}`."
+                given = attribute if attribute in definition.values else ""
+                yield Flaw(definition, message, given, f"Add `{attribute}`.", {"attribute": attribute})
+
+    return test
+
+
+def forbidden(rule: Rule, _tree: Tree) -> NodeTest:
+    """None of `attributes` is there."""
+    names = tuple(rule.options["attributes"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for attribute in names:
+            if definition.values.get(attribute) is not None:
+                message = f"`{attribute}` does not belong here."
+                yield Flaw(definition, message, attribute, "Remove it.", {"attribute": attribute}, at_name=True)
+
+    return test
+
+
+def exclusive(rule: Rule, _tree: Tree) -> NodeTest:
+    """At most one of `attributes` is there. The first of them is the one to be removed."""
+    names = tuple(rule.options["attributes"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        present = [name for name in names if definition.values.get(name) is not None]
+        if len(present) > 1:
+            message = f"{listed(present)} exclude each other."
+            repair = Repair("remove attribute", safe=False)
+            fix = f"Remove `{present[0]}`."
+            yield Flaw(definition, message, present[0], fix, repair=repair, at_name=True)
+
+    return test
+
+
+def implied(rule: Rule, _tree: Tree) -> NodeTest:
+    """Where `attribute` has one of `values` (or any value), each of `then` is there, and none of `never`."""
+    attribute = rule.options["attribute"]
+    values = rule.options.get("values")
+    then, never = rule.options.get("then", ()), rule.options.get("never", ())
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        given = definition.values[attribute]
+        items = given if isinstance(given, list) else [given]
+        first = next((i for i, item in enumerate(items) if values is None or item in values), None)
+        if given is None or first is None:
+            return
+        within = (first,) if isinstance(given, list) else ()
+        because = f"`{attribute}: {items[first]}`" if values is not None else f"`{attribute}`"
+        facts = {"attribute": attribute, "value": items[first]}
+        for name in then:
+            if is_empty(nested(definition.values, name)):
+                message = f"{because} needs `{name}`, which is not there."
+                missing = {**facts, "missing": name}
+                yield Flaw(definition, message, attribute, f"Add `{name}`.", missing, within=within)
+        for name in never:
+            if nested(definition.values, name) is not None:
+                message = f"{because} goes without `{name}`."
+                top, *within = name.split(".")
+                yield Flaw(definition, message, top, f"Remove `{name}`.", facts, at_name=True, within=tuple(within))
+
+    return test
+
+
+def backed(rule: Rule, _tree: Tree) -> NodeTest:
+    """Where `attribute` is there, the list or text `by` holds `value`."""
+    attribute, by, value = rule.options["attribute"], rule.options["by"], rule.options["value"]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        given = definition.values.get(by)
+        if definition.values[attribute] is not None and value not in (given if isinstance(given, list) else [given]):
+            message = f"`{attribute}` has no effect: `{by}` does not say {value}."
+            yield Flaw(definition, message, attribute, f"Add {value} to `{by}`, or remove `{attribute}`.", at_name=True)
+
+    return test
+
+
+def ordered(rule: Rule, _tree: Tree) -> NodeTest:
+    """Those of `attributes` that are numbers do not descend, in the order in which the option lists them."""
+    names = tuple(rule.options["attributes"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        before = ""
+        for name in names:
+            value = nested(definition.values, name)
+            if not is_number(value):
+                continue
+            if before and value < nested(definition.values, before):
+                least = nested(definition.values, before)
+                message = f"`{name}` {value} is below `{before}` {least}."
+                top, *within = name.split(".")
+                fix = f"Raise `{name}`, or lower `{before}`."
+                yield Flaw(definition, message, top, fix, within=tuple(within))
+            before = name
+
+    return test
+
+
+def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
+    """Where a single value has `allowed` and `default`, the default stands first; `vspec --strict` asks for it."""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        values = definition.values
+        allowed, default = values.get("allowed"), values["default"]
+        is_single = not str(values.get("datatype", "")).endswith("[]")
+        if is_single and isinstance(allowed, list) and allowed and default != allowed[0]:
+            if default and default not in allowed:
+                return  # told as V011
+            message = f"The default {shown(default)} does not stand first in `allowed`; {shown(allowed[0])} does."
+            fix = "Put it first: generated enumerations begin with it."
+            yield Flaw(definition, message, definition.last_written(("default", "allowed")), fix)
+
+    return test
+
+
+def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
+    """Every attribute is one of VSS, one that a rule's table of fields has, or one that the configuration names."""
+    known = CORE_ATTRIBUTES | tree.attributes | {str(name) for name in rule.options.get("attributes", ())}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        if definition.values.keys() <= known:
+            return
+        for attribute in definition.values:
+            if attribute not in known:
+                yield _unknown(definition, attribute, known)
+
+    return test
+
+
+def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> Flaw:
+    near = nearest(attribute, sorted(known), limit=1)
+    fix = (
+        did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
+    )
+    is_free = bool(near) and near[0] not in definition.values
+    repair = Repair("rename attribute", near[0], safe=False) if is_free else None
+    message = f"`{attribute}` is no attribute that VSS or a rule knows."
+    return Flaw(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
+
+
+def is_empty(value: Any) -> bool:
+    """Whether there is no value: none at all, a blank text, an empty list or mapping."""
+    return value is None or value in ("", [], {}) or (isinstance(value, str) and not value.strip())
+
+
+def extended_attributes(rules: tuple[Rule, ...]) -> frozenset[str]:
+    """Names of attributes that the tables of fields of these rules define."""
+    names: set[str] = set()
+    for rule in rules:
+        fields = rule.options.get("fields")
+        if isinstance(fields, Mapping):
+            names.update(name for name, field in fields.items() if isinstance(field, dict))
+    return frozenset(names)

@@ -1,0 +1,165 @@
+"""Checks of tables of fields: which fields an interface has to have, and what each may hold.
+
+A table is a mapping of field names to records with `required`, `datatype` (text, number, integer, boolean, value,
+list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, `fields` of its own.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
+from sigcat.names import did_you_mean
+from sigcat.rules.checks.attributes import is_empty
+from sigcat.rules.checks.kind import BadOption, NodeTest, is_number, shown
+from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.patterns import Pattern, compile_pattern
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+_DATATYPES: Mapping[str, Callable[[Any], bool]] = {
+    "text": lambda value: isinstance(value, str),
+    "number": is_number,
+    "integer": lambda value: isinstance(value, int) and not isinstance(value, bool),
+    "boolean": lambda value: isinstance(value, bool),
+    "value": lambda value: not isinstance(value, dict),
+    "list": lambda value: isinstance(value, list),
+    "text or list": lambda value: isinstance(value, str | list),
+    "mapping": lambda value: isinstance(value, dict),
+}
+_KEYS = frozenset(
+    ("required", "datatype", "unit", "values", "min", "max", "pattern", "fields", "description", "repairs", "title")
+)
+
+
+def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
+    """Every field that the table requires is there."""
+    needed = tuple(name for name, field in _table(rule.options["fields"]).items() if field.get("required"))
+    table = rule.options["fields"]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for name in needed:
+            if is_empty(definition.values.get(name)):
+                unit = f" in {table[name]['unit']}" if "unit" in table[name] else ""
+                message = f"The interface has no `{name}`."
+                facts = {"attribute": name}
+                yield Flaw(definition, message, "", f"Add `{name}`{unit}.", facts)
+        yield from _nested_missing(definition, table)
+
+    return test
+
+
+def field_values(rule: Rule, _tree: Tree) -> NodeTest:
+    """Every field of the table that is there has a value of its datatype, among its values and in its range.
+
+    What VSS itself says of its own attributes is found while composing (V004 and others) and not said twice.
+    """
+    table = _table(rule.options["fields"])
+    judged = {name: field for name, field in table.items() if name not in CORE_ATTRIBUTES or "values" in field}
+    tests = {name: _value_test(name, field, rule) for name, field in judged.items()}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for name, value in definition.values.items():
+            if name in tests and value is not None:
+                facts = {"attribute": name, "value": value}
+                for wrong in tests[name](value):
+                    yield Flaw(
+                        definition, wrong.message, name, wrong.fix, facts, wrong.repair, wrong.at_key, wrong.within
+                    )
+
+    return test
+
+
+class _Wrong(NamedTuple):
+    """What is wrong with a value, and the steps that lead to the part of it that is."""
+
+    message: str
+    fix: str = ""
+    repair: Repair | None = None
+    within: tuple[int | str, ...] = ()
+    at_key: bool = False
+
+
+def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
+    for name, field in fields.items():
+        if not isinstance(field, dict):
+            raise BadOption(f"Field {name!r} of the table takes a mapping.")
+        for key in field:
+            if key not in _KEYS:
+                raise BadOption(f"Field {name!r} has the unknown key {key!r}.", did_you_mean(str(key), _KEYS))
+        if field.get("datatype", "value") not in _DATATYPES:
+            raise BadOption(f"Field {name!r} has no datatype of {', '.join(_DATATYPES)}.")
+    table: Mapping[str, Mapping[str, Any]] = fields
+    return table
+
+
+def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Flaw]:
+    for name, field in table.items():
+        value = definition.values.get(name)
+        if "fields" not in field or not isinstance(value, dict):
+            continue
+        for inner, inner_field in _table(field["fields"]).items():
+            if inner_field.get("required") and is_empty(value.get(inner)):
+                message = f"`{name}` has no `{inner}`."
+                yield Flaw(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
+
+
+def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], Iterator[_Wrong]]:
+    datatype = field.get("datatype", "value")
+    fits = _DATATYPES[datatype]
+    pattern = compile_pattern(field["pattern"], trusted=rule.trusted) if "pattern" in field else None
+    inner = {key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()}
+
+    def test(value: Any) -> Iterator[_Wrong]:
+        if not fits(value):
+            article = "an" if datatype[0] in "aeiou" else "a"
+            yield _Wrong(f"`{name}` {shown(value)} is not {article} {datatype}.", _expected(field))
+        elif isinstance(value, dict):
+            yield from _wrong_inner(name, inner, value)
+        elif isinstance(value, list):
+            for i, item in enumerate(value):
+                yield from (wrong._replace(within=(i,)) for wrong in _wrong_item(name, field, item, pattern))
+        else:
+            yield from _wrong_item(name, field, value, pattern)
+
+    return test
+
+
+def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Pattern | None) -> Iterator[_Wrong]:
+    values = field.get("values")
+    low, high = field.get("min"), field.get("max")
+    if values is not None and (isinstance(item, list | dict) or item not in values):
+        meant = field.get("repairs", {}).get(item) if isinstance(item, str) else None
+        only = values[0] if len(values) == 1 else None
+        fix = f"Write {meant or only}." if meant or only else did_you_mean(str(item), map(str, values))
+        message = f"`{name}` {shown(item)} is {'not' if only else 'none of'} {', '.join(map(str, values))}."
+        yield _Wrong(message, fix, meant and Repair("replace", meant))
+    elif pattern is not None and not (isinstance(item, str) and pattern.matches(item)):
+        yield _Wrong(f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field))
+    elif is_number(item) and low is not None and item < low:
+        yield _Wrong(f"`{name}` {item} is below {low}.", _expected(field))
+    elif is_number(item) and high is not None and item > high:
+        yield _Wrong(f"`{name}` {item} is above {high}.", _expected(field))
+
+
+def _wrong_inner(
+    name: str, inner: Mapping[str, Callable[[Any], Iterator[_Wrong]]], value: Mapping[str, Any]
+) -> Iterator[_Wrong]:
+    for key, item in value.items():
+        if key not in inner and inner:
+            message = f"`{name}` has the unknown field {key!r}."
+            yield _Wrong(message, did_you_mean(str(key), inner), within=(str(key),), at_key=True)
+        elif key in inner and item is not None:
+            yield from (wrong._replace(within=(str(key), *wrong.within)) for wrong in inner[key](item))
+
+
+def _expected(field: Mapping[str, Any]) -> str:
+    unit = f" in {field['unit']}" if "unit" in field else ""
+    if "values" in field:
+        return f"Use one of {', '.join(map(str, field['values']))}."
+    low, high = field.get("min"), field.get("max")
+    least = f" from {low}" if low is not None else ""
+    most = f" up to {high}" if high is not None else ""
+    datatype = str(field.get("datatype", "value"))
+    article = "an" if datatype[0] in "aeiou" else "a"
+    is_said = unit or least or most or "datatype" in field
+    return f"Give {article} {datatype}{least}{most}{unit}." if is_said else ""

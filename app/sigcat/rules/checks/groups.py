@@ -1,0 +1,70 @@
+"""Checks of a branch and what stands below it."""
+
+from collections.abc import Iterator, Mapping
+
+from sigcat.catalogue.model.definition import BRANCH, Definition
+from sigcat.catalogue.model.interfaces import category_of
+from sigcat.names import last_name, parent_path
+from sigcat.rules.checks.kind import NodeTest, listed
+from sigcat.rules.flaw import Flaw
+from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+ASIL_ORDER: Mapping[str, int] = {"QM": 0, "A": 1, "B": 2, "C": 3, "D": 4}
+
+
+def companions(rule: Rule, tree: Tree) -> NodeTest:
+    """A child matching each pattern of `required` stands below."""
+    needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options["required"]]
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        children = [last_name(child.path) for child in tree.children.get(definition.path, ())]
+        missing = [pattern.text for pattern in needed if not any(pattern.matches(name) for name in children)]
+        if missing:
+            present = listed(children) if children else "nothing"
+            message = f"{definition.path!r} has {present}, but no {listed(missing, 'or')}."
+            yield Flaw(definition, message, fix=f"Add {listed(missing)}.")
+
+    return test
+
+
+def type_of(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's type is one of `types`."""
+    types = tuple(rule.options["types"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        if definition.type and definition.type not in types:
+            yield Flaw(definition, f"The node is of type {definition.type}.", "type", f"Use {' or '.join(types)}.")
+
+    return test
+
+
+def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
+    """The ASIL of a step is not below that of any of the interfaces that its function provides (`provides`)."""
+    provided = frozenset(rule.options["provides"])
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = ASIL_ORDER.get(str(definition.values.get("ASILlevel")))
+        if own is None or definition.type != BRANCH:
+            return
+        others = [other for other in _below(parent_path(parent_path(definition.path)), tree) if _asil(other) > own]
+        highest = max((other for other in others if category_of(other.path) in provided), key=_asil, default=None)
+        if highest is not None:
+            level = highest.values["ASILlevel"]
+            message = f"ASIL {definition.values['ASILlevel']} is below ASIL {level} of {highest.path!r}."
+            yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
+
+    return test
+
+
+def _asil(definition: Definition) -> int:
+    return ASIL_ORDER.get(str(definition.values.get("ASILlevel")), 0)
+
+
+def _below(path: str, tree: Tree) -> Iterator[Definition]:
+    waiting = [path]
+    while waiting:
+        for child in tree.children.get(waiting.pop(), ()):
+            yield child
+            waiting.append(child.path)

@@ -1,0 +1,105 @@
+"""What a check is: a named function that a rule's options turn into a test of a node, of the tree or of a text."""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Literal, NamedTuple
+
+from sigcat.catalogue.model.definition import Definition
+from sigcat.names import did_you_mean
+from sigcat.rules.flaw import Flaw
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+
+class LineFlaw(NamedTuple):
+    """Something wrong with one line of a file, whatever node it belongs to; line and column from 1."""
+
+    line: int
+    column: int
+    message: str
+    fix: str = ""
+
+
+class BadOption(Exception):
+    """The options of a rule are not those of its check."""
+
+    def __init__(self, message: str, fix: str = "") -> None:
+        super().__init__(message)
+        self.fix = fix
+
+
+NodeTest = Callable[[Definition], Iterable[Flaw]]
+TreeTest = Callable[[], Iterable[Flaw]]
+LineTest = Callable[[str], Iterable[LineFlaw]]
+
+
+class NodeCheck(NamedTuple):
+    """A check of one node at a time. `needs` names the option with the attribute without which there is no flaw."""
+
+    prepare: Callable[[Rule, Tree], NodeTest]
+    options: Mapping[str, type | tuple[type, ...]]
+    required: tuple[str, ...] = ()
+    needs: str = ""
+    of_overlays: bool = False
+    """Whether it looks at what overlays do, and so at nothing in a tree without them."""
+    scope: Literal["node"] = "node"
+
+
+class TreeCheck(NamedTuple):
+    """A check of the tree as a whole."""
+
+    prepare: Callable[[Rule, Tree], TreeTest]
+    options: Mapping[str, type | tuple[type, ...]]
+    required: tuple[str, ...] = ()
+    scope: Literal["tree"] = "tree"
+
+
+class LineCheck(NamedTuple):
+    """A check of the text of a file."""
+
+    prepare: Callable[[Rule], LineTest]
+    options: Mapping[str, type | tuple[type, ...]]
+    required: tuple[str, ...] = ()
+    scope: Literal["line"] = "line"
+
+
+Check = NodeCheck | TreeCheck | LineCheck
+
+
+def check_options(rule: Rule, check: Check) -> None:
+    """Raises BadOption if the rule's options are not those that its check takes."""
+    for name, value in rule.options.items():
+        kind = check.options.get(name)
+        if kind is None:
+            raise BadOption(f"Check {rule.check!r} has no option {name!r}.", did_you_mean(str(name), check.options))
+        if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
+            raise BadOption(f"Option {name!r} of rule {rule.id} has the wrong type.")
+        if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
+            raise BadOption(f"Option {name!r} of rule {rule.id} takes a list of texts or numbers.")
+    for name in check.required:
+        if name not in rule.options:
+            raise BadOption(f"Rule {rule.id} needs the option {name!r}.")
+
+
+def shown(value: Any) -> str:
+    """A value as a message shows it: short."""
+    text = repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def listed(names: Iterable[str], last: str = "and") -> str:
+    """Names as an enumeration: `a`, `b` and `c`."""
+    quoted = [f"`{name}`" for name in names]
+    return " ".join(part for part in (", ".join(quoted[:-1]), last if len(quoted) > 1 else "", quoted[-1]) if part)
+
+
+def nested(values: Mapping[str, Any], dotted: str) -> Any:
+    """A value inside mappings: `aliveSupervision.minIndications`; None if there is none."""
+    found: Any = values
+    for name in dotted.split("."):
+        found = found.get(name) if isinstance(found, dict | Mapping) else None
+    return found
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a number; true and false are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,80 @@
+"""Checks of names: of nodes and of the instances of branches."""
+
+import re
+from collections.abc import Iterator
+
+from sigcat.catalogue.model.definition import Definition, labels_of
+from sigcat.names import camel_case, last_name, screaming_snake_case
+from sigcat.rules.checks.kind import NodeTest
+from sigcat.rules.flaw import Flaw
+from sigcat.rules.patterns import Pattern, compile_pattern
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+_RANGE = r"\[\d+,\d+\]$"
+
+
+def name(rule: Rule, _tree: Tree) -> NodeTest:
+    """The last name of a path matches `pattern` as a whole, or begins with one of `prefixes` and a capital or digit."""
+    pattern = _pattern(rule)
+    exempt = frozenset(("", *map(str, rule.options.get("exempt", ()))))  # an empty name is told as V024
+    prefixes = " or ".join(f"`{prefix}`" for prefix in rule.options.get("prefixes", ()))
+    known: dict[str, bool] = {}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = last_name(definition.path)
+        if own not in known:
+            known[own] = bool(pattern.matches(own)) or own in exempt
+        if not known[own]:
+            proposal = _proposal(own, rule)
+            fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
+            message = f"Name {own!r} does not follow the naming convention {pattern.text}."
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "proposal": proposal, "prefixes": prefixes})
+
+    return test
+
+
+def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
+    """Every label among the instances of a branch matches `pattern` as a whole; the bracket of a range aside."""
+    pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for within, entry in labels_of(definition.values):
+            label = re.sub(_RANGE, "", str(entry))
+            if not pattern.matches(label):
+                proposal = camel_case(_plain(label))
+                message = f"Instance {label!r} does not follow the naming convention {pattern.text}."
+                fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
+                facts = {"name": label, "proposal": proposal}
+                yield Flaw(definition, message, "instances", fix, facts, within=within)
+
+    return test
+
+
+def _pattern(rule: Rule) -> Pattern:
+    prefixes = rule.options.get("prefixes")
+    text = f"({'|'.join(map(str, prefixes))})[A-Z0-9].*" if prefixes else rule.options.get("pattern", ".*")
+    return compile_pattern(text, trusted=rule.trusted)
+
+
+def _proposal(own: str, rule: Rule) -> str:
+    prefixes = rule.options.get("prefixes")
+    name = camel_case(_plain(own))
+    for ending in map(str, rule.options.get("endings", ())):
+        name = name.removesuffix(ending)
+    if prefixes:
+        return name if _begins(name, prefixes) else f"{prefixes[0]}{name}"
+    return screaming_snake_case(name) if rule.options.get("case") == "screaming" else name
+
+
+def _begins(name: str, prefixes: list[str]) -> bool:
+    return any(name.startswith(prefix) and not name[len(prefix) :][:1].islower() for prefix in prefixes)
+
+
+def _plain(name: str) -> str:
+    """The name without accents: `Tür` → `Tur`; of what has no plain letter nothing is left to propose."""
+    if name.isascii():
+        return name
+    import unicodedata
+
+    return unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()

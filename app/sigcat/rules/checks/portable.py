@@ -1,0 +1,118 @@
+"""Checks of names as other languages see them: reserved words, lengths, and names that meet after conversion."""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+
+from sigcat.catalogue.model.definition import Definition
+from sigcat.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
+from sigcat.rules.checks.kind import BadOption, NodeTest, TreeTest
+from sigcat.rules.flaw import Flaw
+from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+CASES: Mapping[str, Callable[[str], str]] = {
+    "snake": snake_case,
+    "camel": camel_case,
+    "screaming": screaming_snake_case,
+    "unchanged": str,
+}
+
+
+def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's name, as it is and converted to `case`, is none of `words`."""
+    convert = _case(rule)
+    words = frozenset(map(str, rule.options["words"]))
+    target = rule.options["target"]
+    known: dict[str, str] = {}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = last_name(definition.path)
+        converted = known.get(own)
+        if converted is None:
+            known[own] = converted = own if own in words else convert(own)
+        if converted in words:
+            how = "is" if converted == own else f"becomes {converted!r},"
+            message = f"Name {own!r} {how} a reserved word of {target}."
+            fix = f"Say more, as in {parent_path(definition.path).rpartition('.')[2] + own!r}."
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": converted})
+
+    return test
+
+
+def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
+    """The node's name, converted to `case`, matches `pattern` as a whole."""
+    convert = _case(rule)
+    pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
+    target = rule.options["target"]
+    known: dict[str, str] = {}
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        own = last_name(definition.path)
+        if own not in known:
+            converted = convert(own)
+            known[own] = "" if pattern.matches(converted) else converted
+        if known[own]:
+            how = f" becomes {known[own]!r}, which" if known[own] != own else ""
+            message = f"Name {own!r}{how} is no name in {target} ({pattern.text})."
+            proposal = camel_case(own)
+            fix = f"Use a name such as {proposal!r}." if pattern.matches(convert(proposal)) else "Rename it."
+            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": known[own]})
+
+    return test
+
+
+def name_length(rule: Rule, _tree: Tree) -> NodeTest:
+    """The name (`of: name`) or the path joined by underscores (`of: path`) has at most `most` characters."""
+    most, target = rule.options["most"], rule.options["target"]
+    of_path = rule.options.get("of") == "path"
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        subject = definition.path if of_path else last_name(definition.path)
+        if len(subject) > most:
+            what = "The path" if of_path else f"Name {subject!r}"
+            message = f"{what} has {len(subject)} characters; {target} takes {most}."
+            yield Flaw(definition, message, fix=f"Shorten it by {len(subject) - most}.")
+
+    return test
+
+
+def collision(rule: Rule, tree: Tree) -> TreeTest:
+    """No two children of a branch (`of: name`), or paths of the tree (`of: path`), are equal after conversion.
+
+    Instances are expanded; what meets in several of them is told of the first.
+    """
+    of_path = rule.options.get("of") == "path"
+    convert = _case(rule) if of_path else cache(_case(rule))
+    target = rule.options["target"]
+
+    def test() -> Iterator[Flaw]:
+        seen: dict[tuple[str, str], str] = {}
+        told: set[tuple[str, str]] = set()
+        for path, definition in tree.places.items():
+            above = "" if of_path else parent_path(path)
+            converted = convert(path.replace(".", "_") if of_path else last_name(path))
+            other = seen.setdefault((above, converted), path)
+            if other == path or (of_path and _met_above(path, other, convert)):
+                continue
+            pair = (definition.path, tree.places[other].path)
+            if pair not in told:
+                told.add(pair)
+                message = f"{path!r} and {other!r} are both {converted!r} in {target}."
+                yield Flaw(definition, message, fix="Rename one of the two.", facts={"converted": converted})
+
+    return test
+
+
+def _met_above(path: str, other: str, convert: Callable[[str], str]) -> bool:
+    """Whether the branches above two paths meet already, and their last names are the same: told of the branches."""
+    above, other_above = parent_path(path), parent_path(other)
+    is_same = last_name(path) == last_name(other) and above != other_above
+    return is_same and convert(above.replace(".", "_")) == convert(other_above.replace(".", "_"))
+
+
+def _case(rule: Rule) -> Callable[[str], str]:
+    case = rule.options.get("case", "unchanged")
+    if case not in CASES:
+        raise BadOption(f"Option 'case' of rule {rule.id} is none of {', '.join(CASES)}.")
+    return CASES[case]

@@ -1,0 +1,103 @@
+"""Checks of references between interfaces, by interface name: that each leads somewhere, and none in a circle."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sigcat.catalogue.model.definition import Definition
+from sigcat.catalogue.model.interfaces import category_of, function_of, interface_name
+from sigcat.names import did_you_mean, did_you_mean_last, last_name
+from sigcat.rules.checks.kind import NodeTest, TreeTest, nested
+from sigcat.rules.flaw import Flaw
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+
+def reference(rule: Rule, tree: Tree) -> NodeTest:
+    """Every name in `attribute` is the interface name of an interface of the category `to`.
+
+    `attribute` may lead into a mapping: `aliveSupervision.error`.
+    """
+    attribute, category = rule.options["attribute"], rule.options["to"]
+    pattern = rule.options.get("external")
+    external = pattern.split("*") if pattern else None
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for within, named in _places(nested(definition.values, attribute)):
+            target = tree.interfaces.get(named)
+            if target is not None and category_of(target.path) == category:
+                continue
+            if target is None and external and named.startswith(external[0]) and named.endswith(external[-1]):
+                continue
+            yield _unresolved(definition, attribute, within, named, category, tree)
+
+    return test
+
+
+def cycle(rule: Rule, tree: Tree) -> TreeTest:
+    """Following `attribute` from interface to interface never leads back."""
+    attribute = rule.options["attribute"]
+
+    def test() -> Iterator[Flaw]:
+        told: set[str] = set()
+        for name in tree.interfaces:
+            circle = () if name in told else _circle(name, attribute, tree.interfaces)
+            if circle:
+                told.update(circle)
+                message = f"`{attribute}` leads in a circle: {' → '.join((*circle, circle[0]))}."
+                yield Flaw(tree.interfaces[circle[0]], message, attribute, "Break the circle.")
+
+    return test
+
+
+def _named(value: Any) -> list[str]:
+    return [name for _, name in _places(value)]
+
+
+def _places(value: Any) -> list[tuple[tuple[int, ...], str]]:
+    """Names, each with the steps that lead to it."""
+    items = [((i,), item) for i, item in enumerate(value)] if isinstance(value, list) else [((), value)]
+    return [(within, item) for within, item in items if isinstance(item, str) and item]
+
+
+def _unresolved(
+    definition: Definition, attribute: str, within: tuple[int, ...], named: str, category: str, tree: Tree
+) -> Flaw:
+    readable = category.replace("_", " ")
+    names = {
+        interface: last_name(d.path) for interface, d in tree.interfaces.items() if category_of(d.path) == category
+    }
+    message = f"`{attribute}` names {named!r}, which is no {readable} interface of this tree."
+    own = {
+        name: last
+        for name, last in names.items()
+        if function_of(tree.interfaces[name].path) == function_of(definition.path)
+    }
+    fix = did_you_mean_last(named, own) or did_you_mean(named, names)
+    by_path = tree.definitions.get(named)
+    if by_path is not None and category_of(named) == category:
+        fix = f"Refer to it by its interface name {interface_name(named)!r}."
+    top, *steps = attribute.split(".")
+    return Flaw(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
+
+
+def _circle(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:
+    """The names on a way from `start` back to itself; empty if there is none. Iterative: chains may be long."""
+    before: dict[str, str] = {}
+    waiting = [start]
+    while waiting:
+        name = waiting.pop()
+        definition = interfaces.get(name)
+        for target in _named(nested(definition.values, attribute)) if definition else ():
+            if target == start:
+                return _way(start, name, before)
+            if target in interfaces and target not in before:
+                before[target] = name
+                waiting.append(target)
+    return ()
+
+
+def _way(start: str, last: str, before: Mapping[str, str]) -> tuple[str, ...]:
+    way = [last]
+    while way[-1] != start:
+        way.append(before[way[-1]])
+    return tuple(reversed(way))

@@ -1,0 +1,85 @@
+"""Checks of texts: of the values of attributes, and of the lines of a file."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from sigcat.catalogue.model.definition import Definition
+from sigcat.names import screaming_snake_case
+from sigcat.rules.checks.kind import LineFlaw, LineTest, NodeTest, shown
+from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
+
+_REPAIRS = {
+    "capitalize": Repair("capitalize"),
+    "period": Repair("append", "."),
+}
+
+
+def text(rule: Rule, _tree: Tree) -> NodeTest:
+    """The text of `attribute` holds a match of `pattern` and none of `forbidden`.
+
+    Of a list every item is looked at, of a mapping every key (`each: key`) or every value. With `case: screaming` the
+    spelling in UPPER_SNAKE_CASE is proposed, where that is right.
+    """
+    attribute = rule.options["attribute"]
+    pattern = compile_pattern(rule.options.get("pattern", ""), trusted=rule.trusted)
+    forbidden = rule.options.get("forbidden")
+    bad = compile_pattern(forbidden, trusted=rule.trusted) if forbidden is not None else None
+    by_key = rule.options.get("each") == "key"
+
+    def wrong(item: str) -> str:
+        if not pattern.found(item):
+            return f"`{attribute}` {shown(item)} does not match {pattern.text}."
+        return f"`{attribute}` {shown(item)} holds what {bad.text} forbids." if bad and bad.found(item) else ""
+
+    def test(definition: Definition) -> Iterator[Flaw]:
+        for within, item in _texts(definition.values[attribute], by_key=by_key):
+            message = wrong(item)
+            if message:
+                proposal = screaming_snake_case(item) if rule.options.get("case") == "screaming" else ""
+                fix = f"Write {proposal!r}." if proposal and not wrong(proposal) else ""
+                facts = {"value": item, "attribute": attribute}
+                repair = _repair(rule, item, wrong)
+                yield Flaw(definition, message, attribute, fix, facts, repair, at_name=by_key, within=within)
+
+    return test
+
+
+def _repair(rule: Rule, item: str, wrong: Callable[[str], str]) -> Repair | None:
+    """The repair that the rule names, if it leaves nothing wrong."""
+    kind = rule.options.get("repair")
+    repaired = item[:1].upper() + item[1:] if kind == "capitalize" else f"{item}."
+    return _REPAIRS[kind] if kind in _REPAIRS and not wrong(repaired) else None
+
+
+def line_length(rule: Rule) -> LineTest:
+    """No line is longer than `most` characters, unless it cannot be broken (one word, such as an address)."""
+    most = rule.options["most"]
+    too_long = re.compile(rf"^.{{{most + 1},}}$", re.MULTILINE)
+
+    def test(content: str) -> Iterator[LineFlaw]:
+        for match in too_long.finditer(content):
+            line = match.group().rstrip("\r")
+            longest = max(map(len, line.split()), default=0)
+            if len(line) > most and longest < most - len(line) + len(line.lstrip()):
+                number = content.count("\n", 0, match.start()) + 1
+                message = f"The line has {len(line)} characters; the limit is {most}."
+                yield LineFlaw(number, most + 1, message, "Break it; YAML folds the lines of a text into one.")
+
+    return test
+
+
+def _texts(value: Any, *, by_key: bool) -> Iterator[tuple[tuple[int, ...], str]]:
+    """The texts of a value, with the steps that lead to them."""
+    if isinstance(value, str):
+        yield (), value
+        return
+    items: Iterable[Any] = ()
+    if isinstance(value, list):
+        items = value
+    elif isinstance(value, dict):
+        items = value.keys() if by_key else value.values()
+    yield from (((i,), item) for i, item in enumerate(items) if isinstance(item, str))

@@ -1,0 +1,159 @@
+"""The engine: rules and a catalogue in, findings out. Knows nothing of files, formats or the command line."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.definition import Definition
+from sigcat.catalogue.model.interfaces import category_of
+from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.findings import Finding, in_order
+from sigcat.rules.checks.kind import NodeTest
+from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.patterns import SlowPattern
+from sigcat.rules.record import Rule
+from sigcat.rules.rule_set import Choice, NodeRule, RuleSet
+from sigcat.rules.tree import Tree
+
+_FIELD = r"\{(\w+)(!r)?\}"
+
+Found = tuple[Finding, Repair | None]
+"""A finding, and the change of bytes that repairs it, if there is one."""
+
+
+def lint_catalogue(catalogue: Catalogue, rules: RuleSet) -> tuple[Finding, ...]:
+    """Every finding of `rules` in a catalogue, those of its composition among them, by file and line."""
+    return in_order([finding for finding, _ in found_in(catalogue, rules)])
+
+
+def found_in(
+    catalogue: Catalogue,
+    rules: RuleSet,
+    among: Iterable[Definition] | None = None,
+    attributes: Iterable[str] = (),
+) -> Iterator[Found]:
+    """Findings with their repairs. `among` are the definitions that are judged; all without it.
+
+    Of the others there may be findings too: who judges some of them leaves out what is told of other files.
+    `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
+    """
+    tree = Tree(catalogue, rules.attributes.union(attributes), among)
+    yield from _composition(catalogue, tree, rules)
+    for finding in rules.findings:
+        yield finding, None
+    yield from _node_findings(rules, tree)
+    for rule, check in rules.tree_rules:
+        yield from _guarded(rule, check.prepare(rule, tree)())
+
+
+def lint_lines(content: str, name: str, rules: RuleSet) -> Iterator[Finding]:
+    """Findings of the rules that look at the text of a file."""
+    for rule, test in rules.line_rules:
+        for line, column, message, fix in test(content):
+            yield Finding(rule.id, rule.severity, message, name, line, column, fix=fix)
+
+
+def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
+    has_overlays = bool(tree.overlays)
+    tests: dict[str, NodeTest] = {}
+    ended: set[str] = set()
+    for definition in tree.judged:
+        category = category_of(definition.path) or ""
+        choice = rules.choice(definition.type, category, has_overlays=has_overlays)
+        for node_rule in _for_values(choice, definition.values):
+            if not (node_rule.is_for_all or node_rule.concerns(definition)):
+                continue
+            rule = node_rule.rule
+            test = tests.get(rule.id)
+            if test is None:
+                test = tests[rule.id] = node_rule.check.prepare(rule, tree)
+            flaws = test(definition)
+            if not rule.trusted:
+                yield from _until_slow(rule, flaws, ended)
+                continue
+            for flaw in flaws:
+                yield _finding(rule, flaw), flaw.repair
+
+
+def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[Found]:
+    """What a rule of others finds in one node; nothing more after the first match that took too long."""
+    if rule.id not in ended:
+        for found in _guarded(rule, flaws):
+            if found[0].rule == "L011":
+                ended.add(rule.id)
+            yield found
+
+
+def _for_values(choice: Choice, values: Mapping[str, Any]) -> Iterator[NodeRule]:
+    yield from choice.always
+    for name, value in values.items():
+        if name in choice.by_need and value is not None:
+            yield from choice.by_need[name]
+
+
+def _guarded(rule: Rule, flaws: Iterable[Flaw]) -> Iterator[Found]:
+    """The flaws as findings; a pattern that takes too long is a finding about its rule."""
+    try:
+        for flaw in flaws:
+            yield _finding(rule, flaw), flaw.repair
+    except SlowPattern as error:
+        message = f"Pattern {error.pattern!r} of rule {rule.id} takes too long; the rule is not finished."
+        fix = "Write it without nested repetition, such as (a+)+."
+        yield Finding("L011", "error", message, rule.file, rule.line, 1, rule.id, fix=fix), None
+
+
+def _finding(rule: Rule, flaw: Flaw) -> Finding:
+    place, path = _place(flaw), flaw.subject.path
+    facts = {"path": path, "name": path.rpartition(".")[2], **flaw.facts}
+    message = filled(rule.message, facts) if rule.message else flaw.message
+    fix = filled(rule.fix, facts) if rule.fix else flaw.fix
+    return Finding(rule.id, rule.severity, message, place[0], place[1], place[2], path, fix=fix)
+
+
+def _place(flaw: Flaw) -> tuple[Any, ...]:
+    subject, attribute = flaw.subject, flaw.attribute
+    if flaw.within:
+        return subject.origin_within(attribute, flaw.within, at_key=flaw.at_name) or subject.origin(attribute)
+    return _name_origin(subject, attribute) if flaw.at_name else subject.origin(attribute)
+
+
+def _name_origin(subject: Any, attribute: str) -> tuple[Any, ...]:
+    if isinstance(subject, Definition):
+        written = (s for s in reversed(subject.statements) if attribute in s.values)
+        statement = next(written, None)
+        return statement.origin_of_key(attribute) if statement is not None else subject.origin()
+    assert isinstance(subject, Statement)
+    return subject.origin_of_key(attribute)
+
+
+def filled(template: str, facts: Mapping[str, Any]) -> str:
+    """A rule's own message with its facts. Plain names only: a template cannot reach into objects."""
+
+    def fact(match: re.Match[str]) -> str:
+        if match[1] not in facts:
+            return match[0]
+        value = facts[match[1]]
+        return repr(value) if match[2] else str(value)
+
+    return re.sub(_FIELD, fact, template)
+
+
+def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
+    """What composing found. A branch that is an instance is defined by its instances, so nobody has to write it."""
+    replaced = "O101" in rules.severities
+    for finding in catalogue.findings:
+        if finding.rule == "V020" and tree.is_instance(finding.path):
+            continue
+        if replaced and finding.rule == "V001" and _is_overlay_change(finding.path, tree):
+            continue
+        severity = rules.of_composition.get(finding.rule, finding.severity)
+        yield finding if severity == finding.severity else finding._replace(severity=severity), None
+
+
+def _is_overlay_change(path: str, tree: Tree) -> bool:
+    """Whether the node is unknown and an overlay changes it: rule O101 says so, and better."""
+    definition = tree.definitions.get(path)
+    if definition is None or definition.values.get("delete"):
+        return False
+    return bool(definition.statements[0].file.overlay) and "type" not in definition.values

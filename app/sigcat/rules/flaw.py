@@ -1,0 +1,46 @@
+"""What a check yields: one thing wrong with one node, not yet a finding of a rule."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, NamedTuple, Protocol
+
+from sigcat.catalogue.reading.vspec_file import Origin
+
+
+class Subject(Protocol):
+    """What a flaw is about: a definition, or a single statement of an overlay."""
+
+    @property
+    def path(self) -> str:
+        """Path of the node."""
+
+    def origin(self, attribute: str = "") -> Origin:
+        """Where an attribute was written, or the node."""
+
+    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
+        """Where an item of a list or mapping was written."""
+
+
+class Repair(NamedTuple):
+    """A change of the bytes of one scalar, one attribute or one comment that repairs a flaw.
+
+    `safe` means that no reader of the tree sees another meaning: texts for people, spellings.
+    """
+
+    kind: Literal["replace", "capitalize", "append", "remove attribute", "rename attribute", "remove suppression"]
+    text: str = ""
+    safe: bool = True
+
+
+class Flaw(NamedTuple):
+    """One thing wrong. `facts` fill the template of the rule's own message, where it has one."""
+
+    subject: Subject
+    message: str
+    attribute: str = ""
+    fix: str = ""
+    facts: Mapping[str, Any] = {}
+    repair: Repair | None = None
+    at_name: bool = False
+    """Whether the finding stands at the attribute's name, not at its value."""
+    within: tuple[int | str, ...] = ()
+    """Steps from the attribute to the item that is wrong: the index in a list, the key or index in a mapping."""

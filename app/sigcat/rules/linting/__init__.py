@@ -1,0 +1,4 @@
+"""Paths in, findings out, with fixes, suppressions, baselines and configuration.
+
+Everything that `sigcat lint` does around the engine.
+"""

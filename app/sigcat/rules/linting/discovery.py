@@ -1,0 +1,300 @@
+"""What the named files are: trees, overlays, struct types, parts of a tree, function files, rule files.
+
+Only names and a first look at the bytes decide; nothing is parsed twice. A file that another file of the same tree
+includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
+includes them.
+"""
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from sigcat.errors import NotFound
+
+Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
+
+ROOT_NAME = "VehicleSignalSpecification.vspec"
+UNIT_FILES = ("units.yaml", "units.yml")
+QUANTITY_FILES = ("quantities.yaml", "quantities.yml")
+OVERLAY_FOLDERS = frozenset(("overlay", "overlays"))
+
+_SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
+_SUFFIXES = frozenset((".vspec", ".yaml", ".yml", ".json"))
+_MOST_BYTES = 4 * 1024 * 1024
+"""A data file larger than this is not looked into to find out what it is."""
+_INCLUDE = re.compile(rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?", re.MULTILINE)
+_RULE_FILE = re.compile(rb"^[A-Z]+[0-9]{3}:[ \t]*\r?\n", re.MULTILINE)
+_RULE_FIELD = re.compile(rb"^[ \t]+check:[ \t]*\S", re.MULTILINE)
+_FUNCTION_JSON = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
+_INTEGRATION_JSON = b'"CommunicationList"'
+"""What the Integration JSON of ROS 2 has beside everything of Function JSON."""
+_FUNCTION_YAML = re.compile(rb"^(function|Function):", re.MULTILINE)
+_NODE = re.compile(
+    rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(branch|sensor|actuator|attribute|struct|property)\b""", re.MULTILINE
+)
+_STRUCT = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?struct\b""", re.MULTILINE)
+_SIGNAL = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(sensor|actuator|attribute)\b""", re.MULTILINE)
+_OWN_ROOT = re.compile(rb"""^["']?[A-Za-z]\w*["']?:[ \t]*(\n|\r|\{|#)""", re.MULTILINE)
+
+_Includes = Mapping[Path, tuple[tuple[str, str], ...]]
+
+
+class Source(NamedTuple):
+    """A file to lint. `tree` and `prefix` are set for a part that is linted alone: who includes it, and where."""
+
+    path: Path
+    kind: Kind
+    named: bool
+    """Whether the user named the file itself, not a folder above it."""
+    tree: Path | None = None
+    prefix: str = ""
+
+
+def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = ()) -> tuple[Source, ...]:
+    """The files to lint in `paths`, each once. `overlays` and `types` are known to be such. Raises NotFound."""
+    found: dict[Path, bool] = {}
+    for path in paths:
+        if path.is_dir():
+            for file in walk(path):
+                found.setdefault(file, False)
+        elif path.is_file():
+            found[path] = True
+        else:
+            raise NotFound(f"{str(path)!r} {'is no file.' if path.exists() else 'does not exist.'}")
+    includes = {path: includes_of(path) for path in found if path.suffix == ".vspec"}
+    parts = _parts(includes)
+    known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
+    known.update({path.resolve(): "types" for path in types})
+    sources = []
+    for path, named in found.items():
+        kind = known.get(path.resolve()) if known else None
+        sources.append(_source(path, named, kind, _above(path, parts), includes))
+    return tuple(sources)
+
+
+def walk(folder: Path) -> Iterator[Path]:
+    """Files that may be linted in a folder and below it, in order; hidden and generated folders are left out."""
+    for here, folders, files in os.walk(folder):
+        folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _SKIPPED)
+        for name in sorted(files):
+            if not name.startswith(".") and os.path.splitext(name)[1] in _SUFFIXES:  # noqa: PTH122 — many files
+                path = Path(here, name)
+                if path.is_file():
+                    yield path
+
+
+def includes_of(path: Path) -> tuple[tuple[str, str], ...]:
+    """What a vspec file includes, as it is written, with the prefix."""
+    data = first_bytes(path)
+    if b"include" not in data:
+        return ()
+    found = [(m[1], m[2] or b"") for m in _INCLUDE.finditer(data)]
+    if b"includes:" in data:
+        found.extend(_listed_includes(data))
+    return tuple(
+        (_with_suffix(target.decode(errors="replace")), prefix.decode(errors="replace")) for target, prefix in found
+    )
+
+
+def _listed_includes(data: bytes) -> Iterator[tuple[bytes, bytes]]:
+    """Targets of `includes:` lists in block style, with the node that they stand under; line by line."""
+    node, within = b"", False
+    for line in data.splitlines():
+        text = line.strip()
+        if line[:1] not in (b" ", b"\t", b"#", b""):
+            node, within = text.partition(b":")[0].strip(b"\"'"), False
+        elif text.startswith(b"includes:"):
+            within = True
+            for item in text.removeprefix(b"includes:").strip(b" []").split(b","):
+                if item.strip(b" \"'"):
+                    yield item.strip(b" \"'"), node
+        elif within and text.startswith(b"- "):
+            yield text[2:].split(b"#")[0].strip(b" \"'"), node
+        elif within and text:
+            within = text.startswith(b"#")
+
+
+def first_bytes(path: Path) -> bytes:
+    """The bytes of a file, as far as they are needed to tell what it is; nothing if it cannot be read.
+
+    A pipe is not opened: it would be waited for.
+    """
+    if not path.is_file():
+        return b""
+    try:
+        with path.open("rb") as file:
+            return file.read(_MOST_BYTES)
+    except (OSError, ValueError):
+        return b""
+
+
+def tree_of(part: Path) -> tuple[Path, str] | None:
+    """The nearest tree above a file that includes it, directly or through others, and the prefix at which it does.
+
+    Of several files in one folder the one whose way is the longest counts: it includes the others.
+    """
+    wanted = part.resolve()
+    for folder in list(wanted.parents)[:6]:
+        roots = (root for root in sorted(folder.glob("*.vspec")) if root.resolve() != wanted)
+        found = [
+            (root, prefix) for root in roots if (prefix := _prefix_in(root, wanted, folder, "", set())) is not None
+        ]
+        if found:
+            return max(found, key=lambda pair: (pair[1].count("."), len(pair[1]), pair[0].name == ROOT_NAME))
+        if (folder / ".git").exists():
+            break
+    return None
+
+
+def default_tree(near: Path) -> Path | None:
+    """The tree that an overlay is made for, where nobody says: `vspec/` or `spec/` beside the overlays, or above.
+
+    It has the usual name, or it is the only tree in a folder with units.
+    """
+    for folder in list(near.resolve().parents)[:6]:
+        for place in (folder / "vspec", folder / "spec", folder):
+            candidate = place / ROOT_NAME if (place / ROOT_NAME).is_file() else _only_tree(place, near)
+            if candidate is not None:
+                return candidate
+        if (folder / ".git").exists():
+            break
+    return None
+
+
+def types_beside(files: Iterable[Path]) -> tuple[Path, ...]:
+    """Files of struct types in the folders of trees and overlays, those left out that a file there includes."""
+    beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in sorted(folder.glob("*.vspec"))]
+    found = [path for path in beside if _has_structs_only(path)]
+    parts = _parts({path: includes_of(path) for path in found})
+    return tuple(path for path in found if path not in parts)
+
+
+def _only_tree(folder: Path, near: Path) -> Path | None:
+    if folder.name in OVERLAY_FOLDERS or not _has_units(folder):
+        return None
+    others = (path for path in sorted(folder.glob("*.vspec")) if path != near.resolve())
+    trees = [path for path in others if _has_own_root(path) and not _has_structs_only(path) and tree_of(path) is None]
+    return trees[0] if len(trees) == 1 else None
+
+
+def _has_units(folder: Path) -> bool:
+    return any((folder / name).is_file() for name in UNIT_FILES)
+
+
+def _has_own_root(path: Path) -> bool:
+    return bool(_OWN_ROOT.search(first_bytes(path)))
+
+
+def _source(path: Path, named: bool, known: Kind | None, above: Path | None, includes: _Includes) -> Source:
+    """`above` is the file of the list that includes this one, directly or through others, and is included by none."""
+    if known:
+        return Source(path, known, named)
+    if path.suffix != ".vspec":
+        return Source(path, _kind_of_data(path, named=named), named)
+    if above is None:
+        return _top(path, named, includes)
+    is_covered = _top(above, named, includes).kind != "part"
+    tree = None if is_covered else tree_of(path)
+    return Source(path, "part", named, *tree) if tree is not None else Source(path, "part", named)
+
+
+def _top(path: Path, named: bool, includes: _Includes) -> Source:
+    """A vspec file that no other of the list includes."""
+    if path.name == ROOT_NAME:
+        return Source(path, "tree", named)
+    above = tree_of(path)
+    if above is not None:
+        return Source(path, "part", named, *above)
+    if _has_structs_only(path):
+        return Source(path, "types", named)
+    if _is_in_overlay_folder(path):
+        return Source(path, "overlay", named)
+    has_units = _has_units(path.parent)
+    if has_units and (path.parent / ROOT_NAME).is_file():
+        return Source(path, "overlay", named)
+    signs = (has_units, bool(includes.get(path)), _has_own_root(path))
+    return Source(path, "tree" if sum(signs) > 1 else "overlay", named)
+
+
+def _is_in_overlay_folder(path: Path) -> bool:
+    """Whether the file stands below a folder for overlays; what is above the repository does not count."""
+    for folder in Path(os.path.abspath(path)).parents:  # noqa: PTH100 — without `..`, and links as they are
+        if folder.name in OVERLAY_FOLDERS:
+            return True
+        if (folder / ".git").exists():
+            break
+    return False
+
+
+def _has_structs_only(path: Path) -> bool:
+    data = first_bytes(path)
+    return b"struct" in data and bool(_STRUCT.search(data)) and not _SIGNAL.search(data)
+
+
+def _above(path: Path, parts: Mapping[Path, Path]) -> Path | None:
+    """The end of the chain of includers; None for a file that nobody includes."""
+    seen = [path]
+    while seen[-1] in parts and parts[seen[-1]] not in seen:
+        seen.append(parts[seen[-1]])
+    return seen[-1] if len(seen) > 1 else None
+
+
+def _parts(includes: _Includes) -> dict[Path, Path]:
+    """Files of the list that others of it include, each with one that does. Targets are relative to the root's folder or to the file's own.
+
+    Works on texts and asks no file system: a tree has hundreds of includes.
+    """
+    by_name = {os.path.abspath(path): path for path in includes}  # noqa: PTH100 — texts, see above
+    folders = {os.path.dirname(name) for name in by_name}  # noqa: PTH120
+    parts: dict[Path, Path] = {}
+    for name, path in by_name.items():
+        for target, _ in includes[path]:
+            folder = os.path.dirname(name)  # noqa: PTH120
+            while True:
+                candidate = os.path.normpath(f"{folder}/{target}")
+                if candidate in by_name and candidate != name:
+                    parts.setdefault(by_name[candidate], path)
+                    break
+                above = os.path.dirname(folder)  # noqa: PTH120
+                if above == folder or not any(known.startswith(above) for known in folders):
+                    break
+                folder = above
+    return parts
+
+
+def _with_suffix(target: str) -> str:
+    return target if os.path.splitext(target)[1] else f"{target}.vspec"  # noqa: PTH122
+
+
+def _prefix_in(file: Path, wanted: Path, root: Path, prefix: str, seen: set[Path]) -> str | None:
+    seen.add(file)
+    for target, inner in includes_of(file):
+        deeper = ".".join(part for part in (prefix, inner) if part)
+        for candidate in dict.fromkeys((root / target, file.parent / target)):
+            if not candidate.is_file():
+                continue
+            if candidate.resolve() == wanted:
+                return deeper
+            if candidate not in seen and len(seen) < 10_000:
+                found = _prefix_in(candidate, wanted, root, deeper, seen)
+                if found is not None:
+                    return found
+            break
+    return None
+
+
+def _kind_of_data(path: Path, *, named: bool) -> Kind:
+    """What a YAML or JSON file is. A file that the user named is taken for something, so that it is not passed over."""
+    data = first_bytes(path)
+    if path.suffix == ".json":
+        is_function = any(key in data for key in _FUNCTION_JSON) and _INTEGRATION_JSON not in data
+        return "function" if named or is_function else "other"
+    if _RULE_FILE.search(data) and _RULE_FIELD.search(data):
+        return "rules"
+    if path.name in UNIT_FILES or path.name in QUANTITY_FILES:
+        return "vocabulary"
+    if path.stem == "function" or path.stem.endswith(".function") or _FUNCTION_YAML.search(data):
+        return "function"
+    return "overlay" if named or _NODE.search(data) else "other"

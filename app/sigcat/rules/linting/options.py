@@ -1,0 +1,81 @@
+"""What a lint is asked to do, and what it answers."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from sigcat.data import INTERFACE_RULES
+from sigcat.findings import Finding
+from sigcat.rules.flaw import Repair
+
+_NONE: Mapping[str, Any] = MappingProxyType({})
+
+FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], Sequence[Finding]]
+"""Checks function files, bytes with names, alone and as one set; the flag says whether there are no further ones.
+
+Given by who may import the function room.
+"""
+
+
+class PerFile(NamedTuple):
+    """Severities that hold for files that match a glob, relative to the folder of the configuration."""
+
+    glob: str
+    severities: Mapping[str, str]
+
+
+class LintOptions(NamedTuple):
+    """Options of a lint. Codes may be cut short: `V1` stands for all that start with it."""
+
+    select: tuple[str, ...] = ()
+    """Only these rules, in place of the default set."""
+    ignore: tuple[str, ...] = ()
+    extend_select: tuple[str, ...] = ()
+    """These rules beside the default set: those that are off by default."""
+    severities: Mapping[str, str] = _NONE
+    """error, warning, info or off, by code."""
+    per_file: tuple[PerFile, ...] = ()
+    root: Path = Path()
+    """Folder to which the globs of `per_file` and `exclude` are relative."""
+    exclude: tuple[str, ...] = ()
+    base: Path | None = None
+    """The tree that overlays are checked against. Without it: one of the paths, or found near the overlay, or shipped."""
+    overlays: tuple[Path, ...] = ()
+    """Overlays in the order in which they apply; one that is linted alone is linted with those beside it."""
+    include_dirs: tuple[Path, ...] = ()
+    units: tuple[Path, ...] = ()
+    quantities: tuple[Path, ...] = ()
+    types: tuple[Path, ...] = ()
+    attributes: tuple[str, ...] = ()
+    """Extended attributes that count as known."""
+    rule_folder: Path = INTERFACE_RULES
+    rule_files: tuple[Path, ...] = ()
+    """Files with rules of a company."""
+    rule_options: Mapping[str, Mapping[str, Any]] = _NONE
+    """Options of checks by the code of the rule, over those of the rule's record."""
+    baseline: Path | None = None
+    check_functions: FunctionCheck | None = None
+
+
+Place = tuple[str, str, int, int, str]
+"""What names a finding whatever its severity: rule, file, line, column, message."""
+
+
+def place_of(finding: Finding) -> Place:
+    """The key of a finding's repair."""
+    return (finding.rule, finding.file, finding.line, finding.column, finding.message)
+
+
+class LintResult(NamedTuple):
+    """Findings in order, the files that were looked at, and the repairs of those findings that have one."""
+
+    findings: tuple[Finding, ...]
+    files: tuple[str, ...]
+    repairs: Mapping[Place, Repair] = MappingProxyType({})
+    suppressed: int = 0
+
+    @property
+    def fails(self) -> bool:
+        """Whether a finding is more than a note."""
+        return any(finding.severity != "info" for finding in self.findings)

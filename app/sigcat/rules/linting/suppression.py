@@ -1,0 +1,164 @@
+"""Comments that suppress findings.
+
+`# sigcat: ignore[CODE, …]` at the end of a line concerns that line. On a line of its own it concerns the block that
+starts on the next line: all lines indented deeper than that one. `# sigcat: ignore-file[CODE, …]` concerns the file.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from sigcat.findings import Finding
+from sigcat.names import did_you_mean
+from sigcat.rules.flaw import Repair
+
+MARK = b"sigcat:"
+
+_COMMENT = r"#\s*sigcat:\s*(?P<what>[\w-]*)\s*(?:\[(?P<codes>[^\]\n]*)\])?(?P<rest>[^\r\n]*)"
+_CODE = r"[A-Z]+[0-9]*"
+
+
+class Suppression(NamedTuple):
+    """A comment that suppresses `codes` on the lines from `first` to `last`, at its own place."""
+
+    codes: tuple[str, ...]
+    first: int
+    last: int
+    line: int
+    column: int
+
+
+class Suppressions(NamedTuple):
+    """The suppressions of one file, and the comments that cannot be read as such."""
+
+    file: str
+    entries: tuple[Suppression, ...]
+    findings: tuple[Finding, ...]
+
+
+class Kept(NamedTuple):
+    """The findings that are left, how many were suppressed, and what is wrong with the comments themselves."""
+
+    findings: tuple[Finding, ...]
+    suppressed: int
+    about_comments: tuple[Finding, ...]
+    unused: tuple[tuple[Finding, Repair], ...]
+    """Those of `about_comments` that a repair settles."""
+
+
+def read_suppressions(text: str, file: str, codes: Sequence[str]) -> Suppressions:
+    """The suppressions in the text of a file. `codes` are those of all rules."""
+    lines = text.splitlines()
+    entries: list[Suppression] = []
+    findings: list[Finding] = []
+    for number, line in enumerate(lines, 1):
+        if "sigcat:" not in line:
+            continue
+        for match in re.finditer(_COMMENT, line):
+            named, problem = _codes(match, codes)
+            column = match.start() + 1
+            if problem:
+                findings.append(Finding("L002", "warning", problem, file, number, column))
+            if named:
+                first, last = _reach(match, number, lines)
+                entries.append(Suppression(named, first, last, number, column))
+    return Suppressions(file, tuple(entries), tuple(findings))
+
+
+def apply_suppressions(
+    findings: Iterable[Finding], suppressions: Iterable[Suppressions], active: Iterable[str]
+) -> Kept:
+    """Leave out what is suppressed. A code that suppressed nothing, of a rule that ran, is a finding itself."""
+    by_file = {entry.file: entry for entry in suppressions}
+    used: set[tuple[str, int, int, str]] = set()
+    kept = []
+    suppressed = 0
+    for finding in findings:
+        entry = by_file.get(finding.file)
+        hits = list(_hits(finding, entry)) if entry is not None else []
+        used.update((finding.file, *hit) for hit in hits)
+        suppressed += bool(hits)
+        if not hits:
+            kept.append(finding)
+    about = [finding for entry in by_file.values() for finding in entry.findings]
+    unused = tuple(_unused(by_file.values(), used, frozenset(active)))
+    return Kept(tuple(kept), suppressed, (*about, *(finding for finding, _ in unused)), unused)
+
+
+def without_codes(line: str, column: int, codes: Iterable[str]) -> str:
+    """The line without these codes in the comment at `column` (from 1); without the comment where it has no others.
+
+    A line that says nothing else is left empty.
+    """
+    match = re.compile(_COMMENT).match(line, column - 1)
+    if match is None:
+        return line
+    unwanted = set(codes)
+    left = [code.strip() for code in match["codes"].split(",") if code.strip() and code.strip() not in unwanted]
+    if left:
+        start, end = match.span("codes")
+        return f"{line[:start]}{', '.join(left)}{line[end:]}"
+    return line[: match.start()].rstrip() + line[match.end() :]
+
+
+def _hits(finding: Finding, entry: Suppressions) -> Iterator[tuple[int, int, str]]:
+    for suppression in entry.entries:
+        if suppression.first <= finding.line <= suppression.last or suppression.first == 0:
+            for code in suppression.codes:
+                if finding.rule.startswith(code):
+                    yield suppression.line, suppression.column, code
+
+
+def _unused(
+    entries: Iterable[Suppressions], used: set[tuple[str, int, int, str]], active: frozenset[str]
+) -> Iterator[tuple[Finding, Repair]]:
+    for entry in entries:
+        for suppression in entry.entries:
+            for code in suppression.codes:
+                ran = any(rule.startswith(code) for rule in active)
+                if ran and (entry.file, suppression.line, suppression.column, code) not in used:
+                    message = f"Nothing is suppressed by `ignore[{code}]`."
+                    place = (entry.file, suppression.line, suppression.column)
+                    finding = Finding("L001", "warning", message, *place, fix="Remove it.")
+                    yield finding, Repair("remove suppression", code)
+
+
+def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...], str]:
+    if match["what"] not in ("ignore", "ignore-file"):
+        hint = did_you_mean(match["what"], ("ignore", "ignore-file"))
+        return (), f"{match['what']!r} is nothing that a comment can ask for. {hint}".strip()
+    named = [code.strip() for code in (match["codes"] or "").split(",") if code.strip()]
+    if not named:
+        return (), f"The comment names no codes; write `sigcat: {match['what']}[CODE]`."
+    good = tuple(code for code in named if re.fullmatch(_CODE, code) and any(rule.startswith(code) for rule in known))
+    bad = [code for code in named if code not in good]
+    hint = did_you_mean(bad[0], known) if bad else ""
+    return good, f"No rule has the code {bad[0]!r}. {hint}".strip() if bad else ""
+
+
+def _reach(match: re.Match[str], number: int, lines: list[str]) -> tuple[int, int]:
+    """First and last line that the comment concerns; 0 and 0 for the whole file."""
+    if match["what"] == "ignore-file":
+        return 0, 0
+    if lines[number - 1][: match.start()].strip():
+        return number, number
+    start = next((i for i in range(number, len(lines)) if _says_something(lines[i])), None)
+    if start is None:
+        return number, number
+    indentation = _indentation(lines[start])
+    last = start
+    for i in range(start + 1, len(lines)):
+        if _says_something(lines[i]):
+            if _indentation(lines[i]) <= indentation:
+                break
+            last = i
+    return start + 1, last + 1
+
+
+def _says_something(line: str) -> bool:
+    stripped = line.strip()
+    return bool(stripped) and not stripped.startswith("#")
+
+
+def _indentation(line: str) -> int:
+    return len(line) - len(line.lstrip())

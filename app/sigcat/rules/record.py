@@ -1,0 +1,222 @@
+"""A rule as a record: what `interface_rules/*.yaml` says, read and checked. The format: interface_rules/README.md."""
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from yaml.nodes import MappingNode, ScalarNode
+
+from sigcat.catalogue.reading.yaml_document import (
+    Builder,
+    Unbuildable,
+    collector_paused,
+    duplicate_keys,
+    position,
+    read_document,
+)
+from sigcat.errors import InputRefused
+from sigcat.findings import SEVERITIES, Finding, Severity
+from sigcat.names import did_you_mean
+
+MAKERS = frozenset(("composition", "configuration", "export", "function", "integration", "lint", "request"))
+"""What may stand as `check` where the finding is not made by a check of this room."""
+SIGNALS = ("sensor", "actuator", "attribute")
+
+_CODE = r"[A-Z]+[0-9]{3}"
+_NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
+_REQUIRED = ("name", "title", "severity", "why", "check", "source")
+_KEYS = (*_REQUIRED, "category", "default", "nodes", "options", "message", "fix", "good", "bad", "example")
+_NODE_KEYS = ("types", "datatypes", "interfaces", "path")
+
+
+class Nodes(NamedTuple):
+    """Which nodes a check sees; an empty field allows all."""
+
+    types: frozenset[str] = frozenset()
+    datatypes: frozenset[str] = frozenset()
+    interfaces: frozenset[str] = frozenset()
+    path: str = ""
+    """A glob, in which `*` stands for any text."""
+
+
+class Rule(NamedTuple):
+    """One rule. `trusted` is false for a rule that sigcat does not ship: its patterns run under a time limit."""
+
+    id: str
+    name: str
+    title: str
+    category: str
+    severity: Severity
+    default: bool
+    why: str
+    check: str
+    nodes: Nodes
+    options: Mapping[str, Any]
+    message: str
+    fix: str
+    good: tuple[Any, ...]
+    bad: tuple[Any, ...]
+    source: str
+    file: str
+    line: int
+    trusted: bool
+
+
+class RuleFile(NamedTuple):
+    """The records of one file, and what was wrong with those that are left out."""
+
+    rules: tuple[Rule, ...]
+    findings: tuple[Finding, ...]
+
+
+class _Bad(Exception):
+    """A record cannot be used; the text says why, `key` where."""
+
+    def __init__(self, message: str, key: str = "", fix: str = "") -> None:
+        super().__init__(message)
+        self.key = key
+        self.fix = fix
+
+
+def load_rules(folder: Path, *, trusted: bool = True) -> tuple[Rule, ...]:
+    """Every rule of the files in `folder`, in the order of their codes. Raises InputRefused with all defects."""
+    return load_rule_files(sorted(folder.glob("*.yaml")), trusted=trusted)
+
+
+def load_rule_files(paths: Iterable[Path], *, trusted: bool) -> tuple[Rule, ...]:
+    """The rules of these files, in the order of their codes. Raises InputRefused with all defects."""
+    rules: dict[str, Rule] = {}
+    findings: list[Finding] = []
+    for path in paths:
+        file = _read(path, trusted=trusted)
+        findings.extend(file.findings)
+        for rule in file.rules:
+            if rule.id in rules:
+                message = f"Rule {rule.id} stands in {rules[rule.id].file} too."
+                findings.append(Finding("L010", "error", message, rule.file, rule.line, 1, rule.id))
+            rules[rule.id] = rule
+    if findings:
+        raise InputRefused("The rules cannot be used.", tuple(findings))
+    return tuple(sorted(rules.values()))
+
+
+def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
+    """The rules in the bytes of one file; every defect is a finding L010."""
+    document = read_document(data, name)
+    findings = list(document.findings)
+    if document.root is None:
+        return RuleFile((), tuple(findings))
+    if not isinstance(document.root, MappingNode):
+        message = "A file of rules is a mapping of codes to records."
+        return RuleFile((), (Finding("L010", "error", message, name, 1, 1),))
+    findings.extend(
+        Finding("L010", "error", f"Rule {key.value} is given twice.", name, *position(key), key.value)
+        for key in duplicate_keys(document.root)
+    )
+    with collector_paused():
+        rules = _records(document.root, name, findings, trusted=trusted)
+    return RuleFile(tuple(rules), tuple(findings))
+
+
+def _read(path: Path, *, trusted: bool) -> RuleFile:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        message = f"The rules in {str(path)!r} cannot be read: {error.strerror}."
+        return RuleFile((), (Finding("L010", "error", message, str(path)),))
+    return parse_rules(data, str(path), trusted=trusted)
+
+
+def _records(root: MappingNode, name: str, findings: list[Finding], *, trusted: bool) -> list[Rule]:
+    builder = Builder()
+    category = Path(name).stem
+    rules = []
+    for key, node in root.value:
+        code = key.value if isinstance(key, ScalarNode) else ""
+        line, column = position(key)
+        try:
+            rules.append(_rule(code, builder.value(node), category, name, line, trusted=trusted))
+        except Unbuildable as error:
+            findings.append(Finding("L010", "error", str(error), name, *position(error.node), code))
+        except _Bad as error:
+            place = _position_of(node, error.key) or (line, column)
+            findings.append(Finding("L010", "error", str(error), name, *place, code, fix=error.fix))
+    return rules
+
+
+def _position_of(node: Any, key: str) -> tuple[int, int] | None:
+    pairs = node.value if isinstance(node, MappingNode) else []
+    return next((position(k) for k, _ in pairs if isinstance(k, ScalarNode) and k.value == key), None)
+
+
+def _rule(code: str, values: Any, category: str, file: str, line: int, *, trusted: bool) -> Rule:
+    if not re.fullmatch(_CODE, code):
+        raise _Bad(f"{code!r} is no code of a rule.", fix="Use capital letters and three digits, such as ACME001.")
+    if not isinstance(values, dict):
+        raise _Bad(f"Rule {code} has no fields: a mapping belongs here.")
+    _check_keys(code, values)
+    return Rule(
+        code,
+        values["name"],
+        values["title"],
+        values.get("category", category),
+        values["severity"],
+        values.get("default", True),
+        values["why"].strip(),
+        values["check"],
+        _nodes(values.get("nodes", {})),
+        values.get("options") or {},
+        values.get("message", ""),
+        values.get("fix", ""),
+        _examples(values.get("good")),
+        _examples(values.get("bad")),
+        values["source"],
+        file,
+        line,
+        trusted,
+    )
+
+
+def _check_keys(code: str, values: dict[str, Any]) -> None:
+    for key in values:
+        if key not in _KEYS:
+            raise _Bad(f"Rule {code} has the unknown field {key!r}.", key, did_you_mean(str(key), _KEYS))
+    for key in _REQUIRED:
+        if not isinstance(values.get(key), str) or not values[key]:
+            raise _Bad(f"Rule {code} needs a text as {key!r}.", key)
+    if values["severity"] not in SEVERITIES:
+        raise _Bad(f"{values['severity']!r} is no severity.", "severity", f"Use one of {', '.join(SEVERITIES)}.")
+    if not re.fullmatch(_NAME, values["name"]):
+        raise _Bad(f"Name {values['name']!r} is not in kebab-case.", "name")
+    for key, kind in (("message", str), ("fix", str), ("category", str), ("default", bool), ("options", dict)):
+        if key in values and not isinstance(values[key], kind):
+            raise _Bad(f"{key!r} of rule {code} has the wrong type.", key)
+
+
+def _nodes(values: Any) -> Nodes:
+    if not isinstance(values, dict):
+        raise _Bad("`nodes` takes a mapping.", "nodes")
+    for key in values:
+        if key not in _NODE_KEYS:
+            raise _Bad(f"`nodes` has the unknown field {key!r}.", "nodes", did_you_mean(str(key), _NODE_KEYS))
+    types = frozenset(_names(values, "types"))
+    if "signals" in types:
+        types = types - {"signals"} | frozenset(SIGNALS)
+    path = values.get("path", "")
+    if not isinstance(path, str):
+        raise _Bad("`path` of `nodes` takes a glob such as Vehicle.Body.*.", "nodes")
+    return Nodes(types, frozenset(_names(values, "datatypes")), frozenset(_names(values, "interfaces")), path)
+
+
+def _names(values: dict[str, Any], key: str) -> list[str]:
+    names = values.get(key, [])
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise _Bad(f"{key!r} of `nodes` takes a list of names.", "nodes")
+    return names
+
+
+def _examples(given: Any) -> tuple[Any, ...]:
+    if given is None:
+        return ()
+    return tuple(given) if isinstance(given, list) else (given,)

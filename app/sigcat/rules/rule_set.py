@@ -1,0 +1,135 @@
+"""The rules that run, made ready once for however many texts they judge: their checks found, their options tried."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fnmatch import translate
+from functools import cache, cached_property
+from typing import NamedTuple
+
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.model.definition import Definition
+from sigcat.findings import Finding, Severity
+from sigcat.names import did_you_mean
+from sigcat.patterns import BadPattern
+from sigcat.rules.checks import CHECKS
+from sigcat.rules.checks.attributes import extended_attributes
+from sigcat.rules.checks.kind import BadOption, Check, LineCheck, LineTest, NodeCheck, TreeCheck, check_options
+from sigcat.rules.record import MAKERS, Rule
+from sigcat.rules.tree import Tree
+
+
+class NodeRule(NamedTuple):
+    """A rule whose check looks at one node at a time: `needs` is the attribute without which it finds nothing."""
+
+    rule: Rule
+    check: NodeCheck
+    needs: str
+    path: Callable[[str], object] | None
+    is_for_all: bool
+    """Whether it is about nodes of any datatype, at any path."""
+
+    def concerns(self, definition: Definition) -> bool:
+        """Whether the datatype and the path of a node are those that the rule is about."""
+        datatypes = self.rule.nodes.datatypes
+        return (not datatypes or str(definition.values.get("datatype")) in datatypes) and (
+            self.path is None or bool(self.path(definition.path))
+        )
+
+
+class Choice(NamedTuple):
+    """The rules for nodes of one type and category: those for all of them, and those for nodes with an attribute."""
+
+    always: Sequence[NodeRule]
+    by_need: Mapping[str, Sequence[NodeRule]]
+
+
+class RuleSet:
+    """Rules that run. One whose options do not fit its check does not; why is among the findings."""
+
+    def __init__(self, rules: Iterable[Rule]) -> None:
+        self.rules = tuple(rules)
+        self.codes = tuple(rule.id for rule in self.rules)
+        self.severities: Mapping[str, Severity] = {rule.id: rule.severity for rule in self.rules}
+        self.of_composition = {rule.id: rule.severity for rule in self.rules if rule.check == "composition"}
+        """Severities of what composing a catalogue finds."""
+        self.node_rules: list[NodeRule] = []
+        self.tree_rules: list[tuple[Rule, TreeCheck]] = []
+        self.line_rules: list[tuple[Rule, LineTest]] = []
+        self._types = {name for rule in self.rules for name in rule.nodes.types}
+        self._choices: dict[tuple[str, str, bool], Choice] = {}
+        self.findings = tuple(found for rule in self.rules if (found := self._take(rule)) is not None)
+        """What is wrong with rules that cannot be used (L010)."""
+
+    @cached_property
+    def attributes(self) -> frozenset[str]:
+        """Names of extended attributes that the tables of these rules define."""
+        return extended_attributes(self.rules)
+
+    def choice(self, node_type: str, category: str, *, has_overlays: bool) -> Choice:
+        """The rules for nodes of a type and category; those of what overlays do only where there are some."""
+        key = (node_type if node_type in self._types else "", category, has_overlays)
+        if key not in self._choices:
+            usable = (each for each in self.node_rules if has_overlays or not each.check.of_overlays)
+            self._choices[key] = _choice(each for each in usable if _concerns(each.rule, *key[:2]))
+        return self._choices[key]
+
+    def without(self, checks: Iterable[str]) -> "RuleSet":
+        """The set less the rules of some checks."""
+        return RuleSet(rule for rule in self.rules if rule.check not in checks)
+
+    def _take(self, rule: Rule) -> Finding | None:
+        """Put a rule where its check belongs; a finding if it cannot be used."""
+        if rule.check in MAKERS:
+            return None
+        try:
+            check = _check_of(rule)
+            if isinstance(check, NodeCheck | TreeCheck) and not rule.trusted:
+                check.prepare(rule, _no_tree())
+            if isinstance(check, NodeCheck):
+                self.node_rules.append(_node_rule(rule, check))
+            elif isinstance(check, TreeCheck):
+                self.tree_rules.append((rule, check))
+            elif isinstance(check, LineCheck):
+                self.line_rules.append((rule, check.prepare(rule)))
+        except (BadOption, BadPattern) as error:
+            fix = error.fix if isinstance(error, BadOption) else ""
+            return Finding("L010", "error", str(error), rule.file, rule.line, 1, rule.id, fix=fix)
+        return None
+
+
+@cache
+def _no_tree() -> Tree:
+    """A tree without nodes, on which the options of a check are tried; those of shipped rules are known to be good."""
+    return Tree(compose([]))
+
+
+def _check_of(rule: Rule) -> Check:
+    check = CHECKS.get(rule.check)
+    if check is None:
+        raise BadOption(f"Rule {rule.id} names the unknown check {rule.check!r}.", did_you_mean(rule.check, CHECKS))
+    if not rule.trusted:
+        check_options(rule, check)
+    return check
+
+
+def _node_rule(rule: Rule, check: NodeCheck) -> NodeRule:
+    needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
+    path = _matcher(rule.nodes.path) if rule.nodes.path else None
+    return NodeRule(rule, check, needs.partition(".")[0], path, path is None and not rule.nodes.datatypes)
+
+
+@cache
+def _matcher(glob: str) -> Callable[[str], object]:
+    return re.compile(translate(glob)).match
+
+
+def _choice(rules: Iterable[NodeRule]) -> Choice:
+    by_need: dict[str, list[NodeRule]] = {}
+    for each in rules:
+        by_need.setdefault(each.needs, []).append(each)
+    return Choice(by_need.pop("", []), by_need)
+
+
+def _concerns(rule: Rule, node_type: str, category: str) -> bool:
+    nodes = rule.nodes
+    return (not nodes.types or node_type in nodes.types) and (not nodes.interfaces or category in nodes.interfaces)

@@ -1,0 +1,151 @@
+"""What the checks know of the whole tree: paths without regard to case, instances, interfaces by name.
+
+Everything is worked out when it is first asked for: a run in which no rule needs it does not pay for it.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import Any
+
+from sigcat.catalogue.composing.compose import expanded_paths
+from sigcat.catalogue.composing.instances import count_instances, instance_names
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.definition import Definition, instances_of
+from sigcat.catalogue.model.vocabulary import Vocabulary
+from sigcat.catalogue.reading.layers import Layer
+from sigcat.names import last_name, parent_path
+
+_MOST_INSTANCES = 100_000
+"""A level with more instances is not looked into: composing refuses it anyway."""
+
+
+class Tree:
+    """A composed catalogue as the checks see it: definitions before the expansion of instances."""
+
+    def __init__(
+        self, catalogue: Catalogue, attributes: Iterable[str] = (), judged: Iterable[Definition] | None = None
+    ) -> None:
+        self.catalogue = catalogue
+        self.definitions: Mapping[str, Definition] = catalogue.definitions
+        self.vocabulary: Vocabulary = catalogue.vocabulary
+        self.attributes = frozenset(attributes)
+        """Extended attributes that the rules or the configuration know."""
+        self.judged = self.definitions.values() if judged is None else tuple(judged)
+        """The definitions that are judged; the others are there to be looked up."""
+
+    @property
+    def overlays(self) -> tuple[Layer, ...]:
+        """Overlays in the order in which they apply."""
+        return self.catalogue.overlays
+
+    @cached_property
+    def children(self) -> Mapping[str, list[Definition]]:
+        """Definitions directly below a path."""
+        children: dict[str, list[Definition]] = {}
+        for path, definition in self.definitions.items():
+            children.setdefault(parent_path(path), []).append(definition)
+        return children
+
+    @cached_property
+    def whole(self) -> Mapping[str, Mapping[str, str]]:
+        """Paths of the nodes that have a type, below each branch by their last names: what a wrong path may have meant."""
+        whole: dict[str, dict[str, str]] = {}
+        for path, definition in self.definitions.items():
+            if definition.type:
+                whole.setdefault(parent_path(path), {})[last_name(path)] = path
+        return whole
+
+    @cached_property
+    def places(self) -> Mapping[str, Definition]:
+        """What is written, at every path that it has with instances expanded; as written where there is no tree."""
+        written = self.definitions
+        places = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
+        return places or written
+
+    @property
+    def interfaces(self) -> Mapping[str, Definition]:
+        """Definitions of error, safety reaction, mode and scheduling interfaces by interface name."""
+        return self.catalogue.interfaces
+
+    def below(self, path: str, name: str) -> Definition | None:
+        """The definition of a child."""
+        return self.definitions.get(f"{path}.{name}")
+
+    @cached_property
+    def uninstantiated(self) -> Mapping[str, list[Definition]]:
+        """Definitions that stand beside the instances of the branch above, by the path of that branch."""
+        found: dict[str, list[Definition]] = {}
+        for path, definition in self.definitions.items():
+            if definition.values.get("instantiate") is False:
+                found.setdefault(parent_path(path), []).append(definition)
+        return found
+
+    def beside_instances(self, definition: Definition) -> Iterator[tuple[str, str]]:
+        """Paths of the first instances of a branch, each with that of a node that is written to stand beside it."""
+        is_sibling = definition.values.get("instances_relation") == "sibling"
+        above = parent_path(definition.path) if is_sibling else definition.path
+        beside = (self.children if is_sibling else self.uninstantiated).get(above, ())
+        names = sorted(next(_levels(definition.values), ())) if beside else ()
+        for child in beside:
+            yield from ((f"{above}.{name}", child.path) for name in names)
+
+    def resolve(self, path: str) -> Definition | None:
+        """The definition that a path leads to, names of instances included."""
+        exact = self.definitions.get(path)
+        if exact is not None:
+            return exact
+        return _resolve(path.split("."), self.definitions)
+
+    def resolve_other(self, path: str) -> Definition | None:
+        """The definition that a path leads to through the names of instances, other than one written for it alone."""
+        return _resolve(path.split("."), self.definitions) if self.is_instance(path) else None
+
+    def is_instance(self, path: str) -> bool:
+        """Whether the path names an instance, or stands for a definition through the names of instances."""
+        names = path.split(".")
+        plain = _without_instances(names, self.definitions)
+        return plain is not None and len(plain) < len(names)
+
+
+def _resolve(names: list[str], definitions: Mapping[str, Definition]) -> Definition | None:
+    plain = _without_instances(names, definitions)
+    return definitions.get(".".join(plain)) if plain is not None else None
+
+
+def _without_instances(names: list[str], definitions: Mapping[str, Definition]) -> list[str] | None:
+    """The names without those of instances; None where one is neither a child nor an instance.
+
+    Below an instance stands what is instantiated, once all levels of instances are named.
+    """
+    plain: list[str] = []
+    left: list[frozenset[str]] = []
+    is_below_instance = False
+    for name in names:
+        if left and name in left[0]:
+            left = left[1:]
+            is_below_instance = True
+            continue
+        child = definitions.get(".".join((*plain, name)))
+        if child is None or (is_below_instance and (left or child.values.get("instantiate") is False)):
+            return None
+        plain.append(name)
+        left = list(_levels(child.values))
+        is_below_instance = False
+    return plain
+
+
+def _levels(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
+    """Names of instances, level by level: a list of single names is one level, as is each list in a list."""
+    instances = instances_of(values)
+    singles = [entry for entry in instances if not isinstance(entry, list) and "[" not in str(entry)]
+    if len(singles) == len(instances):
+        if singles:
+            yield frozenset(map(str, singles))
+        return
+    for entry in instances:
+        yield frozenset(instance_names(entry)) if count_instances([entry]) <= _MOST_INSTANCES else frozenset()
+
+
+def name_of(definition: Definition) -> str:
+    """Last name of the definition's path."""
+    return last_name(definition.path)

@@ -1,0 +1,203 @@
+"""The pages: what each shows is found here, how it looks is the templates' matter."""
+
+from collections import Counter
+from collections.abc import Mapping
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import JSONResponse, RedirectResponse, Response
+
+from sigcat.api.answers.presenting import catalogue_detail, node_detail, rule_detail
+from sigcat.api.answers.problems import KINDS
+from sigcat.api.answers.versions import version_of
+from sigcat.api.requests.cursors import cursor_of, offset_of
+from sigcat.api.requests.dependencies import AnyCatalogue, NamedCatalogue, TheLibrary, TheRules, TheSettings, library_of
+from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
+from sigcat.catalogue.search import FACETS
+from sigcat.errors import NotFound
+from sigcat.rules.record import Rule
+from sigcat.web.addresses import Addresses
+from sigcat.web.pictures.sunburst import Sunburst, sunburst
+from sigcat.web.rendering import page
+from sigcat.web.views.node_view import field_units_of, node_view
+from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
+
+router = APIRouter()
+_ROWS = 400
+"""Rows of the tree on a page without JavaScript; more are a link away."""
+_DEEPEST = 1_000
+_MOST_FINDINGS = 200
+_MOST_PICTURED = 50_000
+_FACET_WORDS = {
+    "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
+    "overlay": "Overlay", "deprecated": "Deprecated",
+}  # fmt: skip
+
+
+class PageQuery(SearchQuery):
+    """A search of the browser: with `part`, only the changing part of the page is sent."""
+
+    part: str | None = None
+
+
+Opened = Annotated[str, Query(alias="open", description="Open branches, separated by commas; `*` opens all.")]
+From = Annotated[int, Query(alias="from", ge=0)]
+
+
+@router.get("/")
+def show_home(request: Request, library: TheLibrary, opened: Opened = "", start: From = 0) -> Response:
+    """The tree of the default catalogue."""
+    return _tree(request, library.default, "", opened, start)
+
+
+@router.get("/tree/{catalogue}")
+def show_tree(request: Request, hosted: AnyCatalogue, opened: Opened = "", start: From = 0) -> Response:
+    """The tree with nothing selected."""
+    return _tree(request, hosted, "", opened, start)
+
+
+@router.get("/tree/{catalogue}/{path}")
+def show_node(
+    request: Request, library: TheLibrary, hosted: AnyCatalogue, path: str, opened: Opened = "", start: From = 0
+) -> Response:
+    """The tree with a node selected; with `.json` after the path, the node as the API has it."""
+    if path not in hosted.catalogue.nodes and path.endswith(".json"):
+        node = find_node(hosted.catalogue, path.removesuffix(".json"))
+        return JSONResponse(node_detail(hosted.catalogue, node).model_dump())
+    if path not in hosted.catalogue.nodes and (other := stand_in(library, hosted, path)):
+        return RedirectResponse(Addresses(request.scope.get("root_path", "")).tree(hosted.source.id, other))
+    return _tree(request, hosted, path, opened, start)
+
+
+@router.get("/rows/{catalogue}")
+def list_rows(
+    hosted: AnyCatalogue, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
+) -> Response:
+    """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
+    nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
+    is_current = version == version_of(hosted)
+    caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
+    counts = {} if hosted.catalogue.is_expanded else instance_counts(hosted.catalogue)
+    return JSONResponse(rows_below(nodes, min(depth, _DEEPEST) - 1, counts), headers={"Cache-Control": caching})
+
+
+@router.get("/search/{catalogue}")
+def show_search(
+    request: Request, hosted: AnyCatalogue, settings: TheSettings, query: Annotated[PageQuery, Query()]
+) -> Response:
+    """Search results with the counts of every filter."""
+    text = query.q[: settings.query_characters]
+    state = searched_state(hosted, query)
+    offset = offset_of(query.cursor, state) if query.cursor else 0
+    result = hosted.search_index.search(text, query.filters, limit=min(query.limit, settings.results), offset=offset)
+    following = offset + len(result.nodes)
+    return page(
+        request,
+        "search.html",
+        hosted=hosted,
+        text=text,
+        sought=text.replace(".", " ").split(),
+        filters=query.filters,
+        facets=_facets(result.facets, query.filters, result.total),
+        result=result,
+        offset=offset,
+        cursor=cursor_of(following, state) if result.nodes and following < result.total else None,
+    )
+
+
+@router.get("/units/{catalogue}")
+def show_units(request: Request, hosted: AnyCatalogue) -> Response:
+    """Units by quantity."""
+    by_quantity: dict[str, list[object]] = {}
+    for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
+        by_quantity.setdefault(unit.quantity, []).append(unit)
+    return page(request, "units.html", hosted=hosted, by_quantity=by_quantity)
+
+
+@router.get("/catalogues/{catalogue}")
+def show_catalogue(request: Request, hosted: AnyCatalogue) -> Response:
+    """A catalogue's layers and findings."""
+    return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted), sunburst=_picture(hosted))
+
+
+@router.get("/rules")
+def show_rules(request: Request, hosted: NamedCatalogue, rules: TheRules) -> Response:
+    """Every rule, with the number of its findings in a catalogue."""
+    by_category: dict[str, list[Rule]] = {}
+    for rule in rules.rules:
+        by_category.setdefault(rule.category, []).append(rule)
+    found = Counter(finding.rule for finding in rules.findings_in(hosted.catalogue))
+    return page(request, "rules.html", hosted=hosted, by_category=by_category, found=found)
+
+
+@router.get("/rules/{rule_id}")
+def show_rule(request: Request, hosted: NamedCatalogue, rules: TheRules, rule_id: str) -> Response:
+    """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
+    if rule_id.endswith(".json"):
+        return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
+    rule = rule_detail(rules.get(rule_id))
+    findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
+    return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
+
+
+@router.get("/problems/{kind}")
+def show_problem_kind(request: Request, kind: str) -> Response:
+    """What a kind of problem means: the address in its `type`."""
+    known = {name: (status, title) for status, (name, title) in KINDS.items()}
+    if kind not in known:
+        raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
+    status, title = known[kind]
+    return page(request, "problem_kind.html", code=status, title=title)
+
+
+@router.get("/{page_name}.ico", include_in_schema=False)
+def no_icon(page_name: str) -> Response:  # noqa: ARG001 - browsers ask for it even where a page names its icon
+    """No content, rather than a missing page in every log."""
+    return Response(status_code=204)
+
+
+def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) -> Response:
+    catalogue = hosted.catalogue
+    selected = find_node(catalogue, path) if path else None
+    first = selected or (catalogue.roots[0] if catalogue.roots else None)
+    named = opened.split(",") if opened else [root.path for root in catalogue.roots if not path]
+    branches = OpenBranches(named, path)
+    rows, total = visible_rows(catalogue, branches, start, _ROWS)
+    return page(
+        request,
+        "tree.html",
+        hosted=hosted,
+        selected=path,
+        view=node_view(catalogue, first, field_units_of(request.app.state.rules.rules)) if first else None,
+        switches=overlay_switches(library_of(request), hosted),
+        folding=folding(hosted),
+        instances={} if catalogue.is_expanded else instance_counts(catalogue),
+        rows=rows,
+        total=total,
+        start=start,
+        most_rows=_ROWS,
+        branches=branches,
+        opened=opened,
+        state=version_of(hosted),
+        detail=catalogue_detail(hosted) if first is None else None,
+    )
+
+
+def _picture(hosted: Hosted) -> Sunburst | None:
+    """The sunburst; beyond what a page can hold there is none."""
+    return sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= _MOST_PICTURED else None
+
+
+def _facets(
+    counted: Mapping[str, Mapping[str, int]], filters: Mapping[str, str], total: int
+) -> list[tuple[str, str, list[tuple[str, int]], str]]:
+    """Filters that would narrow the results: (facet, title, values with counts, chosen value)."""
+    facets = []
+    for facet in FACETS:
+        values = sorted(counted.get(facet, {}).items(), key=lambda item: (-item[1], item[0]))
+        chosen = filters.get(facet, "")
+        if chosen or any(number < total for _, number in values):
+            facets.append((facet, _FACET_WORDS[facet], values, chosen))
+    return facets

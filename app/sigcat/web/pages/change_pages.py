@@ -1,0 +1,130 @@
+"""Two catalogues beside each other: what was added, removed, moved and changed."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import lru_cache, partial
+from typing import Annotated, NamedTuple
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.requests.dependencies import TheHeavyWork, TheLibrary
+from sigcat.catalogue.comparing.changes import CLASSES, KINDS, Change
+from sigcat.catalogue.comparing.diff import compare
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.hosting.variants import find_hosted
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.web.rendering import page
+
+router = APIRouter()
+_MOST = 1_000
+"""Changes on one page; filters narrow them."""
+SIGNS = {"added": "+", "removed": "−", "changed": "~", "moved": "→"}
+
+
+class Branch(NamedTuple):
+    """A branch of the tree of changes, with the changes that stand directly in it."""
+
+    name: str
+    path: str
+    changes: tuple[Change, ...]
+    branches: tuple["Branch", ...]
+    total: int
+
+
+class Facet(NamedTuple):
+    """A filter with the number of changes for each of its values."""
+
+    name: str
+    title: str
+    counts: tuple[tuple[str, int], ...]
+    chosen: str
+
+
+@router.get("/changes")
+async def show_changes(
+    request: Request,
+    library: TheLibrary,
+    heavy: TheHeavyWork,
+    old: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
+    new: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
+    compatibility: Annotated[str, Query(alias="class")] = "",
+    kind: str = "",
+    below: Annotated[str, Query(max_length=500)] = "",
+) -> Response:
+    """The changes from one catalogue to another, as a tree with filters."""
+    before, after = await heavy.run(partial(_sides, library, old, new))
+    changes = await heavy.run(partial(changes_between, before.catalogue, after.catalogue))
+    filters = {"class": compatibility, "kind": kind}
+    within = [change for change in changes if not below or f"{_place(change)}.".startswith(f"{below}.")]
+    shown = [change for change in within if _fits(change, filters)]
+    return page(
+        request,
+        "changes.html",
+        hosted=after,
+        old=before,
+        new=after,
+        filters={**filters, "below": below},
+        facets=_facets(within, filters),
+        signs=SIGNS,
+        total=len(changes),
+        shown=len(shown),
+        most=_MOST,
+        tree=tree_of(shown[:_MOST]),
+        whole=Counter(change.compatibility for change in changes),
+    )
+
+
+@lru_cache(maxsize=8)
+def changes_between(old: Catalogue, new: Catalogue) -> tuple[Change, ...]:
+    """The changes, compared once."""
+    return compare(old, new)
+
+
+def tree_of(changes: Sequence[Change]) -> Branch:
+    """Changes below the branches in which they stand, by the path that users of the old tree know.
+
+    A branch that holds nothing but one branch is drawn together with it.
+    """
+    return _branch("", "", [(_place(change).split(".")[:-1], change) for change in changes])
+
+
+def _branch(name: str, path: str, changes: Sequence[tuple[list[str], Change]]) -> Branch:
+    here = tuple(change for names, change in changes if not names)
+    below: dict[str, list[tuple[list[str], Change]]] = {}
+    for names, change in changes:
+        if names:
+            below.setdefault(names[0], []).append((names[1:], change))
+    if not here and len(below) == 1:
+        ((only, rest),) = below.items()
+        return _branch(f"{name}.{only}" if name else only, f"{path}.{only}" if path else only, rest)
+    branches = (_branch(each, f"{path}.{each}" if path else each, rest) for each, rest in below.items())
+    return Branch(name, path, here, tuple(branches), len(changes))
+
+
+def _sides(library: Library, old: str | None, new: str | None) -> tuple[Hosted, Hosted]:
+    """The two catalogues; without names, the second one and the default one."""
+    hosted = list(library)
+    after = find_hosted(library, new) if new else library.default
+    others = [each for each in hosted if each.source.id != after.source.id]
+    before = find_hosted(library, old) if old else (others[0] if others else after)
+    return before, after
+
+
+def _place(change: Change) -> str:
+    return change.former or change.path
+
+
+def _fits(change: Change, filters: Mapping[str, str], but: str = "") -> bool:
+    values = {"class": change.compatibility, "kind": change.kind}
+    return all(not wanted or name == but or values[name] == wanted for name, wanted in filters.items())
+
+
+def _facets(changes: Sequence[Change], filters: Mapping[str, str]) -> tuple[Facet, ...]:
+    """Each filter counts what the other one leaves."""
+    by_class = Counter(change.compatibility for change in changes if _fits(change, filters, "class"))
+    by_kind = Counter(change.kind for change in changes if _fits(change, filters, "kind"))
+    return (
+        Facet("class", "Class", tuple((name, by_class[name]) for name in CLASSES), filters["class"]),
+        Facet("kind", "Kind", tuple((name, by_kind[name]) for name in KINDS), filters["kind"]),
+    )

@@ -1,0 +1,184 @@
+"""Pages of sets of functions: shipped ones by their ids in the address, any others as posted files."""
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import JSONResponse, Response
+
+from sigcat.api.answers.presenting import finding_counts
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheHeavyWork, TheLibrary, settings_of
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.errors import NotFound, UsageError
+from sigcat.findings import Finding
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.names import nearest
+from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
+from sigcat.web.pictures.timeline import time_line
+from sigcat.web.pictures.wiring_diagram import wiring_diagram
+from sigcat.web.rendering import page
+from sigcat.web.views.documents import SET_VIEWS, MadeDocument, attached, chosen_view, integrations_of
+from sigcat.web.views.function_sets import (
+    FunctionSet,
+    as_text,
+    distinct,
+    documents_in,
+    function_set,
+    shipped_files,
+    shipped_set,
+)
+from sigcat.web.views.shelf import shelf
+from sigcat.web.views.source_view import SourceView, shown_text, source_view
+
+router = APIRouter()
+ECO_CONTROL = ("core_acc", "eco_control_mpc")
+"""The set that is shown when none is chosen."""
+VIEWS = {"files": "Files", **SET_VIEWS}
+_MOST_FUNCTIONS = 20
+_MOST_FINDINGS = 200
+
+Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
+
+
+@router.get("/wiring")
+async def show_wiring(
+    request: Request,
+    hosted: NamedCatalogue,
+    heavy: TheHeavyWork,
+    functions: Chosen = None,
+    write: Annotated[bool, Query(description="Whether to begin with functions of one's own.")] = False,
+    view: str = "files",
+) -> Response:
+    """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
+    chosen = _chosen(functions)
+
+    def work() -> Response:
+        return _page(request, hosted, chosen, shipped_set(chosen, hosted.catalogue), view=view, is_writing=write)
+
+    return await heavy.run(work)
+
+
+@router.post("/wiring")
+async def connect_posted(request: Request, library: TheLibrary, heavy: TheHeavyWork, body: PostedBody) -> Response:
+    """The same page for posted functions, together with the shipped ones that are named. Nothing of them is kept."""
+    form = read_form(body, request.headers.get("content-type", ""))
+    hosted = await form_catalogue(form, library, heavy)
+    return await heavy.run(partial(_posted, request, hosted, form))
+
+
+@router.get("/wiring/files/{document_id}")
+async def download_of_set(
+    hosted: NamedCatalogue, heavy: TheHeavyWork, document_id: str, functions: Chosen = None
+) -> Response:
+    """A document that is made from a set of functions, as a file."""
+    chosen = _chosen(functions)
+    return await heavy.run(lambda: _download(shipped_set(chosen, hosted.catalogue).whole, document_id))
+
+
+@router.get("/wiring.json")
+async def get_wiring(hosted: NamedCatalogue, heavy: TheHeavyWork, functions: Chosen = None) -> Response:
+    """The wiring of a set of functions as data."""
+    chosen = _chosen(functions)
+    return JSONResponse(_as_data(await heavy.run(partial(shipped_set, chosen, hosted.catalogue))))
+
+
+def _posted(request: Request, hosted: Hosted, form: Form) -> Response:
+    chosen = tuple(dict.fromkeys(form.every("f")))
+    own = distinct((*form.files, *documents_in(form.text("text"))))
+    files = (*shipped_files(chosen, hosted.catalogue), *own)
+    _check_size(files)
+    together = function_set(files, hosted.catalogue, settings_of(request).limits)
+    if form.last("download"):
+        return _download(together.whole, form.last("download"))
+    return _page(request, hosted, chosen, together, own, view=form.last("view", "files"))
+
+
+def _page(
+    request: Request,
+    hosted: Hosted,
+    chosen: Sequence[str],
+    together: FunctionSet,
+    own: Sequence[PostedFile] = (),
+    *,
+    view: str,
+    is_writing: bool = False,
+) -> Response:
+    findings = together.findings
+    return page(
+        request,
+        "wiring.html",
+        hosted=hosted,
+        functions=shelf(hosted.catalogue),
+        chosen=chosen,
+        own=own,
+        is_writing=is_writing or (bool(own) and not together.functions),
+        own_text=as_text(own),
+        findings=findings[:_MOST_FINDINGS],
+        finding_total=len(findings),
+        counts=finding_counts(findings),
+        sources=_sources(own, findings),
+        anchors={file.name: _anchor(index) for index, file in enumerate(own)},
+        wiring=together.wiring,
+        diagram=wiring_diagram(together.wiring),
+        timeline=time_line(together.functions),
+        views=VIEWS,
+        view=chosen_view(view, VIEWS),
+        documents=_documents(together.whole, "" if view == "files" else view),
+        made_from=[function.info.function_name for function in together.whole],
+        ids={each.name: each.id for each in shelf(hosted.catalogue) if each.id in chosen},
+        is_eco_control=not own and set(chosen) == set(ECO_CONTROL),
+    )
+
+
+def _sources(files: Sequence[PostedFile], findings: Sequence[Finding]) -> list[tuple[str, str, SourceView]]:
+    """Name, anchor of the lines, and lines of each posted file."""
+    return [
+        (file.name, _anchor(index), source_view(shown_text(file.data), _of(file, findings)))
+        for index, file in enumerate(files)
+    ]
+
+
+def _anchor(index: int) -> str:
+    return f"file-{index + 1}"
+
+
+def _of(file: PostedFile, findings: Iterable[Finding]) -> list[Finding]:
+    return [finding for finding in findings if finding.file == file.name]
+
+
+def _chosen(functions: Sequence[str] | None) -> tuple[str, ...]:
+    chosen = tuple(dict.fromkeys(functions or ECO_CONTROL))
+    _check_size(chosen)
+    return chosen
+
+
+def _check_size(functions: Sequence[object]) -> None:
+    if len(functions) > _MOST_FUNCTIONS:
+        raise UsageError(f"A set has {_MOST_FUNCTIONS} functions at most.")
+
+
+def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[MadeDocument]:
+    return integrations_of(functions, "FunctionSet", view) if functions else ()
+
+
+def _download(functions: Sequence[FunctionJson], document_id: str) -> Response:
+    known = {document.id: document for document in _documents(functions) if document.text}
+    if document_id not in known:
+        near = nearest(document_id[:100], known)
+        raise NotFound(f"There is no document {document_id[:100]!r} of these functions.", near)
+    return attached(known[document_id])
+
+
+def _as_data(together: FunctionSet) -> dict[str, object]:
+    wiring = together.wiring
+    return {
+        "functions": list(wiring.functions),
+        "links": [
+            {"path": link.path, "from": link.provider.function, "to": link.consumer.function, "flaws": list(link.flaws)}
+            for link in wiring.links
+        ],
+        "fromOutside": [{"path": end.path, "to": end.function} for end in wiring.from_outside],
+        "toOutside": [{"path": end.path, "from": end.function} for end in wiring.to_outside],
+        "rivals": [{"path": each.path, "providers": list(each.functions)} for each in wiring.rivals],
+    }

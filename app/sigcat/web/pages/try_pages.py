@@ -1,0 +1,170 @@
+"""A page on which one writes an overlay, a tree or a function, and sees at once what is wrong with it."""
+
+from functools import partial
+from typing import Annotated, Literal, NamedTuple
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.answers.presenting import finding_counts
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheHeavyWork, TheLibrary, TheRules, settings_of
+from sigcat.api.rulebook import RuleBook
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.data import OVERLAYS
+from sigcat.errors import NotFound, UsageError
+from sigcat.findings import Finding
+from sigcat.function.build.build import build, is_function_json
+from sigcat.function.checks.validate import read_function_json
+from sigcat.function.declaration.declaration import read_declaration
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.limits import Limits
+from sigcat.names import nearest
+from sigcat.rules.linting.lint import lint_text
+from sigcat.web.forms import Form, form_catalogue, read_form
+from sigcat.web.pictures.interface_diagram import interface_diagram
+from sigcat.web.pictures.timeline import time_line
+from sigcat.web.rendering import page
+from sigcat.web.views.documents import VIEWS, attached, chosen_view, documents_of
+from sigcat.web.views.shelf import FILE, from_shelf
+from sigcat.web.views.source_view import shown_text, source_view
+
+router = APIRouter()
+Kind = Literal["overlay", "function", "tree"]
+KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
+_VIEWS = {"interfaces": "Interfaces", **VIEWS}
+_OVERLAY = """\
+# An overlay changes or adds nodes. Findings appear as you type.
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  min: 0
+  max: 300
+  ASILlevel: B
+  description: Speed of the vehicle along its direction of travel.
+
+Vehicle.Chassis.brake_fluid_level:
+  type: sensor
+  datatype: uint8
+  unit: percnt
+  max: 100
+"""
+_TREE = """\
+Vehicle:
+  type: branch
+  description: Everything about one vehicle.
+
+Vehicle.Speed:
+  type: sensor
+  datatype: float
+  unit: km/h
+  description: Speed of the vehicle along its direction of travel.
+"""
+
+
+class Tried(NamedTuple):
+    """What was found in a text, and the function that it declares, if it does."""
+
+    findings: tuple[Finding, ...]
+    function: FunctionJson | None = None
+
+
+@router.get("/try")
+async def show_try(
+    request: Request,
+    hosted: NamedCatalogue,
+    rules: TheRules,
+    heavy: TheHeavyWork,
+    kind: Kind = "overlay",
+    example: Annotated[str, Query(max_length=100)] = "",
+) -> Response:
+    """The page with a text to begin with: a shipped function, a shipped overlay, or a few lines."""
+
+    def work() -> Response:
+        text = _beginning(kind, example, hosted.catalogue)
+        return _page(request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode()))
+
+    return await heavy.run(work)
+
+
+@router.post("/try")
+async def try_text(
+    request: Request, library: TheLibrary, rules: TheRules, heavy: TheHeavyWork, body: PostedBody
+) -> Response:
+    """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
+    form = read_form(body, request.headers.get("content-type", ""))
+    hosted = await form_catalogue(form, library, heavy)
+    return await heavy.run(partial(_tried_form, request, hosted, rules, form))
+
+
+def _tried_form(request: Request, hosted: Hosted, rules: RuleBook, form: Form) -> Response:
+    given = form.last("kind", "overlay")
+    kind = next((each for each in KINDS if each == given), None)
+    if kind is None:
+        raise UsageError(f"{given[:100]!r} is no kind of text; there are {', '.join(KINDS)}.")
+    data = _posted_data(form)
+    result = _judged(request, hosted, rules, kind, data)
+    if form.last("download"):
+        return _download(result.function, form.last("download"))
+    return _page(request, hosted, kind, shown_text(data), result, form.last("view", "interfaces"))
+
+
+def _posted_data(form: Form) -> bytes:
+    """The file that was chosen, byte for byte, or else what stands in the field."""
+    return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
+
+
+def _download(function: FunctionJson | None, document_id: str) -> Response:
+    known = {document.id: document for document in documents_of(function) if document.text} if function else {}
+    if document_id not in known:
+        near = nearest(document_id[:100], known)
+        raise NotFound(f"There is no document {document_id[:100]!r} of this text.", near)
+    return attached(known[document_id])
+
+
+def _judged(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, data: bytes) -> Tried:
+    return tried(data, kind, hosted.catalogue, rules, settings_of(request).limits)
+
+
+def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: Limits) -> Tried:
+    """What is wrong with a text, and the function that it declares."""
+    if kind != "function":
+        is_tree = kind == "tree"
+        return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
+    if is_function_json(data, FILE):
+        validated = read_function_json(data, "function.json", catalogue, limits)
+        return Tried(validated.findings, validated.function)
+    built = build(read_declaration(data, FILE, limits), catalogue)
+    return Tried(built.findings, built.function)
+
+
+def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
+    function, shown = result.function, chosen_view(view, _VIEWS)
+    return page(
+        request,
+        "try.html",
+        hosted=hosted,
+        kind=kind,
+        kinds=KINDS,
+        posted=text,
+        findings=result.findings,
+        counts=finding_counts(result.findings),
+        source=source_view(text, result.findings),
+        function=function,
+        diagram=interface_diagram(function) if function else None,
+        timeline=time_line([function]) if function else None,
+        views=_VIEWS,
+        view=shown,
+        documents=documents_of(function, shown) if function and shown in VIEWS else (),
+    )
+
+
+def _beginning(kind: Kind, example: str, catalogue: Catalogue) -> str:
+    if kind == "function":
+        return from_shelf(catalogue, example or "core_acc").text
+    if kind == "overlay" and example:
+        shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
+        if example in shipped:
+            return shipped[example].read_text("utf-8")
+    return _TREE if kind == "tree" else _OVERLAY

@@ -1,0 +1,4 @@
+"""Diagrams: values in, coordinates for SVG templates out.
+
+Units are pixels.
+"""

@@ -1,0 +1,196 @@
+"""A function as a box: what comes in on the left, what goes out on the right, when it runs within. Units are pixels."""
+
+from collections.abc import Iterable
+from typing import Literal, NamedTuple
+
+from sigcat.function.function_json.model import PROVIDER, FunctionJson, Runnable
+from sigcat.function.sets.wiring import calls_of, data_of
+from sigcat.web.typesetting import unit as typeset_unit
+
+WIDTH = 1120
+BOX_LEFT, BOX_RIGHT = 380, 740
+_ROW = 24
+_HEADING = 34
+_LONGEST = 48
+"""Characters of a label outside of the box."""
+_LONGEST_INSIDE = 24
+
+Side = Literal["left", "right"]
+
+
+class Port(NamedTuple):
+    """An interface at the edge of the box."""
+
+    y: int
+    side: Side
+    kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
+    outer: str
+    """Label outside: where the interface stands in the catalogue."""
+    inner: str
+    """Label inside: its name in the function, with datatype or unit."""
+    path: str
+    """Path in the catalogue; empty if the document tells none."""
+    title: str
+
+
+class Heading(NamedTuple):
+    """The name of a group of ports."""
+
+    y: int
+    side: Side
+    text: str
+
+
+class Call(NamedTuple):
+    """A call, with when it runs."""
+
+    y: int
+    name: str
+    when: str
+
+
+class Diagram(NamedTuple):
+    """Where everything stands."""
+
+    name: str
+    ports: tuple[Port, ...]
+    headings: tuple[Heading, ...]
+    calls: tuple[Call, ...]
+    top: int
+    """Where the ports begin."""
+    height: int
+
+
+class _Item(NamedTuple):
+    kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
+    outer: str
+    inner: str
+    path: str
+    title: str
+
+
+def interface_diagram(function: FunctionJson) -> Diagram:
+    """The diagram of a function."""
+    name = function.info.function_name
+    calls = tuple(
+        Call(64 + 20 * i, call.name.removeprefix(f"{name}_"), when(call)) for i, call in enumerate(calls_of(function))
+    )
+    top = 64 + 20 * len(calls) + 4
+    left, left_headings, left_end = _placed("left", _incoming(function), top)
+    right, right_headings, right_end = _placed("right", _outgoing(function), top)
+    height = max(left_end, right_end, top) + 16
+    return Diagram(name, (*left, *right), (*left_headings, *right_headings), calls, top, height)
+
+
+def when(call: Runnable) -> str:
+    """When a call runs, in a few words."""
+    parts = []
+    if call.run_type == "Cyclic" and call.cycle_time is not None:
+        parts.append(f"every {call.cycle_time} ms")
+        if call.execution_offset not in (None, "0"):
+            parts.append(f"from {call.execution_offset} ms on")
+    else:
+        words = {"Init": "at start-up", "Shutdown": "at shutdown", "EventTriggered": "on events"}
+        parts.append(words.get(call.run_type, call.run_type))
+    watchdog = call.watchdog
+    if watchdog and (watchdog.alive or watchdog.deadline or watchdog.logical):
+        parts.append("supervised")
+    return ", ".join(parts)
+
+
+def short(path: str) -> str:
+    """A path without its root; of a long one, the last names that fit."""
+    text = path.partition(".")[2] or path
+    if len(text) <= _LONGEST:
+        return text
+    end = text[-_LONGEST + 1 :]
+    return f"…{end.partition('.')[2] or end}"
+
+
+def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
+    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
+    parameters = [
+        _Item("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description)
+        for contract in contracts
+        for p in contract.parameters or ()
+    ]
+    reactions = [
+        _Item("reaction", r.name, "", r.vss_path or "", f"{r.description} Set by {', '.join(r.errors)}.")
+        for contract in contracts
+        for r in contract.safety_reactions or ()
+    ]
+    return [
+        ("Signals in", _signals(function, provided=False)),
+        ("Parameters", parameters),
+        ("Safety reactions", reactions),
+        ("Mode", _modes(function, "In")),
+        ("Methods used", _methods(function, provided=False)),
+    ]
+
+
+def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
+    errors = [
+        _Item("error", e.name, "", e.vss_path or "", e.description)
+        for call in calls_of(function)
+        for contract in call.contracts or ()
+        for e in contract.errors or ()
+    ]
+    return [
+        ("Signals out", _signals(function, provided=True)),
+        ("Errors", errors),
+        ("Mode", _modes(function, "Out")),
+        ("Methods offered", _methods(function, provided=True)),
+    ]
+
+
+def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
+    return [
+        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description)
+        for call in calls_of(function)
+        for contract in call.contracts or ()
+        for s in data_of(contract)
+        if (s.role == PROVIDER) is provided
+    ]
+
+
+def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
+    return [
+        _Item("method", m.name, "", "", m.description)
+        for call in calls_of(function)
+        for contract in call.contracts or ()
+        for m in contract.methods or ()
+        if (m.role == PROVIDER) is provided
+    ]
+
+
+def _modes(function: FunctionJson, direction: str) -> list[_Item]:
+    return [
+        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description} {', '.join(m.modes)}")
+        for m in function.mode_interfaces or ()
+        if m.direction == direction
+    ]
+
+
+def _label(path: str | None, name: str) -> str:
+    return short(path) if path else name
+
+
+def _with(name: str, unit: str | None) -> str:
+    return f"{name} [{typeset_unit(unit)}]" if unit else name
+
+
+def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> tuple[list[Port], list[Heading], int]:
+    """Ports and headings one below the other, and where they end."""
+    ports: list[Port] = []
+    headings: list[Heading] = []
+    y = top
+    for text, items in groups:
+        if not items:
+            continue
+        headings.append(Heading(y + _HEADING - 10, side, text))
+        y += _HEADING
+        for item in items:
+            inner = item.inner if len(item.inner) <= _LONGEST_INSIDE else f"{item.inner[: _LONGEST_INSIDE - 1]}…"
+            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title))
+            y += _ROW
+    return ports, headings, y

@@ -1,0 +1,111 @@
+"""A set of functions as boxes from left to right, in the order in which data flows. Units are pixels."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.function.sets.wiring import End, Link, Wiring
+
+_BOX, _GAP, _MARGIN = 270, 130, 40
+_ROW, _HEAD, _BETWEEN = 26, 44, 36
+
+
+class Pin(NamedTuple):
+    """A signal at the edge of a box."""
+
+    x: int
+    y: int
+    is_out: bool
+    name: str
+    path: str
+    is_free: bool
+    """Whether it leads out of the set."""
+
+
+class Box(NamedTuple):
+    """A function."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+    name: str
+    pins: tuple[Pin, ...]
+
+
+class Wire(NamedTuple):
+    """A link as a curve."""
+
+    curve: str
+    """Path data of SVG."""
+    middle: tuple[float, float]
+    path: str
+    flaws: tuple[str, ...]
+
+
+class WiringDiagram(NamedTuple):
+    """Where everything stands."""
+
+    boxes: tuple[Box, ...]
+    wires: tuple[Wire, ...]
+    width: int
+    height: int
+
+
+def wiring_diagram(wiring: Wiring) -> WiringDiagram:
+    """The diagram of a wiring."""
+    columns = _columns(wiring)
+    linked = {
+        (end.function, end.path, end.is_provider) for link in wiring.links for end in (link.provider, link.consumer)
+    }
+    boxes: list[Box] = []
+    for index, names in enumerate(columns):
+        y = _MARGIN // 2
+        for name in names:
+            boxes.append(_box(name, _MARGIN + index * (_BOX + _GAP), y, _ends_of(name, wiring), linked))
+            y += boxes[-1].height + _BETWEEN
+    pins = {(box.name, pin.path, pin.is_out): pin for box in boxes for pin in box.pins}
+    wires = tuple(_wire(link, pins) for link in wiring.links)
+    width = 2 * _MARGIN + len(columns) * _BOX + max(len(columns) - 1, 0) * _GAP
+    return WiringDiagram(tuple(boxes), wires, width, max((box.y + box.height for box in boxes), default=0) + 20)
+
+
+def _columns(wiring: Wiring) -> list[list[str]]:
+    """Functions by how many others stand before them in the flow. In a circle, the first one named is first."""
+    before: Mapping[str, set[str]] = {name: set() for name in wiring.functions}
+    for link in wiring.links:
+        before[link.consumer.function].add(link.provider.function)
+    placed: dict[str, int] = {}
+    waiting = list(wiring.functions)
+    while waiting:
+        ready = [name for name in waiting if before[name] <= placed.keys()] or waiting[:1]
+        column = max(placed.values(), default=-1) + 1
+        placed.update(dict.fromkeys(ready, column))
+        waiting = [name for name in waiting if name not in placed]
+    columns = max(placed.values(), default=-1) + 1
+    return [[name for name, column in placed.items() if column == index] for index in range(columns)]
+
+
+def _ends_of(name: str, wiring: Wiring) -> list[End]:
+    linked = [end for link in wiring.links for end in (link.provider, link.consumer)]
+    ends = (end for end in (*wiring.from_outside, *linked, *wiring.to_outside) if end.function == name)
+    return list({(end.path, end.is_provider): end for end in ends}.values())
+
+
+def _box(name: str, x: int, y: int, ends: Sequence[End], linked: Iterable[tuple[str, str, bool]]) -> Box:
+    known = set(linked)
+    pins: list[Pin] = []
+    rows = [0, 0]
+    for end in ends:
+        side = int(end.is_provider)
+        at = y + _HEAD + _ROW * rows[side] + _ROW // 2
+        rows[side] += 1
+        is_free = (end.function, end.path, end.is_provider) not in known
+        pins.append(Pin(x + _BOX * side, at, end.is_provider, end.signal.name, end.path, is_free))
+    return Box(x, y, _BOX, _HEAD + _ROW * max(*rows, 1) + 10, name, tuple(pins))
+
+
+def _wire(link: Link, pins: Mapping[tuple[str, str, bool], Pin]) -> Wire:
+    start, end = pins[link.provider.function, link.path, True], pins[link.consumer.function, link.path, False]
+    bend = max(abs(end.x - start.x) / 2, 60)
+    curve = f"M{start.x} {start.y} C{start.x + bend:g} {start.y} {end.x - bend:g} {end.y} {end.x} {end.y}"
+    return Wire(curve, ((start.x + end.x) / 2, (start.y + end.y) / 2), link.path, link.flaws)

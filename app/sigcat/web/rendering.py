@@ -1,0 +1,97 @@
+"""Templates to responses. Every value is escaped; an undefined one is an error."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from http import HTTPStatus
+from pathlib import Path
+from typing import Any
+
+from fastapi import Request
+from fastapi.responses import HTMLResponse
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from sigcat import __version__
+from sigcat.api.answers.presenting import finding_schema, plain_text, shown_file
+from sigcat.api.answers.schemas import Problem
+from sigcat.api.requests.dependencies import library_of
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import choice_of
+from sigcat.findings import has_errors
+from sigcat.web.addresses import Addresses
+from sigcat.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
+
+TYPE_LETTERS = {
+    "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
+}  # fmt: skip
+"""What stands before a name in the tree: an attribute of VSS is a parameter to everyone else."""
+
+CATEGORY_WORDS = {
+    "data": "Data", "error": "Error", "safety_reaction": "Safety reaction", "mode": "Mode", "scheduling": "Scheduling",
+}  # fmt: skip
+
+_ENVIRONMENT = Environment(
+    loader=FileSystemLoader(Path(__file__).parent / "templates"),
+    autoescape=True,
+    undefined=StrictUndefined,
+    trim_blocks=True,
+    lstrip_blocks=True,
+)
+_ENVIRONMENT.filters.update(
+    number=number, scalar=scalar, unit=unit, date=date, breakable=breakable, marked=marked, with_code=with_code
+)
+_ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
+_ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
+
+
+def mounted_below(request: Request) -> str:
+    """The path below which the whole service is offered; below a mounted folder, Starlette keeps it apart."""
+    scope = request.scope
+    return str(scope.get("app_root_path", scope.get("root_path", "")))
+
+
+def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:
+    """A page. With `part` in the query only the part of it that changes while one stays on it."""
+    part = template.replace(".html", ".part.html")
+    name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
+    context.setdefault("hosted", None)
+    to = Addresses(mounted_below(request))
+    text = _ENVIRONMENT.get_template(name).render(
+        to=to,
+        for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
+        library=library_of(request),
+        address=request.url.path,
+        request_method=request.method,
+        is_flawed=_is_flawed(context["hosted"]),
+        **context,
+    )
+    return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def _is_flawed(hosted: Hosted | None) -> bool:
+    """Whether a tree is shown whose files had errors when they were read first."""
+    return hosted is not None and bool(hosted.catalogue.roots) and has_errors(hosted.catalogue.findings)
+
+
+def _for_catalogue(request: Request, to: Addresses, *, is_problem: bool) -> Callable[[str], str]:
+    """Addresses of this page for other catalogues; of the tree where the page would make no sense."""
+    route = "" if is_problem else getattr(request.scope.get("route"), "path", "")
+    query = request.query_params.multi_items() if request.method == "GET" else []
+    return partial(to.other_catalogue, route, request.path_params, query)
+
+
+def problem_page(request: Request, problem: Problem, headers: Mapping[str, str] | None = None) -> HTMLResponse:
+    """A problem as a page with its headers; near paths become links into the catalogue that the address names."""
+    catalogue = request.path_params.get("catalogue")
+    known = {hosted.source.id: hosted for hosted in library_of(request)}
+    hosted = known.get(choice_of(catalogue).base) if isinstance(catalogue, str) else None
+    given = dict(headers or {})
+    shown = page(
+        request,
+        "problem.html",
+        problem.status,
+        problem=problem,
+        hosted=hosted,
+        retry_after=given.get("Retry-After", ""),
+    )
+    shown.headers.update(given)
+    return shown

@@ -1,0 +1,46 @@
+"""The whole service: the API, and pages for people on top of it."""
+
+from http import HTTPStatus
+from pathlib import Path
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import Response
+from starlette.exceptions import HTTPException
+from starlette.staticfiles import StaticFiles
+
+from sigcat.api.answers.problems import answer_problem, problem_from
+from sigcat.api.application import create_app
+from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.catalogue.hosting.library import Library
+from sigcat.errors import SigcatError
+from sigcat.web.headers import SecurityHeaders
+from sigcat.web.pages import catalogue_pages as pages
+from sigcat.web.pages import change_pages, function_pages, reference, set_pages, try_pages
+from sigcat.web.rendering import problem_page
+
+_STATIC = Path(__file__).parent / "static"
+
+
+def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
+    """The API with the browser pages."""
+    app = create_app(library, settings)
+    for module in (function_pages, set_pages, try_pages, change_pages, pages, reference):
+        app.include_router(module.router, include_in_schema=False)
+    app.mount("/static", StaticFiles(directory=_STATIC), name="static")
+    app.add_middleware(SecurityHeaders)
+    for kind in (SigcatError, RequestValidationError, HTTPException, Exception):
+        app.add_exception_handler(kind, _answer)
+    return app
+
+
+async def _answer(request: Request, error: Exception) -> Response:
+    """A problem document for programs, a page for people."""
+    path = request.url.path.removeprefix(request.scope.get("root_path", ""))
+    is_for_programs = path.startswith(("/api/", "/openapi.json", "/rows/")) or path.endswith(".json")
+    if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):
+        return await answer_problem(request, error)
+    problem = problem_from(error)
+    if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
+        await answer_problem(request, error)
+    return problem_page(request, problem, getattr(error, "headers", None))

@@ -1,0 +1,128 @@
+"""What the page of a node shows: the node as the API has it, resolved further for readers."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.presenting import node_detail
+from sigcat.catalogue.exporting.static_id import static_id
+from sigcat.catalogue.hosting.variants import instance_counts
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.integration.autosar_names import branch_of, event_name, service_name, short_name
+from sigcat.integration.names import field_name, message_name, topic_name
+from sigcat.names import last_name
+from sigcat.rules.record import Rule
+from sigcat.web.pictures.range_bar import RangeBar, range_bar
+from sigcat.web.views.shelf import Use, uses
+
+_ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
+MOST_CHILDREN = 400
+"""Children that a page lists; the tree beside it has them all."""
+
+
+class Crumb(NamedTuple):
+    """A branch on the way to a node."""
+
+    name: str
+    path: str
+
+
+class NodeView(NamedTuple):
+    """A node, ready to be shown."""
+
+    detail: schemas.Node
+    crumbs: tuple[Crumb, ...]
+    range: RangeBar | None
+    attributes: tuple[schemas.Attribute, ...]
+    values: Mapping[str, object]
+    names: tuple[tuple[str, str], ...]
+    """The name of the node elsewhere: (where, name)."""
+    uses: tuple[Use, ...]
+    """Shipped functions that use the node, or an instance of it where instances are folded."""
+    instances: int
+    """In how many places of the tree the node stands, where instances are folded."""
+    child_count: int
+    field_units: Mapping[str, str]
+    """Units of the fields that the interfaces of functions have beside those of VSS."""
+
+
+def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) -> NodeView:
+    """Everything that the page of a node shows."""
+    detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
+    used = tuple(uses(catalogue).get(node.path, ()))
+    values = {attribute.name: attribute.value for attribute in detail.attributes}
+    return NodeView(
+        detail,
+        tuple(_crumbs(node.path)),
+        range_bar(node.values),
+        _ordered(detail.attributes),
+        values,
+        _names(node, detail, used),
+        used,
+        0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
+        len(node.children),
+        field_units,
+    )
+
+
+def field_units_of(rules: Iterable[Rule]) -> dict[str, str]:
+    """Units of fields by name, as the rules for interfaces have them: `cycleTime` → `ms`."""
+    units: dict[str, str] = {}
+    waiting = [rule.options.get("fields") for rule in rules]
+    while waiting:
+        fields = waiting.pop()
+        for name, field in fields.items() if isinstance(fields, Mapping) else ():
+            if isinstance(field, Mapping):
+                unit = field.get("unit")
+                if isinstance(unit, str) and " " not in unit:
+                    units[name] = unit
+                waiting.append(field.get("fields"))
+    return units
+
+
+def _crumbs(path: str) -> list[Crumb]:
+    names = path.split(".")
+    return [Crumb(name, ".".join(names[: position + 1])) for position, name in enumerate(names)]
+
+
+def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ...]:
+    """What identifies a signal first, then the rest in the order in which it was written."""
+    rank = {name: position for position, name in enumerate(_ORDER)}
+    return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
+
+
+def _names(node: Node, detail: schemas.Node, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+    """The name of a node for each of those who have rules of their own for names."""
+    names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
+    if detail.interface_name:
+        return (("Interface", detail.interface_name), *names, *_names_of_interface(detail.interface_name))
+    if not node.is_leaf:
+        return (*names, ("ROS 2 message", message_name(node.path.partition(".")[2] or node.path).text))
+    return (*names, *_names_of_signal(node.path, used), ("Static id", static_id(node)))
+
+
+def _names_of_signal(path: str, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+    variable = field_name(path.partition(".")[2] or path).text
+    provider = next((use.component for use in used if use.verb == "provides"), branch_of(path))
+    service, event = service_name(provider), event_name(path)
+    return (
+        ("C", variable),
+        ("C++ (ara::com)", f"{service}Proxy::{event}"),
+        ("Python", variable),
+        ("ROS 2 topic", topic_name(*path.split("."))),
+        ("ROS 2 field", field_name(last_name(path)).text),
+        ("SOME/IP event", event),
+        ("AUTOSAR", f"{service}/{event}"),
+    )
+
+
+def _names_of_interface(name: str) -> tuple[tuple[str, str], ...]:
+    variable, event = field_name(name).text, short_name(name)
+    return (
+        ("C", variable),
+        ("C++ (ara::com)", event),
+        ("Python", variable),
+        ("ROS 2 field", variable),
+        ("SOME/IP event", event),
+        ("AUTOSAR", event),
+    )

@@ -1,0 +1,107 @@
+"""The functions that sigcat ships, built against a catalogue: what the pages show without anything being posted."""
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.interfaces import FUNCTION_BRANCH
+from sigcat.data import EXAMPLES
+from sigcat.errors import NotFound
+from sigcat.findings import Finding
+from sigcat.function.build.build import build
+from sigcat.function.declaration.declaration import read_declaration
+from sigcat.function.function_json.model import PROVIDER, FunctionJson
+from sigcat.function.sets.wiring import calls_of, data_of
+from sigcat.names import nearest
+
+FILE = "function.yaml"
+
+
+class Shelved(NamedTuple):
+    """A function with its declaration. `function` is None if the declaration does not fit the catalogue."""
+
+    id: str
+    text: str
+    function: FunctionJson | None
+    findings: tuple[Finding, ...]
+
+    @property
+    def name(self) -> str:
+        """Name of the function; its id if it could not be built."""
+        return self.function.info.function_name if self.function else self.id
+
+
+class Use(NamedTuple):
+    """That a function uses a node."""
+
+    function_id: str
+    function: str
+    verb: str
+    """consumes, provides, is set by, reports, reacts to, is told, tells, runs"""
+    call: str
+    name: str
+    """Name inside the function, where it has one of its own."""
+    component: str
+    """The component whose call it is; empty for a mode, which concerns the whole function."""
+
+
+@lru_cache(maxsize=8)
+def shelf(catalogue: Catalogue) -> tuple[Shelved, ...]:
+    """Every shipped function, built against a catalogue."""
+    files = sorted(EXAMPLES.glob(f"*/{FILE}"))
+    return tuple(shelved(file.parent.name, file.read_text("utf-8"), catalogue) for file in files)
+
+
+def shelved(function_id: str, text: str, catalogue: Catalogue) -> Shelved:
+    """A function from the text of its declaration."""
+    built = build(read_declaration(text.encode("utf-8", "replace"), FILE), catalogue)
+    return Shelved(function_id, text, built.function, built.findings)
+
+
+def from_shelf(catalogue: Catalogue, function_id: str) -> Shelved:
+    """A shipped function by its id. Raises NotFound with the nearest ids."""
+    known = {each.id: each for each in shelf(catalogue)}
+    if function_id not in known:
+        raise NotFound(f"There is no function {function_id!r}.", nearest(function_id[:100], known))
+    return known[function_id]
+
+
+@lru_cache(maxsize=8)
+def uses(catalogue: Catalogue) -> Mapping[str, Sequence[Use]]:
+    """Which shipped functions use a node, by its path.
+
+    Without a branch of functions none can be built, and working out what each name may have meant takes its time.
+    """
+    found: dict[str, list[Use]] = {}
+    has_functions = any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
+    for each in shelf(catalogue) if has_functions else ():
+        if each.function is not None:
+            for path, use in _uses_of(each.id, each.function):
+                if path:
+                    found.setdefault(path, []).append(use)
+    return found
+
+
+def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None, Use]]:
+    name = function.info.function_name
+    made: list[tuple[str | None, Use]] = []
+    components = {call.name: component.name for component in function.components for call in component.runnables}
+
+    def add(path: str | None, verb: str, call: str = "", own: str = "") -> None:
+        made.append((path, Use(function_id, name, verb, call, own, components.get(call, ""))))
+
+    for call in calls_of(function):
+        add(call.vss_path, "runs")
+        for contract in call.contracts or ():
+            for signal in data_of(contract):
+                add(signal.vss_path, "provides" if signal.role == PROVIDER else "consumes", call.name, signal.name)
+            for parameter in contract.parameters or ():
+                add(parameter.vss_path, "is set by", call.name, parameter.name)
+            for error in contract.errors or ():
+                add(error.vss_path, "reports", call.name)
+            for reaction in contract.safety_reactions or ():
+                add(reaction.vss_path, "reacts to", call.name)
+    for mode in function.mode_interfaces or ():
+        add(mode.vss_path, "tells" if mode.direction == "Out" else "is told")
+    return made

@@ -1,0 +1,37 @@
+"""Real `vspec export` as the judge of every export."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+from sigcat.catalogue.exporting.vss_tools.formats import Format
+
+
+@cache
+def _judge() -> "subprocess.Popen[str]":
+    script = Path(__file__).with_name("vspec_export.py")
+    return subprocess.Popen([sys.executable, str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def judged(format_: Format, arguments: Sequence[str], folder: Path) -> dict[str, bytes]:
+    """Files that `vspec export` writes into an empty folder, by path; arguments without the one for the output."""
+    output = folder / f"Vehicle{format_.suffix}"
+    (output if format_.output_exists else folder).mkdir(parents=True)
+    job = {"format": format_.name, "arguments": [*arguments, f"--{format_.output}", str(output)], "folder": str(folder)}
+    judge = _judge()
+    assert judge.stdin is not None
+    assert judge.stdout is not None
+    print(json.dumps(job), file=judge.stdin, flush=True)
+    status = int(judge.stdout.readline())
+    log = folder / "log"
+    assert status == 0, log.read_text()
+    log.unlink()
+    return files_in(output if format_.is_folder else folder)
+
+
+def files_in(folder: Path) -> dict[str, bytes]:
+    """Content of all files below a folder, by path."""
+    return {file.relative_to(folder).as_posix(): file.read_bytes() for file in folder.rglob("*") if file.is_file()}

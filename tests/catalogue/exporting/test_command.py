@@ -1,0 +1,82 @@
+"""`sigcat export FORMAT` writes to standard output, a file, a folder or a zip archive."""
+
+import zipfile
+
+import pytest
+
+from sigcat.catalogue.exporting.vss_tools.formats import VHAL_MAP
+from sigcat.cli import main
+from tests.catalogue.exporting.test_same_bytes import TREE
+
+SPEED = "Vehicle:\n  type: branch\n  description: V.\nVehicle.Speed:\n  type: sensor\n  datatype: float\n  description: S.\n"
+
+
+@pytest.fixture
+def tree(tmp_path, monkeypatch):
+    (tmp_path / "tree.vspec").write_text(SPEED)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_file_goes_to_standard_output(tree, capfd):
+    assert main(["export", "tree", "-s", "tree.vspec"]) == 0
+    assert capfd.readouterr().out == "Vehicle\n└── Speed\n"
+
+
+def test_bytes_go_to_standard_output_unchanged(tree, capfdbinary):
+    assert main(["export", "binary", "-s", "tree.vspec"]) == 0
+    assert capfdbinary.readouterr().out.startswith(b"\x07Vehicle\x06branch")
+
+
+def test_a_folder_needs_a_name(tree, capsys):
+    assert main(["export", "ros2interface", "-s", "tree.vspec"]) == 2
+    assert "name it with -o" in capsys.readouterr().err
+
+
+def test_a_folder_is_written_into_a_folder(tree):
+    assert main(["export", "ros2interface", "-s", "tree.vspec", "-o", "ros", "--package-name", "cars"]) == 0
+    assert (tree / "ros/cars/msg/Vehicle.msg").is_file()
+
+
+def test_or_into_a_zip_archive(tree):
+    assert main(["export", "s2dm", "-s", "tree.vspec", "-o", "schema.zip"]) == 0
+    assert "schema.graphql" in zipfile.ZipFile("schema.zip").namelist()
+
+
+def test_types_go_where_they_are_asked_for(tree):
+    typed = ["-s", str(TREE / "tree.vspec"), "-t", str(TREE / "types.vspec")]
+    (tree / "types").mkdir()
+    assert main(["export", "csv", *typed, "-o", "x.csv", "--types-output", "types/x.csv"]) == 0
+    assert "Types.Geo.Time" in (tree / "types/x.csv").read_text()
+    assert main(["export", "protobuf", *typed, "-o", "x.proto", "--types-out-dir", "types"]) == 0
+    assert (tree / "types/Types/Geo/Geo.proto").is_file()
+
+
+def test_a_second_file_goes_beside_the_first(tree, capsys):
+    typed = ["-s", str(TREE / "tree.vspec"), "-t", str(TREE / "types.vspec")]
+    assert main(["export", "id", *typed]) == 2
+    assert "name the first with -o" in capsys.readouterr().err
+    assert main(["export", "id", *typed, "-o", "ids.yaml"]) == 0
+    assert (tree / "structs_ids.yaml").is_file()
+
+
+def test_android_properties_keep_their_numbers_from_export_to_export(tree):
+    assert main(["export", "vhal", "-s", "tree.vspec", "-o", "android"]) == 0
+    first = (tree / "android" / VHAL_MAP).read_text()
+    (tree / "tree.vspec").write_text(SPEED.replace("Speed:", "A:") + SPEED.partition("V.\n")[2])
+    assert main(["export", "vhal", "-s", "tree.vspec", "-o", "android"]) == 0
+    second = (tree / "android" / VHAL_MAP).read_text()
+    assert first.strip(" []\n") in second
+
+
+def test_warnings_of_vss_tools_go_to_standard_error(tree, capfd):
+    assert main(["export", "apigear", "-s", "tree.vspec", "-o", "api"]) == 0
+    assert "vss-tools: No layers provided" in capfd.readouterr().err
+
+
+def test_help_of_a_format_names_its_options(capsys):
+    with pytest.raises(SystemExit):
+        main(["export", "ros2interface", "--help"])
+    text = capsys.readouterr().out
+    assert "--package-name" in text
+    assert "--topics-case-sensitive" in text

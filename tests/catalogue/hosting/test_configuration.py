@@ -1,0 +1,214 @@
+"""`sigcat.toml`, and the catalogues of the command line: what they say, and what is wrong with them, by line."""
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from sigcat.catalogue.hosting.configuration import Configuration, read_configuration
+from sigcat.catalogue.hosting.releases import pull
+from sigcat.catalogue.hosting.source import load
+from sigcat.catalogue.hosting.sources import shipped_sources, source_from_option
+from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
+from sigcat.data import ROOT_FILE
+from sigcat.errors import InputRefused, NotFound, UsageError
+
+TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "overlays").mkdir()
+    for name in ("tree.vspec", "overlays/first.vspec", "overlays/second.vspec", "units.yaml"):
+        (tmp_path / name).write_text(TREE if name == "tree.vspec" else "")
+    return tmp_path
+
+
+def configuration(folder: Path, text: str, tables: Sequence[str] = ()) -> Configuration:
+    file = folder / "sigcat.toml"
+    file.write_text(text)
+    return read_configuration(file, tables)
+
+
+def findings(folder: Path, text: str) -> list[tuple[str, int, str, str]]:
+    with pytest.raises(InputRefused) as refused:
+        configuration(folder, text)
+    return [(f.rule, f.line, f.message.replace(f"{folder}/", ""), f.fix) for f in refused.value.findings]
+
+
+def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, server, data):
+    pull("v5.0", f"{server}/good")
+    found = configuration(
+        folder,
+        """
+        watch = true
+        shipped = false
+        [[catalogue]]
+        id = "own"
+        title = "Our own"
+        spec = "tree.vspec"
+        overlays = ["overlays/second.vspec", "overlays/first.vspec"]
+        units = ["units.yaml"]
+        include_dirs = ["overlays"]
+        [[catalogue]]
+        id = "official"
+        release = "5.0"
+        [[catalogue]]
+        id = "base"
+        release = "shipped"
+        """,
+    )
+    own, official, base = found.sources
+    assert (own.id, own.title, own.spec) == ("own", "Our own", folder / "tree.vspec")
+    assert own.overlays == (folder / "overlays/second.vspec", folder / "overlays/first.vspec")
+    assert (own.units, own.include_dirs) == ((folder / "units.yaml",), (folder / "overlays",))
+    assert (official.id, official.title, official.release) == ("official", "VSS 5.0", "v5.0")
+    assert len(load(official).nodes) == 2
+    assert base.spec == ROOT_FILE
+    assert (found.is_watching, found.has_shipped) == (True, False)
+
+
+def test_an_empty_file_says_nothing(folder):
+    found = configuration(folder, "")
+    assert (found.sources, found.is_watching, found.has_shipped) == ((), False, True)
+
+
+def test_unknown_settings_are_refused_with_the_line_and_the_nearest_name(folder):
+    text = '# Catalogues\nwach = true\n\n[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlay = []\n'
+    assert findings(folder, text) == [
+        ("C002", 2, "There is no setting 'wach'.", "Did you mean 'watch'?"),
+        ("C002", 7, "There is no setting 'overlay'.", "Did you mean 'overlays'?"),
+    ]
+
+
+def test_the_line_is_that_of_the_catalogue_meant(folder):
+    text = '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\n\n[[catalogue]]\nid = "b"\nspec = "none.vspec"\n'
+    assert findings(folder, text) == [("C005", 7, "There is no file 'none.vspec'.", "")]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('[[catalogue]]\nspec = "tree.vspec"\n', ("C004", 1, "The catalogue has no `id`.")),
+        (
+            '[[catalogue]]\nid = "a"\n',
+            ("C004", 1, "The catalogue has neither `spec` nor `release`; one of them is needed."),
+        ),
+        (
+            '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\nrelease = "shipped"\n',
+            ("C004", 1, "The catalogue has both `spec` and `release`; one of them is needed."),
+        ),
+        ('[[catalogue]]\nid = 5\nspec = "tree.vspec"\n', ("C003", 2, "'id' takes a text.")),
+        (
+            '[[catalogue]]\nid = "../a"\nspec = "tree.vspec"\n',
+            ("C003", 2, "'../a' is no id: letters, digits, '.', '_' and '-' are."),
+        ),
+        ('watch = "yes"\n', ("C003", 1, "'watch' takes true or false.")),
+        ('[catalogue]\nid = "a"\n', ("C003", 1, "'catalogue' takes a list.")),
+        ("catalogue = [1]\n", ("C003", 1, "'catalogue' takes tables: [[catalogue]].")),
+        (
+            '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlays = "x"\n',
+            ("C003", 4, "'overlays' takes a list."),
+        ),
+        (
+            '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlays = [\n  1,\n]\n',
+            ("C003", 4, "'overlays' takes a list of texts."),
+        ),
+        (
+            '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\ninclude_dirs = ["tree.vspec"]\n',
+            ("C005", 4, "There is no folder 'tree.vspec'."),
+        ),
+        ("watch = true\nwatch = false\n", ("C001", 2, "Not valid TOML: Cannot overwrite a value.")),
+        ("watch = \n", ("C001", 1, "Not valid TOML: Invalid value.")),
+        ("[[catalogue", ("C001", 1, "Not valid TOML: Expected ']]' at the end of an array declaration.")),
+    ],
+)
+def test_each_fault_has_its_line(folder, text, expected):
+    assert [finding[:3] for finding in findings(folder, text)] == [expected]
+
+
+def test_two_catalogues_cannot_have_one_id(folder):
+    one = '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\n'
+    assert findings(folder, one + one) == [("C006", 5, "Two catalogues have the id 'a'.", "")]
+
+
+def test_a_release_that_was_not_pulled_is_told_with_how_to_pull_it(folder, data):
+    text = '[[catalogue]]\nid = "a"\nrelease = "v4.0"\n'
+    assert findings(folder, text) == [("C005", 3, "Release v4.0 is not here. `sigcat pull v4.0` fetches it.", "")]
+
+
+def test_tables_of_others_are_handed_on_and_else_refused(folder):
+    text = "[service]\nport = 80\n"
+    assert configuration(folder, text, tables=["service"]).tables == {"service": {"port": 80}}
+    assert [finding[:2] for finding in findings(folder, text)] == [("C002", 1)]
+
+
+def test_what_is_no_text_is_refused(folder):
+    (folder / "sigcat.toml").write_bytes(b"# one\n\xff\n")
+    with pytest.raises(InputRefused) as refused:
+        read_configuration(folder / "sigcat.toml")
+    assert [(f.rule, f.line) for f in refused.value.findings] == [("C001", 2)]
+
+
+def test_a_missing_file_is_an_error_of_usage(folder):
+    with pytest.raises(UsageError, match="No such file"):
+        read_configuration(folder / "none.toml")
+
+
+def test_an_option_names_a_file_a_folder_or_a_release_with_overlays(folder, server, data):
+    release = pull("v5.0", f"{server}/good")
+    overlay = folder / "overlays/first.vspec"
+    file = source_from_option(f"a={folder}/tree.vspec,{overlay}")
+    assert (file.id, file.spec, file.overlays) == ("a", folder / "tree.vspec", (overlay,))
+    assert source_from_option(f"b={release.folder}").spec == release.spec
+    assert source_from_option("c=5.0").release == "v5.0"
+    assert source_from_option("d=shipped").spec == ROOT_FILE
+
+
+@pytest.mark.parametrize("text", ["", "a", "a=", "=b", "a=5.0,missing.vspec", "a=overlays"])
+def test_an_option_that_names_no_catalogue_is_refused(folder, monkeypatch, data, text):
+    monkeypatch.chdir(folder)
+    with pytest.raises((UsageError, NotFound)):
+        source_from_option(text)
+
+
+def chosen(*argv: str) -> Configuration:
+    parser = argparse.ArgumentParser()
+    add_catalogue_options(parser)
+    return chosen_configuration(parser.parse_args(argv))
+
+
+def test_the_command_line_comes_before_the_file_and_the_shipped_ones_last(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    assert [source.id for source in chosen().sources] == [source.id for source in shipped_sources()]
+    Path("sigcat.toml").write_text('watch = true\n[[catalogue]]\nid = "vss"\nspec = "tree.vspec"\n')
+    found = chosen("--catalogue", "mine=tree.vspec")
+    assert [source.id for source in found.sources] == ["mine", "vss", "interfaces"]
+    assert found.sources[1].spec.resolve() == folder / "tree.vspec"
+    assert found.is_watching
+    assert not chosen("--no-watch").is_watching
+
+
+def test_the_configuration_is_named_by_option_or_environment(folder, monkeypatch, tmp_path):
+    other = tmp_path / "other.toml"
+    other.write_text('shipped = false\n[[catalogue]]\nid = "only"\nspec = "tree.vspec"\n')
+    assert [source.id for source in chosen("--config", str(other)).sources] == ["only"]
+    monkeypatch.setenv("SIGCAT_CONFIG", str(other))
+    assert [source.id for source in chosen().sources] == ["only"]
+
+
+def test_nothing_to_host_is_an_error_of_usage(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    Path("sigcat.toml").write_text("shipped = false\n")
+    with pytest.raises(UsageError, match="no catalogue is left"):
+        chosen()
+
+
+def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder):
+    assert findings(folder, '[[catalogue]]\nid = "a"\nspec = "overlays"\n') == [
+        ("C005", 3, "'overlays' is a folder.", "Name the root .vspec file in it."),
+    ]
+    assert [finding[:2] for finding in findings(folder, '[[catalogue]]\nid = "a"\ntree = "tree.vspec"\n')] == [
+        ("C002", 3)
+    ]

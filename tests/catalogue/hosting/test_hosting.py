@@ -1,0 +1,206 @@
+"""A library of many catalogues: each replaced whole, the last good state kept, readers never seeing a mix."""
+
+import threading
+import time
+
+import pytest
+
+from sigcat.catalogue.hosting.library import Library, Source, Watch
+from sigcat.errors import NotFound
+
+ROOT = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
+
+
+def signal(name: str, text: str = "Something.") -> str:
+    return f"Vehicle.{name}:\n  type: sensor\n  datatype: float\n  description: {text}\n"
+
+
+@pytest.fixture
+def tree(tmp_path):
+    (tmp_path / "tree.vspec").write_text(f"{ROOT}#include part.vspec\n")
+    (tmp_path / "part.vspec").write_text(signal("Speed"))
+    (tmp_path / "overlay.vspec").write_text(signal("Height"))
+    return tmp_path
+
+
+@pytest.fixture
+def library(tree):
+    root = tree / "tree.vspec"
+    return Library([Source("own", "Own", root, (tree / "overlay.vspec",)), Source("bare", "Bare", root)])
+
+
+def leaves(library: Library, catalogue_id: str = "own") -> list[str]:
+    return [node.name for node in library.get(catalogue_id).catalogue.nodes.values() if node.is_leaf]
+
+
+def test_catalogues_stand_side_by_side_each_with_its_overlays(library):
+    assert leaves(library, "own") == ["Speed", "Height"]
+    assert leaves(library, "bare") == ["Speed"]
+    assert library.default.source.id == "own"
+
+
+def test_a_name_that_is_not_there_is_told_with_near_ones(library):
+    with pytest.raises(NotFound) as missing:
+        library.get("bear")
+    assert missing.value.nearest == ("bare",)
+
+
+def test_a_library_of_nothing_has_no_default():
+    with pytest.raises(NotFound):
+        _ = Library([]).default
+
+
+def test_unchanged_files_are_not_read_again(library):
+    before = library.get("own")
+    assert library.reload_changed() == ()
+    assert library.get("own") is before
+
+
+@pytest.mark.parametrize("file", ["tree.vspec", "part.vspec"])
+def test_a_changed_file_is_read_again_by_every_catalogue_that_includes_it(library, tree, file):
+    with (tree / file).open("a") as opened:
+        opened.write(signal("Width") if file == "tree.vspec" else "\n" + signal("Width"))
+    assert library.reload_changed() == ("own", "bare")
+    assert "Width" in leaves(library, "own")
+    assert "Width" in leaves(library, "bare")
+    assert library.reload_changed() == ()
+
+
+def test_a_changed_overlay_concerns_its_catalogue_and_the_search_of_it(library, tree):
+    bare = library.get("bare").catalogue
+    (tree / "overlay.vspec").write_text(signal("Depth"))
+    library.reload_changed()
+    assert leaves(library) == ["Speed", "Depth"]
+    assert [node.name for node in library.get("own").search_index.search("depth").nodes] == ["Depth"]
+    assert library.get("bare").catalogue.nodes.keys() == bare.nodes.keys()
+
+
+def test_units_that_appear_beside_the_tree_are_read(library, tree):
+    (tree / "quantities.yaml").write_text("length:\n  definition: Extent.\n")
+    (tree / "units.yaml").write_text(
+        "m:\n  definition: Length.\n  unit: meter\n  quantity: length\n  allowed-datatypes: [numeric]\n"
+    )
+    assert library.reload_changed() == ("own", "bare")
+    assert "m" in library.get("own").catalogue.vocabulary.units
+
+
+def test_a_broken_edit_keeps_the_last_good_state_and_says_why(library, tree):
+    good = library.get("own")
+    (tree / "overlay.vspec").write_text("Vehicle.Height:\n  type: sensr\n")
+    library.reload_changed()
+    broken = library.get("own")
+    assert broken.catalogue is good.catalogue
+    assert broken.search_index is good.search_index
+    assert [(f.rule, f.line) for f in broken.rejected] == [("V001", 2)]
+    assert library.reload_changed() == ()
+
+
+def test_a_mended_edit_takes_the_place_of_the_last_good_state(library, tree):
+    (tree / "overlay.vspec").write_text("Vehicle.Height: [\n")
+    library.reload_changed()
+    (tree / "overlay.vspec").write_text(signal("Depth"))
+    library.reload_changed()
+    assert library.get("own").rejected == ()
+    assert leaves(library) == ["Speed", "Depth"]
+
+
+def test_an_edit_that_is_taken_back_clears_the_complaint_and_keeps_the_catalogue(library, tree):
+    good = library.get("own")
+    (tree / "overlay.vspec").write_text("Vehicle.Height: [\n")
+    library.reload_changed()
+    (tree / "overlay.vspec").write_text(signal("Height"))
+    library.reload_changed()
+    assert library.get("own").rejected == ()
+    assert library.get("own").catalogue is good.catalogue
+
+
+@pytest.mark.parametrize("file", ["part.vspec", "overlay.vspec", "tree.vspec"])
+def test_a_file_that_goes_away_and_comes_back(library, tree, file):
+    text = (tree / file).read_text()
+    (tree / file).unlink()
+    library.reload_changed()
+    assert leaves(library) == ["Speed", "Height"]
+    assert library.get("own").rejected
+    (tree / file).write_text(text)
+    library.reload_changed()
+    assert library.get("own").rejected == ()
+
+
+def test_a_file_that_an_edit_includes_before_it_exists_is_found_when_it_appears(library, tree):
+    (tree / "tree.vspec").write_text(f"{ROOT}#include part.vspec\n#include more.vspec\n")
+    library.reload_changed()
+    assert [finding.rule for finding in library.get("own").rejected] == ["R008"]
+    (tree / "more.vspec").write_text(signal("Width"))
+    library.reload_changed()
+    assert leaves(library) == ["Speed", "Width", "Height"]
+
+
+def test_a_catalogue_that_was_never_good_shows_its_newest_state(tree):
+    (tree / "tree.vspec").write_text("Vehicle:\n  type: brunch\n")
+    library = Library([Source("own", "Own", tree / "tree.vspec")])
+    (tree / "tree.vspec").write_text(f"{ROOT}Vehicle.Speed:\n  type: sensr\n")
+    library.reload_changed()
+    assert library.get("own").rejected == ()
+    assert [f.path for f in library.get("own").catalogue.findings] == ["Vehicle.Speed"]
+    (tree / "tree.vspec").write_text(ROOT)
+    library.reload_changed()
+    assert library.get("own").catalogue.findings == ()
+
+
+def test_hosting_other_sources_keeps_the_catalogues_that_stay(library, tree):
+    own = library.get("own")
+    library.host([Source("new", "New", tree / "part.vspec"), own.source])
+    assert [hosted.source.id for hosted in library] == ["new", "own"]
+    assert library.get("own") is own
+
+
+def test_a_watch_reads_changed_files_again(library, tree):
+    with Watch(library, seconds=0.02):
+        (tree / "overlay.vspec").write_text(signal("Depth"))
+        until = time.monotonic() + 5
+        while leaves(library) != ["Speed", "Depth"] and time.monotonic() < until:
+            time.sleep(0.01)
+    assert leaves(library) == ["Speed", "Depth"]
+
+
+def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):
+    def fail():
+        raise RuntimeError("disk on fire")
+
+    monkeypatch.setattr(library, "reload_changed", fail)
+    with Watch(library, seconds=0.01):
+        time.sleep(0.1)
+        monkeypatch.undo()
+        (tree / "overlay.vspec").write_text(signal("Depth"))
+        time.sleep(0.3)
+    assert leaves(library) == ["Speed", "Depth"]
+    assert "disk on fire" in caplog.text
+
+
+def test_readers_never_see_a_mix(library, tree):
+    """Two signals change together, again and again; whoever reads sees both of one state."""
+    faults = []
+    done = threading.Event()
+
+    def read():
+        while not done.is_set():
+            hosted = library.get("bare")
+            texts = {n.values["description"] for n in hosted.catalogue.nodes.values() if n.is_leaf}
+            found = {n.values["description"] for n in hosted.search_index.search("signal").nodes if n.is_leaf}
+            if len(texts) != 1 or (found and found != texts):
+                faults.append((texts, found))
+
+    part = tree / "part.vspec"
+    part.write_text(signal("SignalA", "State 0.") + signal("SignalB", "State 0."))
+    library.reload("bare")
+    readers = [threading.Thread(target=read) for _ in range(4)]
+    for reader in readers:
+        reader.start()
+    for state in range(1, 30):
+        part.write_text(signal("SignalA", f"State {state}.") + signal("SignalB", f"State {state}."))
+        library.reload("bare")
+    done.set()
+    for reader in readers:
+        reader.join()
+    assert faults == []
+    assert library.get("bare").catalogue.nodes["Vehicle.SignalA"].values["description"] == "State 29."
