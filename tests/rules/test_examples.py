@@ -46,8 +46,8 @@ def test_a_rule_names_a_check_and_has_examples(rule):
     assert rule.why.endswith(".")
 
 
-def test_names_of_rules_are_unique_within_a_category():
-    names = [(rule.category, rule.name) for rule in RULES]
+def test_names_of_rules_are_unique():
+    names = [rule.name for rule in RULES]
     assert len(set(names)) == len(names)
 
 
