@@ -1,10 +1,10 @@
-"""Write docs/licences.md anew: the licence of every package that is shipped: `python -m scripts.licences`."""
+"""Write docs/reference/licences.md anew: the licence of every package that is shipped: `python -m scripts.licences`."""
 
 import sys
 
 from scripts.shipped import ROOT, Package, shipped
 
-FILE = ROOT / "docs" / "licences.md"
+FILE = ROOT / "docs" / "reference" / "licences.md"
 _HEAD = """\
 # Licences of what is shipped
 

@@ -1,4 +1,4 @@
-"""Write docs/openapi.json anew, and tell what that breaks for clients of the released one: `python -m scripts.openapi`.
+"""Write docs/reference/openapi.json anew, and tell what that breaks for clients of the released one: `python -m scripts.openapi`.
 
 With `--release` the document becomes the released one, to which later ones are compared; if it breaks clients, it does not.
 """
@@ -14,8 +14,8 @@ from sigcat.api.openapi_changes import breaking_changes
 from sigcat.catalogue.hosting.library import Library
 
 ROOT = Path(__file__).parent.parent
-FILE = ROOT / "docs" / "openapi.json"
-RELEASED = ROOT / "docs" / "openapi-released.json"
+FILE = ROOT / "docs" / "reference" / "openapi.json"
+RELEASED = ROOT / "docs" / "reference" / "openapi-released.json"
 """The document of the last release. It moves with releases only, so that a change is found however many commits ago."""
 
 

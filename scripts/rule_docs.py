@@ -1,4 +1,4 @@
-"""Write docs/rules.md from interface_rules/; with --check, say whether it is up to date."""
+"""Write docs/reference/rules.md from interface_rules/; with --check, say whether it is up to date."""
 
 import sys
 from pathlib import Path
@@ -7,7 +7,7 @@ from sigcat.data import INTERFACE_RULES
 from sigcat.rules.pages import rule_book
 from sigcat.rules.record import load_rules
 
-TARGET = Path(__file__).parents[1] / "docs" / "rules.md"
+TARGET = Path(__file__).parents[1] / "docs" / "reference" / "rules.md"
 
 
 def main(arguments: list[str]) -> int:
@@ -19,7 +19,7 @@ def main(arguments: list[str]) -> int:
         return 0
     if TARGET.is_file() and TARGET.read_text(encoding="utf-8") == text:
         return 0
-    print("docs/rules.md is not up to date: run scripts/rule_docs.py.")
+    print("docs/reference/rules.md is not up to date: run scripts/rule_docs.py.")
     return 1
 
 

@@ -15,7 +15,7 @@ from tests.catalogue.hosting.archives import saved, tar_bytes
 ROOT = Path(__file__).parents[1]
 SIGCAT = (sys.executable, "-m", "sigcat.cli")
 SHOWN_AT = "http://127.0.0.1:8000"
-DOCUMENTS = ("README.md", "docs/api.md", "docs/exports.md")
+DOCUMENTS = ("README.md", "docs/reference/api.md", "docs/reference/exports.md")
 BEYOND = ("make ", "sigcat pull", "openapi-python-client ", "npx ")
 """Commands that have tests of their own, for they need more than a shell and a service."""
 PRELUDE = f"""\

@@ -19,7 +19,7 @@ from sigcat.catalogue.hosting.library import Library, shipped_sources
 from tests.api.conftest import Ask, asker
 
 ROOT = Path(__file__).parents[2]
-FILE = ROOT / "docs" / "openapi.json"
+FILE = ROOT / "docs" / "reference" / "openapi.json"
 DOCUMENT: dict[str, Any] = json.loads(FILE.read_bytes())
 API = [(path, method, each) for path, method, each in operations(DOCUMENT) if path.startswith("/api/")]
 IDS = [each["operationId"] for _, _, each in API]

@@ -257,7 +257,7 @@ def test_settings_that_do_not_fit_are_refused(
 
 
 def test_every_setting_is_described_and_documented() -> None:
-    text = (Path(__file__).parents[2] / "docs" / "operations.md").read_text()
+    text = (Path(__file__).parents[2] / "docs" / "how-to" / "production.md").read_text()
     for name, value, description in shown(Settings()):
         assert f"| `{name}` | `{value}` | {description} |" in text, f"| `{name}` | `{value}` | {description} |"
 

@@ -1,4 +1,4 @@
-"""What docs/linting.md shows works as it is shown."""
+"""What docs/reference/linting.md shows works as it is shown."""
 
 import re
 import shlex
@@ -15,7 +15,7 @@ from sigcat.rules.linting.selection import chosen, rules_for
 from sigcat.rules.record import parse_rules
 
 PROJECT = Path(__file__).parents[2]
-TEXT = (PROJECT / "docs" / "linting.md").read_text(encoding="utf-8")
+TEXT = (PROJECT / "docs" / "reference" / "linting.md").read_text(encoding="utf-8")
 BLOCKS = [(m[1], m[2]) for m in re.finditer(r"^```(\w+)\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)]
 COMMANDS = [line for kind, block in BLOCKS if kind == "sh" for line in block.splitlines()]
 

@@ -1,4 +1,4 @@
-"""docs/functions.md shows commands that run, and keys that exist."""
+"""docs/reference/functions.md shows commands that run, and keys that exist."""
 
 import re
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 from sigcat.cli import main
 from sigcat.function.declaration.declaration import declaration_schema
 
-TEXT = (Path(__file__).parents[2] / "docs" / "functions.md").read_text(encoding="utf-8")
+TEXT = (Path(__file__).parents[2] / "docs" / "reference" / "functions.md").read_text(encoding="utf-8")
 
 
 def test_the_shown_commands_run(tmp_path, monkeypatch):

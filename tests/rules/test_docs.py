@@ -1,4 +1,4 @@
-"""docs/rules.md says what the rules say."""
+"""docs/reference/rules.md says what the rules say."""
 
 import subprocess
 import sys

@@ -30,7 +30,7 @@ _SIDES = """A side is
   a name                    a release, pulled or shipped (`sigcat releases`)
 each with its own overlays, if any: TREE+OVERLAY+OVERLAY.
 
-The classes are explained in docs/compatibility.md. Exit status: 0; 1 with --fail-on if there are such changes.
+The classes are explained in docs/reference/compatibility.md. Exit status: 0; 1 with --fail-on if there are such changes.
 """
 
 

@@ -1,4 +1,4 @@
-"""A rule as a page: the same text on the command line, in the browser and in docs/rules.md."""
+"""A rule as a page: the same text on the command line, in the browser and in docs/reference/rules.md."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby

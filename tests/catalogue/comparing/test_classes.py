@@ -15,7 +15,7 @@ from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.catalogue.reading.vspec_file import Origin
 from tests.catalogue.trees import ROOT
 
-DOCUMENT = Path(__file__).parents[3] / "docs" / "compatibility.md"
+DOCUMENT = Path(__file__).parents[3] / "docs" / "reference" / "compatibility.md"
 
 
 def test_the_documented_table_is_that_of_the_code():
