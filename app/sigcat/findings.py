@@ -39,6 +39,30 @@ class Finding(NamedTuple):
         return f"{place}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": ")
 
 
+class RuleCode(NamedTuple):
+    """A rule that code finds broken, and how severe that is; `sigcat.codes` has them all by name."""
+
+    id: str
+    severity: Severity
+
+    def graded(self, severity: Severity) -> "RuleCode":
+        """The rule where breaking it weighs more or less than elsewhere; whoever asks for this says why."""
+        return self._replace(severity=severity)
+
+    def finding(
+        self,
+        message: str,
+        file: str = "",
+        line: int = 0,
+        column: int = 0,
+        path: str = "",
+        pointer: str = "",
+        fix: str = "",
+    ) -> Finding:
+        """A finding of this rule."""
+        return Finding(self.id, self.severity, message, file, line, column, path, pointer, fix)
+
+
 def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
     """Whether any finding is an error."""
     return any(finding.severity == "error" for finding in findings)

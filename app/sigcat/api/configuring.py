@@ -7,6 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from sigcat import codes
 from sigcat.api.settings import Settings
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
@@ -47,7 +48,7 @@ def _unknown(table: Mapping[str, Any], file: Path | None) -> Iterator[Finding]:
     for name in table:
         if name not in Settings.model_fields:
             fix = did_you_mean(name, Settings.model_fields) or "`sigcat config` lists them."
-            yield Finding("C002", "error", f"There is no setting {name!r} in [{TABLE}].", str(file or ""), fix=fix)
+            yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} in [{TABLE}].", str(file or ""), fix=fix)
 
 
 def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
@@ -55,10 +56,10 @@ def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
     for name, text in variables.items():
         if name.startswith(_SET_BY_KUBERNETES) or text.startswith("tcp://"):
             fix = "Kubernetes sets it for a service named sigcat: put `enableServiceLinks: false` into the pod."
-            yield Finding("C002", "error", f"The environment has {name}.", fix=fix)
+            yield codes.SETTING_UNKNOWN.finding(f"The environment has {name}.", fix=fix)
         elif name not in known:
             fix = did_you_mean(name, known) or "`sigcat config` lists the settings."
-            yield Finding("C002", "error", f"There is no setting {name!r} for the environment.", fix=fix)
+            yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} for the environment.", fix=fix)
 
 
 def _wrong(
@@ -67,9 +68,7 @@ def _wrong(
     name = str(place[0])
     where = f"{PREFIX}{name.upper()}" if name in from_environment else f"[{TABLE}] {name}"
     reason = message.removeprefix("Value error, ")
-    return Finding(
-        "C003",
-        "error",
+    return codes.SETTING_UNFIT.finding(
         f"{where}: {reason[:1].lower()}{reason[1:]}.",
         "" if name in from_environment else str(file or ""),
     )

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
@@ -55,7 +56,7 @@ def _of_json(document: Document) -> tuple[FunctionJson | None, tuple[Finding, ..
     if function is not None and "CommunicationList" in (function.model_extra or {}):
         message = "This is Integration JSON already; functions are integrated from Function JSON or function.yaml."
         place = document.place(("CommunicationList",))
-        found = Finding("F003", "error", message, document.name, *place, pointer="/CommunicationList")
+        found = codes.FIELD_UNKNOWN.finding(message, document.name, *place, pointer="/CommunicationList")
         return None, (*findings, found)
     return function, findings
 

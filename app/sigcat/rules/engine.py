@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
@@ -80,7 +81,7 @@ def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[
     """What a rule of others finds in one node; nothing more after the first match that took too long."""
     if rule.id not in ended:
         for found in _guarded(rule, flaws):
-            if found[0].rule == "L011":
+            if found[0].rule == codes.RULE_TOO_SLOW.id:
                 ended.add(rule.id)
             yield found
 
@@ -100,7 +101,7 @@ def _guarded(rule: Rule, flaws: Iterable[Flaw]) -> Iterator[Found]:
     except SlowPattern as error:
         message = f"Pattern {error.pattern!r} of rule {rule.id} takes too long; the rule is not finished."
         fix = "Write it without nested repetition, such as (a+)+."
-        yield Finding("L011", "error", message, rule.file, rule.line, 1, rule.id, fix=fix), None
+        yield codes.RULE_TOO_SLOW.finding(message, rule.file, rule.line, 1, rule.id, fix=fix), None
 
 
 def _finding(rule: Rule, flaw: Flaw) -> Finding:
@@ -141,18 +142,18 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
 
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
     """What composing found. A branch that is an instance is defined by its instances, so nobody has to write it."""
-    replaced = "O101" in rules.severities
+    replaced = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
     for finding in catalogue.findings:
-        if finding.rule == "V020" and tree.is_instance(finding.path):
+        if finding.rule == codes.BRANCH_UNDEFINED.id and tree.is_instance(finding.path):
             continue
-        if replaced and finding.rule == "V001" and _is_overlay_change(finding.path, tree):
+        if replaced and finding.rule == codes.TYPE_MISSING_OR_UNKNOWN.id and _is_overlay_change(finding.path, tree):
             continue
         severity = rules.of_composition.get(finding.rule, finding.severity)
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
 
 
 def _is_overlay_change(path: str, tree: Tree) -> bool:
-    """Whether the node is unknown and an overlay changes it: rule O101 says so, and better."""
+    """Whether the node is unknown and an overlay changes it: the check of unknown nodes says so, and better."""
     definition = tree.definitions.get(path)
     if definition is None or definition.values.get("delete"):
         return False

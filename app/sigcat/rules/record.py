@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, ScalarNode
 
+from sigcat import codes
 from sigcat.catalogue.reading.yaml_document import (
     Builder,
     Unbuildable,
@@ -94,7 +95,7 @@ def load_rule_files(paths: Iterable[Path], *, trusted: bool) -> tuple[Rule, ...]
         for rule in file.rules:
             if rule.id in rules:
                 message = f"Rule {rule.id} stands in {rules[rule.id].file} too."
-                findings.append(Finding("L010", "error", message, rule.file, rule.line, 1, rule.id))
+                findings.append(codes.RULE_UNUSABLE.finding(message, rule.file, rule.line, 1, rule.id))
             rules[rule.id] = rule
     if findings:
         raise InputRefused("The rules cannot be used.", tuple(findings))
@@ -109,9 +110,9 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
         return RuleFile((), tuple(findings))
     if not isinstance(document.root, MappingNode):
         message = "A file of rules is a mapping of codes to records."
-        return RuleFile((), (Finding("L010", "error", message, name, 1, 1),))
+        return RuleFile((), (codes.RULE_UNUSABLE.finding(message, name, 1, 1),))
     findings.extend(
-        Finding("L010", "error", f"Rule {key.value} is given twice.", name, *position(key), key.value)
+        codes.RULE_UNUSABLE.finding(f"Rule {key.value} is given twice.", name, *position(key), key.value)
         for key in duplicate_keys(document.root)
     )
     with collector_paused():
@@ -124,7 +125,7 @@ def _read(path: Path, *, trusted: bool) -> RuleFile:
         data = path.read_bytes()
     except OSError as error:
         message = f"The rules in {str(path)!r} cannot be read: {error.strerror}."
-        return RuleFile((), (Finding("L010", "error", message, str(path)),))
+        return RuleFile((), (codes.RULE_UNUSABLE.finding(message, str(path)),))
     return parse_rules(data, str(path), trusted=trusted)
 
 
@@ -138,10 +139,10 @@ def _records(root: MappingNode, name: str, findings: list[Finding], *, trusted: 
         try:
             rules.append(_rule(code, builder.value(node), category, name, line, trusted=trusted))
         except Unbuildable as error:
-            findings.append(Finding("L010", "error", str(error), name, *position(error.node), code))
+            findings.append(codes.RULE_UNUSABLE.finding(str(error), name, *position(error.node), code))
         except _Bad as error:
             place = _position_of(node, error.key) or (line, column)
-            findings.append(Finding("L010", "error", str(error), name, *place, code, fix=error.fix))
+            findings.append(codes.RULE_UNUSABLE.finding(str(error), name, *place, code, fix=error.fix))
     return rules
 
 

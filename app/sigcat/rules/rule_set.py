@@ -6,6 +6,7 @@ from fnmatch import translate
 from functools import cache, cached_property
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.definition import Definition
 from sigcat.findings import Finding, Severity
@@ -93,7 +94,7 @@ class RuleSet:
                 self.line_rules.append((rule, check.prepare(rule)))
         except (BadOption, BadPattern) as error:
             fix = error.fix if isinstance(error, BadOption) else ""
-            return Finding("L010", "error", str(error), rule.file, rule.line, 1, rule.id, fix=fix)
+            return codes.RULE_UNUSABLE.finding(str(error), rule.file, rule.line, 1, rule.id, fix=fix)
         return None
 
 

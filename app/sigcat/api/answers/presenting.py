@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
+from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.versions import version_of
 from sigcat.catalogue.comparing.changes import Change
@@ -73,7 +74,7 @@ def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
     more = len(findings) - len(shown)
     if more > 0:
         text = f"{more:,} more findings are not shown. Settle these first."
-        shown.append(finding_schema(Finding("Q002", "info", text)))
+        shown.append(finding_schema(codes.MORE_FINDINGS_THAN_SHOWN.finding(text)))
     return shown
 
 

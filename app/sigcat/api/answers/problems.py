@@ -11,6 +11,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
+from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.presenting import listed_findings, plain_text
 from sigcat.errors import InputRefused, NotFound, SigcatError
@@ -115,8 +116,10 @@ def _invalid(error: dict[str, Any]) -> Finding:
     if choices:
         reason = f"it takes {choices[1].replace('|', ' or ')}"
     if error["type"] == "extra_forbidden":
-        return Finding("Q001", "error", f"There is no parameter {name!r}.", pointer=pointer)
-    return Finding("Q001", "error", f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer)
+        return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"There is no parameter {name!r}.", pointer=pointer)
+    return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(
+        f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer
+    )
 
 
 def _detail_of(error: HTTPException) -> str:

@@ -4,8 +4,9 @@ import json
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding, has_errors
+from sigcat.findings import has_errors
 from sigcat.function.document.document import read_json
 from sigcat.limits import Limits
 
@@ -52,7 +53,7 @@ def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Ma
         message = f"A set has `functions`, a list of 1 to {LARGEST_SET}{more}; nothing else."
         at = (unknown[0],) if unknown else ("functions",)
         raise InputRefused(
-            message, (Finding("F003", "error", message, name, *document.place(at), pointer=f"/{at[0]}"),)
+            message, (codes.FIELD_UNKNOWN.finding(message, name, *document.place(at), pointer=f"/{at[0]}"),)
         )
     return value
 

@@ -18,6 +18,7 @@ from typing import Any
 from yaml.nodes import MappingNode, ScalarNode
 from yaml.nodes import Node as YamlNode
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.older_releases import in_present_words, tolerant
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -33,7 +34,7 @@ UNKNOWN = frozenset(("arraysize", "aggregate", "uuid"))
 """Attributes that tell no change: an export may have lost them, or, `uuid`, have made them from the path."""
 _REPEATED = ("type", "description", "comment")
 """What exports of before repeat of a branch in its instances; those of today repeat everything."""
-_REFERS_OUTSIDE = frozenset(("V003", "V006", "V007"))
+_REFERS_OUTSIDE = frozenset((codes.DATATYPE_UNKNOWN.id, codes.UNIT_UNKNOWN.id, codes.UNIT_OF_WRONG_DATATYPE.id))
 """Findings about units and struct types, which an export may not carry along."""
 _TYPES = "ComplexDataTypes"
 _HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})|\\u[dD][89a-fA-F][0-9a-fA-F]{2}")
@@ -46,7 +47,7 @@ def read_export(path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEF
     """The catalogue of an exported file. Raises InputRefused if it is no JSON."""
     if path.stat().st_size > limits.file_bytes:
         message = f"The file has {path.stat().st_size:,} bytes; the limit is {limits.file_bytes:,}."
-        raise _refused(str(path), Finding("R003", "error", message, str(path)))
+        raise _refused(str(path), codes.FILE_TOO_LARGE.finding(message, str(path)))
     return catalogue_from_export(path.read_bytes(), str(path), overlays, limits)
 
 
@@ -57,7 +58,7 @@ def catalogue_from_export(
     document = _positions_of(data, name, limits)
     content = _content(data, name)
     if not isinstance(content, dict) or not isinstance(document.root, MappingNode):
-        raise _refused(name, Finding("R007", "error", "The file is not an object of root nodes.", name, 1, 1))
+        raise _refused(name, codes.NOT_A_MAPPING.finding("The file is not an object of root nodes.", name, 1, 1))
     source = SourceFile(name, "", hashlib.sha256(data).hexdigest())
     reading = _Reading(source)
     pairs = _pairs(document.root)
@@ -128,7 +129,7 @@ class _Reading:
             self.read_children(path, values["children"], pairs["children"][1])
 
     def _wrong(self, path: str, document: YamlNode, message: str) -> None:
-        self.findings.append(Finding("R007", "error", message, self.source.name, *position(document), path))
+        self.findings.append(codes.NOT_A_MAPPING.finding(message, self.source.name, *position(document), path))
 
 
 def _positions_of(data: bytes, name: str, limits: Limits) -> Document:
@@ -154,9 +155,9 @@ def _content(data: bytes, name: str) -> Any:
         return json.loads(data.decode("utf-8-sig"))
     except json.JSONDecodeError as error:
         place = (error.lineno, error.colno)
-        raise _refused(name, Finding("R001", "error", f"Not valid JSON: {error.msg}.", name, *place)) from None
+        raise _refused(name, codes.NOT_YAML.finding(f"Not valid JSON: {error.msg}.", name, *place)) from None
     except ValueError as error:
-        raise _refused(name, Finding("R014", "error", f"A value is none: {error}.", name, 1, 1)) from None
+        raise _refused(name, codes.NOT_A_VALUE.finding(f"A value is none: {error}.", name, 1, 1)) from None
 
 
 def _refused(name: str, *findings: Finding) -> InputRefused:

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.comparing.changes import Change
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.composing.overlays import with_overlays
@@ -39,7 +40,7 @@ def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) 
 
 def _with_near_path(finding: Finding, base: Catalogue) -> Finding:
     """A node without a type that the base does not have is a slip of the pen more often than a new node."""
-    if finding.rule != "V001" or finding.path in base.definitions:
+    if finding.rule != codes.TYPE_MISSING_OR_UNKNOWN.id or finding.path in base.definitions:
         return finding
     near = did_you_mean(finding.path, base.nodes)
     return finding._replace(fix=f"{near} {finding.fix}") if near else finding

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from sigcat import codes
 from sigcat.catalogue.composing.instances import Draft, TooManyNodes, expand
 from sigcat.catalogue.composing.merge import merge, merge_over
 from sigcat.catalogue.composing.older_releases import in_present_words, read_units, tolerant
@@ -136,7 +137,7 @@ def _expand(root: Draft, scope: Scope, limits: Limits, findings: list[Finding]) 
     except TooManyNodes as error:
         definition = error.draft.definition
         message = f"Instances make {error.count:,} nodes; the limit is {limits.nodes:,}. Nothing is expanded."
-        findings.append(Finding("V025", "error", message, *definition.origin("instances")[:3], definition.path))
+        findings.append(codes.INSTANCES_MULTIPLY.finding(message, *definition.origin("instances")[:3], definition.path))
         return root
 
 
@@ -171,7 +172,9 @@ def _may_have_below(path: str, base: Catalogue) -> bool:
 def _made_branch(path: str, catalogue: Catalogue) -> Definition | None:
     """A branch that is there without a definition; that it is missing is not the fault of an overlay."""
     node = catalogue.nodes.get(path)
-    is_made = node is not None and any(problem.rule == "V020" for problem in node.definition.problems)
+    is_made = node is not None and any(
+        problem.rule.id == codes.BRANCH_UNDEFINED.id for problem in node.definition.problems
+    )
     return node.definition if node is not None and is_made else None
 
 

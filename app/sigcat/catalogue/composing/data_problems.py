@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES, belongs_to, element_of, holds, is_array
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
 from sigcat.names import did_you_mean, screaming_snake_case
@@ -31,7 +32,7 @@ def unknown_unit(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
     name = values.get("unit")
     if name is not None and scope.vocabulary.unit(name) is None:
         known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
-        yield Problem("V006", "unit", f"{name!r} is no unit.", did_you_mean(name, known))
+        yield Problem(codes.UNIT_UNKNOWN, "unit", f"{name!r} is no unit.", did_you_mean(name, known))
 
 
 def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -40,27 +41,45 @@ def _unit_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if unit is None:
         return
     if datatype not in DATATYPES:
-        yield Problem("V007", "unit", f"A struct such as {datatype} has no unit.", "Remove it.")
+        yield Problem(codes.UNIT_OF_WRONG_DATATYPE, "unit", f"A struct such as {datatype} has no unit.", "Remove it.")
     elif not any(belongs_to(element_of(datatype), allowed) for allowed in unit.allowed_datatypes):
         allowed = ", ".join(unit.allowed_datatypes)
         message = f"Unit {unit.key!r} is not for {datatype}; it allows {allowed or 'none'}."
         fix = (
             "Change one of the two." if allowed else f"Give {unit.key!r} its `allowed-datatypes`, in the file of units."
         )
-        yield Problem("V007", "unit", message, fix)
+        yield Problem(codes.UNIT_OF_WRONG_DATATYPE, "unit", message, fix)
 
 
 def _conflicts(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
     bounded = values.get("min") is not None or values.get("max") is not None
     if values.get("allowed") and values.get("enum"):
-        yield Problem("V013", "enum", "`allowed` and `enum` exclude each other.", "Keep one of them.")
+        yield Problem(
+            codes.RESTRICTIONS_EXCLUDE_EACH_OTHER,
+            "enum",
+            "`allowed` and `enum` exclude each other.",
+            "Keep one of them.",
+        )
     if bounded and values.get("allowed") is not None:
-        yield Problem("V013", "allowed", "`allowed` and `min`/`max` exclude each other.", "Keep one of them.")
+        yield Problem(
+            codes.RESTRICTIONS_EXCLUDE_EACH_OTHER,
+            "allowed",
+            "`allowed` and `min`/`max` exclude each other.",
+            "Keep one of them.",
+        )
     if bounded and values.get("enum") is not None:
-        yield Problem("V013", "enum", "`enum` and `min`/`max` exclude each other.", "Keep one of them.")
+        yield Problem(
+            codes.RESTRICTIONS_EXCLUDE_EACH_OTHER,
+            "enum",
+            "`enum` and `min`/`max` exclude each other.",
+            "Keep one of them.",
+        )
     if values.get("arraysize") is not None and not is_array(datatype):
         yield Problem(
-            "V015", "arraysize", f"`arraysize` is for arrays; {datatype} is none.", f"Remove it, or write {datatype}[]."
+            codes.ARRAYSIZE_WITHOUT_ARRAY,
+            "arraysize",
+            f"`arraysize` is for arrays; {datatype} is none.",
+            f"Remove it, or write {datatype}[].",
         )
 
 
@@ -70,10 +89,15 @@ def _range_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> I
         if bound is None:
             continue
         if datatype not in DATATYPES:
-            yield Problem("V008", name, f"A struct such as {datatype} has no `{name}`.", "Remove it.")
+            yield Problem(
+                codes.LIMIT_OUTSIDE_DATATYPE, name, f"A struct such as {datatype} has no `{name}`.", "Remove it."
+            )
         elif not holds(datatype, bound):
             yield Problem(
-                "V008", name, f"`{name}` {bound} is no value of {datatype}.", "Change the limit, or the datatype."
+                codes.LIMIT_OUTSIDE_DATATYPE,
+                name,
+                f"`{name}` {bound} is no value of {datatype}.",
+                "Change the limit, or the datatype.",
             )
 
 
@@ -82,22 +106,24 @@ def _enum_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if not enum:
         return
     if datatype not in DATATYPES or not belongs_to(element_of(datatype), "int"):
-        yield Problem("V014", "enum", f"`enum` needs an integer datatype, not {datatype}.", "Use one such as uint8.")
+        yield Problem(
+            codes.ENUM_INVALID, "enum", f"`enum` needs an integer datatype, not {datatype}.", "Use one such as uint8."
+        )
         return
     if len(set(enum.values())) < len(enum):
-        yield Problem("V014", "enum", "Two names of the `enum` have the same number.", "Give each its own.")
+        yield Problem(codes.ENUM_INVALID, "enum", "Two names of the `enum` have the same number.", "Give each its own.")
     for i, (key, number) in enumerate(enum.items()):
         if not isinstance(key, str):
             fix = _QUOTE if isinstance(key, bool) else "Quote it."
-            yield Problem("V014", "enum", f"Name {key!r} of the `enum` is no text.", fix, within=(i,))
+            yield Problem(codes.ENUM_INVALID, "enum", f"Name {key!r} of the `enum` is no text.", fix, within=(i,))
         elif not re.match(r"[A-Z]", key):
             message = f"Name {key!r} of the `enum` does not start with a capital letter."
             proposal = screaming_snake_case(key)
             fix = f"Write {proposal!r}." if re.match(r"[A-Z]", proposal) else "Start it with a capital letter."
-            yield Problem("V014", "enum", message, fix, within=(i,))
+            yield Problem(codes.ENUM_INVALID, "enum", message, fix, within=(i,))
         if not holds(element_of(datatype), number):
             message = f"Number {number} of the `enum` is no value of {datatype}."
-            yield Problem("V014", "enum", message, within=(i,))
+            yield Problem(codes.ENUM_INVALID, "enum", message, within=(i,))
 
 
 def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -105,13 +131,18 @@ def _allowed_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
     if not allowed:
         return
     if datatype not in DATATYPES:
-        yield Problem("V012", "allowed", f"A struct such as {datatype} has no `allowed` values.", "Remove them.")
+        yield Problem(
+            codes.ALLOWED_OF_WRONG_DATATYPE,
+            "allowed",
+            f"A struct such as {datatype} has no `allowed` values.",
+            "Remove them.",
+        )
         return
     for i, value in enumerate(allowed):
         if not holds(datatype, value):
             fix = _QUOTE if isinstance(value, bool) else ""
             message = f"Allowed value {shown(value)} is no value of {datatype}."
-            yield Problem("V012", "allowed", message, fix, within=(i,))
+            yield Problem(codes.ALLOWED_OF_WRONG_DATATYPE, "allowed", message, fix, within=(i,))
 
 
 def _default_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -120,16 +151,27 @@ def _default_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
         return
     if isinstance(default, list) != is_array(datatype):
         needed = "a list" if is_array(datatype) else "a single value"
-        yield Problem("V009", "default", f"Default {shown(default)} does not fit {datatype}, which takes {needed}.")
+        yield Problem(
+            codes.DEFAULT_OF_WRONG_DATATYPE,
+            "default",
+            f"Default {shown(default)} does not fit {datatype}, which takes {needed}.",
+        )
         return
     size = values.get("arraysize")
     if is_array(datatype) and size and len(default) != size:
-        yield Problem("V009", "default", f"The default has {len(default)} elements, `arraysize` says {size}.")
+        yield Problem(
+            codes.DEFAULT_OF_WRONG_DATATYPE,
+            "default",
+            f"The default has {len(default)} elements, `arraysize` says {size}.",
+        )
     items = default if isinstance(default, list) else [default]
     wrong = next((item for item in items if not _fits(item, datatype, scope)), None)
     if wrong is not None:
         yield Problem(
-            "V009", "default", f"Default {shown(wrong)} is no value of {datatype}.", _number_of(wrong, values)
+            codes.DEFAULT_OF_WRONG_DATATYPE,
+            "default",
+            f"Default {shown(wrong)} is no value of {datatype}.",
+            _number_of(wrong, values),
         )
         return
     yield from _default_bounds(values, items)
@@ -141,15 +183,24 @@ def _default_bounds(values: Mapping[str, Any], items: list[Any]) -> Iterator[Pro
     for item in items:
         if isinstance(item, int | float):
             if low is not None and item < low - _EPSILON:
-                yield Problem("V010", "default", f"Default {item} is below `min` {low}.", _INTO_RANGE)
+                yield Problem(
+                    codes.DEFAULT_OUTSIDE_RANGE, "default", f"Default {item} is below `min` {low}.", _INTO_RANGE
+                )
             if high is not None and item > high + _EPSILON:
-                yield Problem("V010", "default", f"Default {item} is above `max` {high}.", _INTO_RANGE)
+                yield Problem(
+                    codes.DEFAULT_OUTSIDE_RANGE, "default", f"Default {item} is above `max` {high}.", _INTO_RANGE
+                )
         if values["default"] and allowed and item not in allowed:
             fix = did_you_mean(str(item), [str(value) for value in allowed]) or f"Use one of {shown(allowed)[1:-1]}."
-            yield Problem("V011", "default", f"Default {shown(item)} is not among the `allowed` values.", fix)
+            yield Problem(
+                codes.DEFAULT_NOT_ALLOWED, "default", f"Default {shown(item)} is not among the `allowed` values.", fix
+            )
         if values["default"] and enum and item not in enum.values():
             yield Problem(
-                "V011", "default", f"Default {shown(item)} is no number of the `enum`.", _number_of(item, values)
+                codes.DEFAULT_NOT_ALLOWED,
+                "default",
+                f"Default {shown(item)} is no number of the `enum`.",
+                _number_of(item, values),
             )
 
 
@@ -194,16 +245,21 @@ def _pattern_problems(values: Mapping[str, Any], datatype: str, scope: Scope) ->
     if not pattern:
         return
     if datatype not in ("string", "string[]"):
-        yield Problem("V016", "pattern", f"`pattern` is for strings, not for {datatype}.", "Remove it.")
+        yield Problem(codes.PATTERN_NOT_MET, "pattern", f"`pattern` is for strings, not for {datatype}.", "Remove it.")
         return
     if values.get("enum") is not None:
-        yield Problem("V016", "pattern", "`pattern` and `enum` exclude each other.", "Keep one of them.")
+        yield Problem(codes.PATTERN_NOT_MET, "pattern", "`pattern` and `enum` exclude each other.", "Keep one of them.")
     for name in ("default", "allowed"):
         given = values.get(name)
         for item in given if isinstance(given, list) else [given] if given else []:
             reason = scope.matching.mismatch(pattern, item) if isinstance(item, str) else ""
             if reason:
-                yield Problem("V016", name, f"{shown(item)} {reason} `pattern` {pattern!r}.", "Change one of the two.")
+                yield Problem(
+                    codes.PATTERN_NOT_MET,
+                    name,
+                    f"{shown(item)} {reason} `pattern` {pattern!r}.",
+                    "Change one of the two.",
+                )
 
 
 _DATA_CHECKS = (

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.composing.attribute_values import CONVERSIONS, EXPECTED, NO_VALUE, text
 from sigcat.catalogue.composing.data_problems import data_problems, shown, unknown_unit
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
@@ -131,7 +132,11 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
             continue
         converted = convert(value)
         if converted is NO_VALUE:
-            problems.append(Problem("V004", name, f"{shown(value)} is no value for `{name}`: {EXPECTED[name]}."))
+            problems.append(
+                Problem(
+                    codes.ATTRIBUTE_OF_WRONG_KIND, name, f"{shown(value)} is no value for `{name}`: {EXPECTED[name]}."
+                )
+            )
         elif converted is not value:
             changed[name] = converted
     unit = values.get("unit")
@@ -149,9 +154,9 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
 
 def _wrong_type(node_type: Any) -> Problem:
     if node_type is None:
-        return Problem("V001", "", "The node has no `type`.", f"Add one of {', '.join(TYPES)}.")
+        return Problem(codes.TYPE_MISSING_OR_UNKNOWN, "", "The node has no `type`.", f"Add one of {', '.join(TYPES)}.")
     fix = did_you_mean(str(node_type), TYPES) or f"Use one of {', '.join(TYPES)}."
-    return Problem("V001", "type", f"{shown(node_type)} is no node type.", fix)
+    return Problem(codes.TYPE_MISSING_OR_UNKNOWN, "type", f"{shown(node_type)} is no node type.", fix)
 
 
 def _check_branch(values: Mapping[str, Any], problems: list[Problem]) -> None:
@@ -160,7 +165,7 @@ def _check_branch(values: Mapping[str, Any], problems: list[Problem]) -> None:
         if match and int(match[1]) > int(match[2]):
             message = f"Range {match[0]} of {entry!r} runs backwards."
             fix = f"Write [{match[2]},{match[1]}]."
-            problems.append(Problem("V018", "instances", message, fix, within=steps))
+            problems.append(Problem(codes.INSTANCES_RUN_BACKWARDS, "instances", message, fix, within=steps))
 
 
 def _check_core_attributes(values: Mapping[str, Any], problems: list[Problem]) -> None:
@@ -170,26 +175,32 @@ def _check_core_attributes(values: Mapping[str, Any], problems: list[Problem]) -
         for name in values:
             if name in CORE_ATTRIBUTES and name not in own:
                 message = f"`{name}` has no meaning for the node type {node_type}."
-                problems.append(Problem("V005", name, message, "Remove it."))
+                problems.append(Problem(codes.ATTRIBUTE_WITHOUT_MEANING, name, message, "Remove it."))
     uid = values.get("constUID")
     if isinstance(uid, str) and not re.fullmatch(r"0x[0-9A-Fa-f]{8}\n?", uid):
-        problems.append(Problem("V017", "constUID", f"{uid!r} is not 0x and eight hexadecimal digits."))
+        problems.append(
+            Problem(codes.IDENTIFIER_MALFORMED, "constUID", f"{uid!r} is not 0x and eight hexadecimal digits.")
+        )
 
 
 def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: list[Problem]) -> None:
-    unusable = {problem.attribute for problem in problems if problem.rule == "V004"}
+    unusable = {problem.attribute for problem in problems if problem.rule.id == codes.ATTRIBUTE_OF_WRONG_KIND.id}
     if "datatype" in unusable:
         return
     values = {name: value for name, value in values.items() if name not in unusable} if unusable else values
     datatype = values.get("datatype")
     if not isinstance(datatype, str):
-        problems.append(Problem("V002", "", "The node has no `datatype`.", "Add one, such as uint8, float or string."))
+        problems.append(
+            Problem(
+                codes.DATATYPE_MISSING, "", "The node has no `datatype`.", "Add one, such as uint8, float or string."
+            )
+        )
         problems.extend(unknown_unit(values, scope))
         return
     resolved = resolved_datatype(datatype, path, scope.structs)
     if resolved is None:
         fix = did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
-        problems.append(Problem("V003", "datatype", f"{datatype!r} is no datatype.", fix))
+        problems.append(Problem(codes.DATATYPE_UNKNOWN, "datatype", f"{datatype!r} is no datatype.", fix))
         problems.extend(unknown_unit(values, scope))
         return
     problems.extend(data_problems(values, resolved, scope))

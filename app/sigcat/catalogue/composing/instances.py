@@ -206,7 +206,7 @@ def _refined(draft: Draft, refinement: Draft, scope: Scope) -> Draft:
 def _refined_definition(definition: Definition, refinement: Definition, scope: Scope) -> Definition:
     """Empty values refine nothing. A refinement that is complete in itself brings the defaults of its attributes."""
     update = {name: value for name, value in refinement.values.items() if value is not None and value != []}
-    if not any(problem.severity == "error" for problem in refinement.problems):
+    if not any(problem.rule.severity == "error" for problem in refinement.problems):
         defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
         update = {**_where_present(defaults, definition.values), **update}
     statements = definition.statements + refinement.statements

@@ -5,6 +5,7 @@ from fnmatch import translate
 from re import compile as compile_pattern
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.composing.fold import define
 from sigcat.catalogue.model.definition import Definition, Scope
 from sigcat.catalogue.reading.layers import Layer
@@ -80,7 +81,7 @@ def _beyond_limit(layer: Layer, stacks: Stacks, limits: Limits, findings: list[F
     first = patterns[most]
     message = f"There are {len(patterns):,} wildcard paths; the limit is {most:,} for as many paths as there are."
     fix = "Name the nodes, or split the overlay."
-    findings.append(Finding("O002", "error", message, *first.origin()[:3], first.path, fix=fix))
+    findings.append(codes.TOO_MANY_WILDCARDS.finding(message, *first.origin()[:3], first.path, fix=fix))
     return frozenset(patterns[most:])
 
 
@@ -104,5 +105,5 @@ def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Ite
     if not paths:
         message = f"Pattern {statement.path!r} matches no node."
         fix = "Correct the pattern, or remove it."
-        findings.append(Finding("O001", "warning", message, *statement.origin()[:3], statement.path, fix=fix))
+        findings.append(codes.GLOB_MATCHES_NOTHING.finding(message, *statement.origin()[:3], statement.path, fix=fix))
     return paths

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
 from sigcat.catalogue.model.definition import TYPES
@@ -44,7 +45,9 @@ _UNITS_OF_TOOLS = (
 """Units that the tools of 3.0 knew and that the shipped vocabulary has no longer."""
 _SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
 """Keys of shipped units that were spelled otherwise then; a tree of 3.0 keeps its own spelling."""
-_ESSENTIAL = frozenset(("V021", "V022", "V024", "V025"))
+_ESSENTIAL = frozenset(
+    (codes.SECOND_ROOT.id, codes.OUTSIDE_ROOT.id, codes.PATH_MALFORMED.id, codes.INSTANCES_MULTIPLY.id)
+)
 """Rules without which there is no tree: what breaks them is an error in a tree of any age."""
 
 
@@ -153,13 +156,13 @@ def _older_form(entries: Sequence[_Entry]) -> Finding:
     named = ", ".join(repr(entry.key) for entry in older[:3]) + (", …" if len(older) > 3 else "")
     message = f"{len(older)} units are written as before VSS 4.1: {named}."
     fix = "Write `definition`, `unit`, `quantity` and `allowed-datatypes`, without a `units:` above."
-    return Finding("U005", "warning", message, *older[0].origin[:3], fix=fix)
+    return codes.UNITS_OF_OLDER_RELEASE.finding(message, *older[0].origin[:3], fix=fix)
 
 
 def _same_name(unit: Unit, other: Unit) -> Finding:
     message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
     fix = "Give each unit a name of its own; other tools refuse the file."
-    return Finding("U001", "warning", message, *unit.origin[:3], unit.key, fix=fix)
+    return codes.UNIT_NAME_SHARED.finding(message, *unit.origin[:3], unit.key, fix=fix)
 
 
 def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
@@ -170,7 +173,7 @@ def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
     for key, definition, quantity in _UNITS_OF_TOOLS:
         units[key.lower()] = Unit(key, key, definition, quantity, _ANY_DATATYPE, "", nowhere)
     message = "No units stand beside the tree, as in VSS 3.0; it gets the units that sigcat ships."
-    finding = Finding("U005", "warning", message, str(spec), fix="Name a file of units to choose others.")
+    finding = codes.UNITS_OF_OLDER_RELEASE.finding(message, str(spec), fix="Name a file of units to choose others.")
     return Vocabulary(units, shipped.quantities, shipped.files, (*shipped.findings, finding))
 
 
@@ -202,7 +205,9 @@ def _in_present_words(statement: Statement, findings: list[Finding]) -> Statemen
         if (new_name, new_value) != (name, value):
             old, new = (name, new_name) if new_name != name else (f"{name}: {value}", f"{name}: {new_value}")
             message = f"`{old}` is an older spelling of `{new}`."
-            findings.append(Finding("V026", "warning", message, *statement.origin(name)[:3], statement.path))
+            findings.append(
+                codes.SPELLING_OF_OLDER_RELEASE.finding(message, *statement.origin(name)[:3], statement.path)
+            )
     if values == dict(statement.values):
         return statement
     return statement.with_values(values)
@@ -235,5 +240,7 @@ def tolerant(catalogue: Catalogue) -> Catalogue:
 
 
 def _tolerated(finding: Finding) -> Finding:
-    is_tolerable = finding.rule in ("R006", "R011") or (finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL)
+    is_tolerable = finding.rule in (codes.DUPLICATE_KEY.id, codes.INCLUDE_MALFORMED.id) or (
+        finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL
+    )
     return finding._replace(severity="warning") if is_tolerable and finding.severity == "error" else finding

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from sigcat import codes
 from sigcat.catalogue.composing.instances import Draft
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.definition import BRANCH, STRUCT, Definition, Problem
@@ -49,7 +50,7 @@ def _usable_path(path: str, definition: Definition, limits: Limits, findings: li
         message = f"The path has {len(names)} names; the limit is {limits.path_names}."
     else:
         return True
-    findings.append(Finding("V024", "error", message, *definition.origin()[:3], path))
+    findings.append(codes.PATH_MALFORMED.finding(message, *definition.origin()[:3], path))
     return False
 
 
@@ -58,11 +59,11 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
     if not roots and paths:
         message = "The tree has no root: no path is without a branch above it."
         fix = "Define the root as a branch; of an overlay, name the tree that it goes over."
-        findings.append(Finding("V022", "error", message, *definitions[paths[0]].origin()[:3], paths[0], fix=fix))
+        findings.append(codes.OUTSIDE_ROOT.finding(message, *definitions[paths[0]].origin()[:3], paths[0], fix=fix))
     for extra in roots[1:]:
         message = f"The tree has a second root {extra!r} beside {roots[0]!r}."
         fix = f"Place it below {roots[0]!r}, or remove it."
-        findings.append(Finding("V021", "error", message, *definitions[extra].origin()[:3], extra, fix=fix))
+        findings.append(codes.SECOND_ROOT.finding(message, *definitions[extra].origin()[:3], extra, fix=fix))
     return roots[0] if roots else ""
 
 
@@ -79,14 +80,15 @@ def _connect(path: str, placed: dict[str, Draft], root: str, findings: list[Find
     elif root:
         message = f"{path!r} stands under no root of the tree."
         fix = f"Place it below {root!r}."
-        findings.append(Finding("V022", "error", message, *definition.origin()[:3], path, fix=fix))
+        findings.append(codes.OUTSIDE_ROOT.finding(message, *definition.origin()[:3], path, fix=fix))
 
 
 def _made_branch(path: str, below: str, definition: Definition, above: Draft | None) -> Definition:
     message = f"Branch {path!r} is not defined; it is made because {below!r} stands below it."
     beside = [child.name for child in above.children.values() if child.definition.type == BRANCH] if above else []
     fix = f"{did_you_mean(last_name(path), beside)} Define {path!r} with `type: branch` and a description.".lstrip()
-    problem = Problem("V020", "", message, fix, "warning")
+    rule = codes.BRANCH_UNDEFINED.graded("warning")  # composing goes on with the branch that is made here
+    problem = Problem(rule, "", message, fix)
     return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,))
 
 
@@ -116,7 +118,7 @@ def _of_deleted(draft: Draft, path: str, above: Definition, told: set[int]) -> I
     return (finding for finding in found if finding.rule not in _OF_WHAT_STAYS)
 
 
-_OF_WHAT_STAYS = frozenset(("V005", "V019"))
+_OF_WHAT_STAYS = frozenset((codes.ATTRIBUTE_WITHOUT_MEANING.id, codes.NODE_BELOW_SIGNAL.id))
 """Attributes without meaning for the type, and the place below a type: judged of the tree that is left."""
 _BELOW_FEW = frozenset(("property", STRUCT))
 """Types that do not stand below every branch, or below branches only."""
@@ -129,7 +131,9 @@ def _same(path: str, known: str) -> str:
 
 def _findings(definition: Definition, path: str, above: Definition | None) -> Iterable[Finding]:
     for problem in definition.problems:
-        refines_an_instance = problem.rule == "V020" and above is not None and above.values.get("instances")
+        refines_an_instance = (
+            problem.rule.id == codes.BRANCH_UNDEFINED.id and above is not None and above.values.get("instances")
+        )
         if not refines_an_instance:
             yield definition.finding(problem, path)
     if above is not None and definition.type and above.type:
@@ -139,4 +143,4 @@ def _findings(definition: Definition, path: str, above: Definition | None) -> It
             fix = f"Only {' or '.join(allowed)} can have it below."
             own, others = definition.origin("type"), above.origin("type")
             place = others if others.overlay and not own.overlay else own  # of the one that a layer above made so
-            yield Finding("V019", "error", message, *place[:3], path, fix=fix)
+            yield codes.NODE_BELOW_SIGNAL.finding(message, *place[:3], path, fix=fix)

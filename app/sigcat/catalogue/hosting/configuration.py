@@ -20,10 +20,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source
 from sigcat.errors import InputRefused, NotFound, UsageError
-from sigcat.findings import Finding, in_order
+from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.names import did_you_mean
 
 FILE_NAME = "sigcat.toml"
@@ -101,19 +102,19 @@ class _Reading(NamedTuple):
     lines: Lines
     findings: list[Finding]
 
-    def report(self, rule: str, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
+    def report(self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
         line = self.lines.line(table, number, key)
-        self.findings.append(Finding(rule, "error", message, str(self.file), line, pointer=key, fix=fix))
+        self.findings.append(rule.finding(message, str(self.file), line, pointer=key, fix=fix))
 
     def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
         """Report keys that are not known, and values that are not of the kind that belongs there."""
         for key, value in values.items():
             if key not in known:
                 fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
-                self.report("C002", f"There is no setting {key!r}.", table, number, key, fix)
+                self.report(codes.SETTING_UNKNOWN, f"There is no setting {key!r}.", table, number, key, fix)
             elif not isinstance(value, known[key]):
                 message = f"{key!r} takes {_KINDS.get(known[key], 'a table')}."
-                self.report("C003", message, table, number, key)
+                self.report(codes.SETTING_UNFIT, message, table, number, key)
 
     def path(self, text: str) -> Path:
         return self.file.parent / Path(text).expanduser()
@@ -130,7 +131,7 @@ def _text(file: Path) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        finding = Finding("C001", "error", "The file is not UTF-8.", str(file), line, fix="Save it as UTF-8.")
+        finding = codes.NOT_TOML.finding("The file is not UTF-8.", str(file), line, fix="Save it as UTF-8.")
         raise _refused(file, [finding]) from None
 
 
@@ -142,14 +143,14 @@ def _syntax_error(error: tomllib.TOMLDecodeError, file: Path, text: str) -> Find
     message = str(error)
     place = _PLACE.search(message)
     line, column = (int(place[1]), int(place[2])) if place and place[1] else (text.count("\n") + 1, 0)
-    return Finding("C001", "error", f"Not valid TOML: {_PLACE.sub('', message)}.", str(file), line, column)
+    return codes.NOT_TOML.finding(f"Not valid TOML: {_PLACE.sub('', message)}.", str(file), line, column)
 
 
 def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
     known: set[str] = set()
     for number, values in enumerate(listed if isinstance(listed, list) else []):
         if not isinstance(values, dict):
-            reading.report("C003", "'catalogue' takes tables: [[catalogue]].", "", 0, "catalogue")
+            reading.report(codes.SETTING_UNFIT, "'catalogue' takes tables: [[catalogue]].", "", 0, "catalogue")
             return
         before = len(reading.findings)
         reading.check(values, CATALOGUE_KEYS, "catalogue", number)
@@ -164,12 +165,12 @@ def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
 def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: _Reading) -> None:
     catalogue_id = values.get("id")
     if catalogue_id is None:
-        reading.report("C004", "The catalogue has no `id`.", "catalogue", number)
+        reading.report(codes.CATALOGUE_INCOMPLETE, "The catalogue has no `id`.", "catalogue", number)
     elif isinstance(catalogue_id, str) and not _ID.fullmatch(catalogue_id):
         message = f"{catalogue_id[:80]!r} is no id: letters, digits, '.', '_' and '-' are."
-        reading.report("C003", message, "catalogue", number, "id")
+        reading.report(codes.SETTING_UNFIT, message, "catalogue", number, "id")
     elif catalogue_id in known:
-        reading.report("C006", f"Two catalogues have the id {catalogue_id!r}.", "catalogue", number, "id")
+        reading.report(codes.ID_GIVEN_TWICE, f"Two catalogues have the id {catalogue_id!r}.", "catalogue", number, "id")
     elif isinstance(catalogue_id, str):
         known.add(catalogue_id)
 
@@ -181,21 +182,23 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         return None  # a misspelled key has its finding
     if (spec is None) == (release is None):
         fault = "neither `spec` nor `release`" if spec is None else "both `spec` and `release`"
-        reading.report("C004", f"The catalogue has {fault}; one of them is needed.", "catalogue", number)
+        reading.report(
+            codes.CATALOGUE_INCOMPLETE, f"The catalogue has {fault}; one of them is needed.", "catalogue", number
+        )
         return None
     if isinstance(spec, str):
         path = reading.path(spec)
         if path.is_dir():
             fix = "Name the root .vspec file in it."
-            reading.report("C005", f"{str(path)!r} is a folder.", "catalogue", number, "spec", fix)
+            reading.report(codes.FILE_MISSING, f"{str(path)!r} is a folder.", "catalogue", number, "spec", fix)
         elif not path.is_file():
-            reading.report("C005", f"There is no file {str(path)!r}.", "catalogue", number, "spec")
+            reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "catalogue", number, "spec")
         return Source("", "", path)
     try:
         return release_source(release) if isinstance(release, str) else None
     except (NotFound, UsageError) as error:
         message = str(error)
-        reading.report("C005", message[:1].upper() + message[1:], "catalogue", number, "release")
+        reading.report(codes.FILE_MISSING, message[:1].upper() + message[1:], "catalogue", number, "release")
         return None
 
 
@@ -203,11 +206,11 @@ def _paths(values: Mapping[str, Any], name: str, number: int, reading: _Reading)
     listed = values.get(name, [])
     if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
         if isinstance(listed, list):
-            reading.report("C003", f"{name!r} takes a list of texts.", "catalogue", number, name)
+            reading.report(codes.SETTING_UNFIT, f"{name!r} takes a list of texts.", "catalogue", number, name)
         return ()
     paths = tuple(reading.path(item) for item in listed)
     for path in paths:
         if not (path.is_dir() if name == "include_dirs" else path.is_file()):
             kind = "folder" if name == "include_dirs" else "file"
-            reading.report("C005", f"There is no {kind} {str(path)!r}.", "catalogue", number, name)
+            reading.report(codes.FILE_MISSING, f"There is no {kind} {str(path)!r}.", "catalogue", number, name)
     return paths

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.catalogue.reading.vspec_file import Origin, Statement
-from sigcat.findings import Finding, Severity
+from sigcat.findings import Finding, RuleCode
 from sigcat.patterns import Matching
 
 BRANCH = "branch"
@@ -26,11 +26,10 @@ CORE_ATTRIBUTES = BRANCH_ATTRIBUTES | DATA_ATTRIBUTES
 class Problem(NamedTuple):
     """What is wrong with a definition, and at which attribute (empty: the node itself)."""
 
-    rule: str
+    rule: RuleCode
     attribute: str
     message: str
     fix: str = ""
-    severity: Severity = "error"
     within: tuple[int, ...] = ()
     """Steps from the attribute to the item that the problem is about; of a mapping, to its key."""
     brought_by: str = ""
@@ -112,7 +111,7 @@ class Definition:
         """A problem as a finding at the place where it was written."""
         within = () if problem.brought_by else problem.within
         place = self.origin_within(problem.brought_by or problem.attribute, within, at_key=True)[:3]
-        return Finding(problem.rule, problem.severity, problem.message, *place, path or self.path, fix=problem.fix)
+        return problem.rule.finding(problem.message, *place, path or self.path, fix=problem.fix)
 
 
 def overlaid(base: Mapping[str, Any], update: Mapping[str, Any]) -> dict[str, Any]:

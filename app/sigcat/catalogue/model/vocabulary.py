@@ -7,10 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, parse_vspec
 from sigcat.digest import digest_of
-from sigcat.findings import Finding
+from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
 
@@ -100,7 +101,7 @@ def _entries(
             data = path.read_bytes()
         except OSError as error:
             reason = error.strerror or str(error)
-            findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", str(path)))
+            findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", str(path)))
             continue
         source = SourceFile(str(path), "", digest_of(data))
         file = parse_vspec(data, source, limits)
@@ -110,7 +111,7 @@ def _entries(
             key = statement.path.lower()
             if key in entries:
                 message = f"{what} {statement.path!r} replaces the one in {entries[key].origin().file}."
-                findings.append(_about(statement, "U004", "warning", message))
+                findings.append(_about(statement, codes.UNIT_REPLACED, message))
             entries[key] = statement
     return list(entries.items())
 
@@ -124,20 +125,20 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
     values = entry.values
     if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
         message = f"Unit {entry.path!r} needs a `definition` and a `unit`."
-        findings.append(_about(entry, "U003", "error", message))
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message))
         return None
     findings.extend(_unknown_fields(entry))
     quantity = _quantity_of(values)
     if quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
         message = f"Unit {entry.path!r} measures {quantity!r}, which is no quantity."
-        findings.append(_about(entry, "U002", "error", message, "quantity", hint))
+        findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
     allowed = values.get("allowed-datatypes") or []
     unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
     if unknown:
         message = f"Unit {entry.path!r} allows {', '.join(map(repr, unknown))}, which is no datatype."
-        findings.append(_about(entry, "U003", "error", message, "allowed-datatypes"))
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes"))
         return None
     return Unit(
         entry.path,
@@ -157,7 +158,7 @@ def _unknown_fields(entry: Statement) -> Iterator[Finding]:
             message = f"Unit {entry.path!r} has the unknown field {name!r}, which is left out."
             fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
             place = entry.origin_of_key(name)[:3]
-            yield Finding("U006", "warning", message, *place, entry.path, fix=fix)
+            yield codes.UNIT_FIELD_UNKNOWN.finding(message, *place, entry.path, fix=fix)
 
 
 def _quantity_of(values: Mapping[str, Any]) -> str:
@@ -169,8 +170,8 @@ def _quantity_of(values: Mapping[str, Any]) -> str:
 def _same_name(unit: Unit, other: Unit) -> Finding:
     message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
     fix = "Give each unit a name of its own; other tools refuse the file."
-    return Finding("U001", "warning", message, *unit.origin[:3], unit.key, fix=fix)
+    return codes.UNIT_NAME_SHARED.finding(message, *unit.origin[:3], unit.key, fix=fix)
 
 
-def _about(entry: Statement, rule: str, severity: Any, message: str, attribute: str = "", fix: str = "") -> Finding:
-    return Finding(rule, severity, message, *entry.origin(attribute)[:3], entry.path, fix=fix)
+def _about(entry: Statement, rule: RuleCode, message: str, attribute: str = "", fix: str = "") -> Finding:
+    return rule.finding(message, *entry.origin(attribute)[:3], entry.path, fix=fix)

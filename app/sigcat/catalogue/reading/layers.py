@@ -8,9 +8,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.reading.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
 from sigcat.digest import digest_of
-from sigcat.findings import Finding, Severity
+from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 _SUFFIXES = (".vspec", ".yaml", ".yml")
@@ -75,8 +76,10 @@ def read_layer(
     file = _read_file(path, reading, None)
     if file is not None:
         if not (file.statements or file.includes or file.findings):
-            severity: Severity = "warning" if is_overlay else "error"
-            reading.findings.append(Finding("R013", severity, "The file says nothing: it has no nodes.", str(path)))
+            rule = (
+                codes.FILE_EMPTY if is_overlay else codes.FILE_EMPTY.graded("error")
+            )  # without a tree, nothing is left
+            reading.findings.append(rule.finding("The file says nothing: it has no nodes.", str(path)))
         _apply(file, path, "", reading, (path.resolve(),))
     return _finished(reading)
 
@@ -86,11 +89,11 @@ def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: 
     source = SourceFile(name, name if is_overlay else "", digest_of(text))
     file = parse_vspec(text, source, limits)
     refused = [
-        Finding("R010", "error", f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
+        codes.INCLUDE_OUTSIDE.finding(f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
         for include in file.includes[:_MOST_REFUSED]
     ]
     if (more := len(file.includes) - _MOST_REFUSED) > 0:
-        refused.append(Finding("R010", "error", f"{more:,} more includes are not read.", name))
+        refused.append(codes.INCLUDE_OUTSIDE.finding(f"{more:,} more includes are not read.", name))
     return Layer(name, is_overlay, (source,), file.statements, (*file.findings, *refused))
 
 
@@ -123,18 +126,18 @@ def _included(
     if target is None or real is None:
         looked = ", ".join(f"'{folder}'" for folder in dict.fromkeys((*reading.folders, path.parent)))
         message = f"Include {include.target!r} does not exist; looked in {looked}."
-        reading.findings.append(Finding("R008", "error", message, *place))
+        reading.findings.append(codes.INCLUDE_MISSING.finding(message, *place))
     elif real in above:
         message = f"Include {include.target!r} leads back to a file that includes this one."
-        reading.findings.append(Finding("R009", "error", message, *place))
+        reading.findings.append(codes.INCLUDE_CYCLE.finding(message, *place))
     elif not _is_inside(real.parent, reading):
         message = f"Include {include.target!r} leaves the folders that may be read."
         fix = "Add its folder as an include folder (-I)."
-        reading.findings.append(Finding("R010", "error", message, *place, fix=fix))
+        reading.findings.append(codes.INCLUDE_OUTSIDE.finding(message, *place, fix=fix))
     elif len(above) * len(reading.statements) > reading.limits.values or _too_many(reading):
-        if not any(finding.rule == "R015" for finding in reading.findings):
+        if not any(finding.rule == codes.INCLUDES_MULTIPLY.id for finding in reading.findings):
             message = "Includes multiply: the limit of included files and statements is reached."
-            reading.findings.append(Finding("R015", "error", message, *place))
+            reading.findings.append(codes.INCLUDES_MULTIPLY.finding(message, *place))
     else:
         found = _read_file(target, reading, place)
         if found is not None:
@@ -193,11 +196,11 @@ def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         where = place or (str(path), 0, 0)
-        reading.findings.append(Finding("R012", "error", f"{str(path)!r} cannot be read: {reason}.", *where))
+        reading.findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", *where))
         return None
     if data is None:
         message = f"The file has {size:,} bytes; the limit is {reading.limits.file_bytes:,}."
-        reading.findings.append(Finding("R003", "error", message, str(path)))
+        reading.findings.append(codes.FILE_TOO_LARGE.finding(message, str(path)))
         return None
     overlay = reading.name if reading.is_overlay else ""
     source = SourceFile(str(path), overlay, digest_of(data))

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode
 
+from sigcat import codes
 from sigcat.catalogue.reading.yaml_document import (
     TEXT,
     Builder,
@@ -147,7 +148,7 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
         message = "The file is not a mapping of node paths to attributes."
-        findings.append(Finding("R007", "error", message, source.name, line, column))
+        findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column))
     includes.extend(_include_lines(document.text, source.name, findings))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
 
@@ -278,14 +279,20 @@ def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findi
         line, column = position(key)
         message = f"{what} {key.value!r} is given twice; only the last one counts."
         findings.append(
-            Finding("R006", "error", message, file, line, column, path or key.value, fix="Remove one of the two.")
+            codes.DUPLICATE_KEY.finding(message, file, line, column, path or key.value, fix="Remove one of the two.")
         )
 
 
 def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
     line, column = position(error.node)
-    rule = "R007" if isinstance(error, _NotAttributes) else "R005" if "alias" in str(error) else "R014"
-    return Finding(rule, "error", str(error), file, line, column, path)
+    rule = (
+        codes.NOT_A_MAPPING
+        if isinstance(error, _NotAttributes)
+        else codes.ALIAS_TO_ITSELF
+        if "alias" in str(error)
+        else codes.NOT_A_VALUE
+    )
+    return rule.finding(str(error), file, line, column, path)
 
 
 def _include_list(statement: Statement, listed: Any, mark: int, findings: list[Finding]) -> Iterator[Include]:
@@ -296,7 +303,7 @@ def _include_list(statement: Statement, listed: Any, mark: int, findings: list[F
         parts = entry.split() if isinstance(entry, str) and isinstance(listed, list) else []
         if not parts:
             message = "`includes` takes a list of file names."
-            findings.append(Finding("R011", "error", message, statement.file.name, *place, statement.path))
+            findings.append(codes.INCLUDE_MALFORMED.finding(message, statement.file.name, *place, statement.path))
             continue
         yield Include(parts[0], statement.path, *place)
 
@@ -311,11 +318,12 @@ def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[In
         _, *parts = match.group().split()
         if not parts:
             message = "An include names a file, and optionally a prefix: `#include FILE [PREFIX]`."
-            findings.append(Finding("R011", "error", message, file, line, column))
+            findings.append(codes.INCLUDE_MALFORMED.finding(message, file, line, column))
             continue
         if len(parts) > 2:
             message = f"An include takes a file and a prefix; {' '.join(parts[1:])!r} is ignored."
-            findings.append(Finding("R011", "warning", message, file, line, column))
+            ignored = codes.INCLUDE_MALFORMED.graded("warning")  # the file is read all the same
+            findings.append(ignored.finding(message, file, line, column))
         yield Include(parts[0], parts[1] if len(parts) == 2 else "", line, column)
 
 

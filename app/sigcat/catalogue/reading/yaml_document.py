@@ -17,7 +17,8 @@ import yaml
 from yaml.constructor import ConstructorError, SafeConstructor
 from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
-from sigcat.findings import Finding
+from sigcat import codes
+from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 _LIBYAML: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -113,14 +114,16 @@ def collector_paused() -> Iterator[None]:
 def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
     """Compose `data`. Every defect is a finding that names `name`; a document with a defect has no root."""
     if len(data) > limits.file_bytes:
-        return _refused("", name, "R003", f"The file has {len(data):,} bytes; the limit is {limits.file_bytes:,}.")
+        return _refused(
+            "", name, codes.FILE_TOO_LARGE, f"The file has {len(data):,} bytes; the limit is {limits.file_bytes:,}."
+        )
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         column = error.start - data.rfind(b"\n", 0, error.start)
         message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
-        return _refused("", name, "R002", message, line, column, "Save the file as UTF-8.")
+        return _refused("", name, codes.NOT_UTF_8, message, line, column, "Save the file as UTF-8.")
     try:
         _refuse_deep_nesting(text, limits)
         with collector_paused():
@@ -132,7 +135,7 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
     except yaml.reader.ReaderError as error:
         line = text.count("\n", 0, error.position) + 1
         message = f"Character U+{_code_point(error):04X} is not allowed in YAML."
-        return _refused(text, name, "R001", message, line, 1)
+        return _refused(text, name, codes.NOT_YAML, message, line, 1)
     return Document(text, root, ())
 
 
@@ -277,7 +280,7 @@ class _BeyondLimit(Exception):
 
 
 def _too_many(values: int) -> _BeyondLimit:
-    return _BeyondLimit("R014", f"The file has more than {values:,} values, which is the limit.")
+    return _BeyondLimit(codes.NOT_A_VALUE, f"The file has more than {values:,} values, which is the limit.")
 
 
 def _refuse_deep_nesting(text: str, limits: Limits) -> None:
@@ -297,13 +300,15 @@ def _refuse_deep_nesting(text: str, limits: Limits) -> None:
             if depth > limits.nesting:
                 mark: Any = event.start_mark
                 message = f"Collections nest deeper than {limits.nesting} levels."
-                raise _BeyondLimit("R004", message, mark.line + 1, mark.column + 1)
+                raise _BeyondLimit(codes.NESTING_TOO_DEEP, message, mark.line + 1, mark.column + 1)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 
 
-def _refused(text: str, name: str, rule: str, message: str, line: int = 0, column: int = 0, fix: str = "") -> Document:
-    return Document(text, None, (Finding(rule, "error", message, name, line, column, fix=fix),))
+def _refused(
+    text: str, name: str, rule: RuleCode, message: str, line: int = 0, column: int = 0, fix: str = ""
+) -> Document:
+    return Document(text, None, (rule.finding(message, name, line, column, fix=fix),))
 
 
 def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document:
@@ -313,7 +318,7 @@ def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document
     fix = next((advice for cause, advice in _ADVICE.items() if cause in message), "")
     if "cannot start any token" in message and "\t" not in text:
         fix = "Quote the text."
-    return _refused(text, name, "R001", f"Not valid YAML: {message}.", line, column, fix)
+    return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
 
 
 def _code_point(error: Any) -> int:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TypeVar
 
+from sigcat import codes
 from sigcat.function.function_json.model import Parameter, Runnable
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.settings import RunModes
@@ -58,10 +59,10 @@ def _run_type(call: Runnable, part: Part, work: Work) -> str:
     run_type = _RUN_TYPES.get(call.run_type)
     if call.run_type == "EventTriggered":
         message = f"{call.name} runs on events: the published schema has no word for that, and it is written as Cyclic."
-        work.report("A010", "info", message, call.name, "Trigger tells the difference.")
+        work.report(codes.CALL_ON_EVENTS, message, call.name, "Trigger tells the difference.")
     if run_type is None:
         message = f"{call.name} of {part.function_name} has the run type {call.run_type!r}, which does not exist; it is taken as Cyclic."
-        work.report("A015", "warning", message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
+        work.report(codes.RUN_TYPE_UNKNOWN, message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
     return run_type or "Cyclic"
 
 
@@ -69,7 +70,7 @@ def _scheduling(call: Runnable, part: Part, work: Work) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if plain not in _SCHEDULING:
         message = f"{call.name} of {part.function_name} has the scheduling {call.scheduling!r}, which does not exist; none is written."
-        work.report("A011", "warning", message, call.name, "Use Preemptive or Non-Preemptive.")
+        work.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Use Preemptive or Non-Preemptive.")
     return _SCHEDULING.get(plain)
 
 
@@ -146,7 +147,7 @@ def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, wor
         return word or otherwise
     near = {known.lower(): known for known in words}.get(word.lower())
     message = f"{where}: {word!r} is none of {', '.join(words)}; {near or otherwise or 'nothing'} is written."
-    work.report("A013", "warning", message, where.split(" ", 1)[0])
+    work.report(codes.WORD_NOT_IN_SCHEMA, message, where.split(" ", 1)[0])
     return near or otherwise
 
 

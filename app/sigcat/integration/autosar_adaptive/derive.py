@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import Contract, FunctionJson
@@ -65,7 +66,7 @@ def _tell_left_out(told: Sequence[Entry], work: Work) -> None:
     for entry in told:
         if entry.target == NOT_CARRIED:
             message = f"{entry.field} of {entry.interface} ({entry.function}) is not carried: {entry.note}."
-            work.report("A012", "warning", message, entry.interface)
+            work.report(codes.FIELD_NOT_CARRIED, message, entry.interface)
 
 
 def _refuse_doubles(functions: Sequence[FunctionJson]) -> None:
@@ -162,7 +163,7 @@ def _meta(functions: Sequence[FunctionJson], work: Work) -> model.MetaInformatio
     date = deployment.date.isoformat() if deployment.date else max(map(_date, functions))
     if date == NO_DATE:
         message = f"No function has a date: {NO_DATE} is written, as the published schema wants one."
-        work.report("A001", "info", message, fix="Give one in the deployment, or in a function.")
+        work.report(codes.DATE_MISSING, message, fix="Give one in the deployment, or in a function.")
     return model.MetaInformation(
         authority=deployment.authority or _joined(function.meta.authority for function in functions),
         author=deployment.author or _joined(function.meta.schema_author for function in functions),

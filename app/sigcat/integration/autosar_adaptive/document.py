@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from pydantic import ValidationError
 
+from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import Document, Pointer, pointer_text, read_json
@@ -62,7 +63,7 @@ def completed(model: IntegrationModel) -> IntegrationModel:
     defects = tuple(_defects(whole))
     if defects:
         findings = tuple(
-            Finding("A020", "error", defect.message, pointer=pointer_text(defect.pointer), fix=defect.fix)
+            codes.NOT_WRITABLE_AS_ARXML.finding(defect.message, pointer=pointer_text(defect.pointer), fix=defect.fix)
             for defect in defects
         )
         raise InputRefused("The integration cannot be written as ARXML.", findings)
@@ -82,8 +83,12 @@ class Defect(NamedTuple):
 
 def _finding(defect: Defect, document: Document) -> Finding:
     place = document.place(defect.pointer)
-    return Finding(
-        "A020", "error", defect.message, document.name, *place, pointer=pointer_text(defect.pointer), fix=defect.fix
+    return codes.NOT_WRITABLE_AS_ARXML.finding(
+        defect.message,
+        document.name,
+        *place,
+        pointer=pointer_text(defect.pointer),
+        fix=defect.fix,
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.function.function_json.model import (
     Argument,
     DataQueue,
@@ -129,7 +130,7 @@ def _tell_renamed(wanted: dict[str, str], work: Work) -> None:
     for name, plain in wanted.items():
         if name != plain:
             message = f"{plain} is already taken by another interface: this one is called {name}."
-            work.report("A007", "warning", message, plain)
+            work.report(codes.NAME_TAKEN, message, plain)
 
 
 def _numbers(names: Iterable[str], span: Span, work: Work, scope: str, suffix: str) -> dict[str, int]:
@@ -146,18 +147,18 @@ def _numbers(names: Iterable[str], span: Span, work: Work, scope: str, suffix: s
                 "is given twice" if number in fixed.values() else f"is not from 0x{span.first:04X} to 0x{span.last:04X}"
             )
             message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment {reason}."
-            work.report("A009", "error", message, f"{scope}{name}", "Give another one.")
+            work.report(codes.ID_REFUSED, message, f"{scope}{name}", "Give another one.")
             continue
         fixed[name] = number
     if len(listed) > span.last - span.first + 1:
         message = f"{len(listed)} names need an id and SOME/IP has {span.last - span.first + 1} of this kind."
-        work.report("A009", "error", message, scope.rstrip("."), "Spread them over several services.")
+        work.report(codes.ID_REFUSED, message, scope.rstrip("."), "Spread them over several services.")
         return dict.fromkeys(listed, span.first)
     assigned = assign(listed, span, fixed, f"{scope}{suffix}")
     for name, other, number in assigned.collisions:
         message = f"{scope}{name} and {scope}{other} ask for the same id: 0x{number:04X} depends on both being there."
         fix = f"To keep it, write it into the deployment: identifiers: {{{scope}{name}{suffix}: {number}}}."
-        work.report("A008", "info", message, f"{scope}{name}", fix)
+        work.report(codes.ID_DEPENDS_ON_OTHERS, message, f"{scope}{name}", fix)
     return assigned.ids
 
 
@@ -340,7 +341,9 @@ def _compare(element: Element, types: TypeTable, work: Work) -> None:
                 f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
                 f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
             )
-            work.report("A004", "warning", message, element.identity, "Build both from the same catalogue.")
+            work.report(
+                codes.MEANINGS_DIFFER_ADAPTIVE, message, element.identity, "Build both from the same catalogue."
+            )
 
 
 def _sent_as(side: Placed, types: TypeTable) -> tuple[str, str]:

@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.function.function_json.model import (
     PROVIDER,
     DataQueue,
@@ -63,7 +64,7 @@ def _providers(items: Iterable[Item], work: Work) -> dict[tuple[bool, str], list
         if len(parts) > 1:
             names = ", ".join(part.name for part in parts)
             message = f"{identity} is provided by {names}: consumers are connected to {parts[0].name}."
-            work.report("A003", "warning", message, identity, "Let one of them provide it.")
+            work.report(codes.SEVERAL_PROVIDERS, message, identity, "Let one of them provide it.")
     return found
 
 
@@ -89,7 +90,7 @@ def _outside(item: Item, identity: str, work: Work) -> Group:
     message = f"{identity} ({item.where}) has no VSS path, and no function of the set provides it."
     fix = f"Tell its path in the deployment, under paths: {item.part.function_name}.{item.interface.name}, or add the provider."
     work.report(
-        "A002", "warning", message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
+        codes.PROVIDER_UNKNOWN, message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
     )
     return _of_origin(f"{item.part.name}Required")
 

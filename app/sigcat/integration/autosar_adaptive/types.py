@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from sigcat import codes
 from sigcat.function.function_json.model import Datatype, FunctionJson
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_adaptive.work import Work
@@ -102,7 +103,7 @@ class TypeTable:
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} has {what}: its content is not known."
         fix = "Give it a Kind with members, symbols or elements; until then it is an empty structure."
-        self._work.report("A005", "warning", message, fix=fix)
+        self._work.report(codes.DATATYPE_WITHOUT_CONTENT, message, fix=fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
 
@@ -117,7 +118,9 @@ class TypeTable:
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
         message = f"Datatype {datatype.reference} of {function.info.function_name} contains itself."
         self._work.report(
-            "A006", "error", message, fix="SOME/IP cannot send it: cut the cycle, for instance by an index."
+            codes.DATATYPE_CONTAINS_ITSELF,
+            message,
+            fix="SOME/IP cannot send it: cut the cycle, for instance by an index.",
         )
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Sequence
 
+from sigcat import codes
 from sigcat.function.function_json.model import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
@@ -22,14 +23,14 @@ def tell_unused(sides: Sequence[Placed], services: Sequence[Service], work: Work
         for above in service.paths:
             if not any(path == above or path.startswith(f"{above}.") for path in paths):
                 message = f"The deployment puts {above} into service {service.name}: no signal of the set stands there."
-                work.report("A014", "warning", message, above, did_you_mean(above, _branches(paths)))
+                work.report(codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths)))
 
 
 def _tell(section: str, keys: Collection[str], known: Collection[str], work: Work) -> None:
     for key in keys:
         if key not in known:
             message = f"The deployment names {key!r} under {section}: there is none in the set."
-            work.report("A014", "warning", message, key, did_you_mean(key, known))
+            work.report(codes.DEPLOYMENT_NAMES_NOTHING, message, key, did_you_mean(key, known))
 
 
 def _identified(services: Sequence[Service]) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.findings import Finding, Severity
+from sigcat.findings import Finding, RuleCode
 from sigcat.function.function_json.model import (
     Component,
     DataQueue,
@@ -55,9 +55,9 @@ class Work:
         self.findings: list[Finding] = []
         self.parts = _parts(functions)
 
-    def report(self, rule: str, severity: Severity, message: str, path: str = "", fix: str = "") -> None:
+    def report(self, rule: RuleCode, message: str, path: str = "", fix: str = "") -> None:
         """Note a finding about an interface."""
-        self.findings.append(Finding(rule, severity, message, path=path, fix=fix))
+        self.findings.append(rule.finding(message, path=path, fix=fix))
 
     def path_of(self, item: Item) -> str:
         """VSS path of a data interface, its own or the one that the deployment tells; empty if there is none."""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from sigcat import codes
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
 from sigcat.function.function_json.datatypes import value_range
 from sigcat.function.function_json.model import DataQueue, Datatype, Parameter, Signal
@@ -82,7 +83,7 @@ def _linear(factor: object, offset: object, interface: str, limits: Limits) -> L
     numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
     if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
         message = f"{interface}: factor {factor!r} and offset {offset!r} are no conversion."
-        limits.report("N217", interface, message, "Give a factor other than 0, and numbers.")
+        limits.report(codes.CONVERSION_NOT_A_NUMBER, interface, message, "Give a factor other than 0, and numbers.")
         return IDENTITY
     return Linear(numbers[0], numbers[1])
 

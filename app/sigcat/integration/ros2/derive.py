@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
@@ -93,7 +94,9 @@ def _above_qm(name: str, asil: str | None, why: str, limits: Limits) -> None:
     level = asil_of(asil)
     if level != "QM":
         message = f"{name}: ROS 2 does not support ASIL {level}: {why}."
-        limits.report("N201", name, message, "Protect it in the code, or use a platform that is qualified.")
+        limits.report(
+            codes.ASIL_NOT_SUPPORTED, name, message, "Protect it in the code, or use a platform that is qualified."
+        )
 
 
 # -- the parts of the document ------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
+from sigcat import codes
 from sigcat.function.function_json.model import Datatype, Symbol
 from sigcat.integration.names import constant_name, field_name, message_name
 from sigcat.integration.ros2.limits import Limits
@@ -75,7 +76,7 @@ class MessageBook:
             return self._structs[reference]
         if reference in self._open:
             message = f"{interface}: {reference} contains itself, which no message of ROS 2 can."
-            self._limits.report("N200", interface, message, "Refer to the other value by a number.")
+            self._limits.report(codes.DATATYPE_UNRESOLVED, interface, message, "Refer to the other value by a number.")
             return None
         self._open.append(reference)
         fields = self._members(self.table[reference], interface)
@@ -108,7 +109,9 @@ class MessageBook:
 def unresolved(limits: Limits, interface: str, reference: str) -> None:
     """Note that a datatype cannot be resolved."""
     message = f"{interface}: the datatype {reference} is not defined, or C has no such type; the field is left out."
-    limits.report("N200", interface, message, f"Define {reference} under `Datatypes`, with a C definition.")
+    limits.report(
+        codes.DATATYPE_UNRESOLVED, interface, message, f"Define {reference} under `Datatypes`, with a C definition."
+    )
 
 
 def constants(

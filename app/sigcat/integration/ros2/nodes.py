@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
+from sigcat import codes
 from sigcat.function.function_json.model import (
     Contract,
     Datatype,
@@ -114,7 +115,10 @@ def _schedule(call: Runnable, place: Place, exchanged: Sequence[Communication], 
     if (is_timed and not call.cycle_time) or (not is_timed and not topics):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
         limits.report(
-            "N215", call.name, f"{call.name} has no trigger: {lacking} is missing.", "Add it, or the run type."
+            codes.CALL_WITHOUT_TRIGGER,
+            call.name,
+            f"{call.name} has no trigger: {lacking} is missing.",
+            "Add it, or the run type.",
         )
     own_group = call.scheduling.lower().replace("-", "").replace("_", "") == "preemptive"
     group = package_name(call.name if own_group else f"{place.node}_calls").text
@@ -152,7 +156,9 @@ def _after(call: Runnable, place: Place, limits: Limits) -> str | None:
         return None
     if before not in own:
         message = f"{call.name} runs after {before}, which is in no call of node {place.node}: nodes have no order."
-        limits.report("N204", call.name, message, "Let a signal of the one trigger the other, or use offsets.")
+        limits.report(
+            codes.ORDER_BETWEEN_NODES, call.name, message, "Let a signal of the one trigger the other, or use offsets."
+        )
         return None
     return before
 
@@ -163,7 +169,7 @@ def _priority(call: Runnable, limits: Limits) -> int | None:
         return int(text)
     if text:
         message = f"{call.name}: {_short(text)!r} is no priority of a thread, which goes from 1 to 99."
-        limits.report("N203", call.name, message, "Give a number; a higher one runs first.")
+        limits.report(codes.PRIORITY_NOT_A_NUMBER, call.name, message, "Give a number; a higher one runs first.")
     return None
 
 
@@ -200,10 +206,10 @@ def report_calls(place: Place, limits: Limits) -> None:
 def _unexpressed(call: Runnable, limits: Limits) -> None:
     if call.stack_size:
         message = f"{call.name}: ROS 2 sets no stack size; {_short(call.stack_size)} bytes are not carried."
-        limits.report("N202", call.name, message, "Set it for the process, with ulimit -s.")
+        limits.report(codes.STACK_SIZE_NOT_CARRIED, call.name, message, "Set it for the process, with ulimit -s.")
     if call.watchdog and call.watchdog.logical:
         message = f"{call.name}: the logical supervision is in words, which no node can check."
-        limits.report("N205", call.name, message, "Supervise it by hand in the adapter.")
+        limits.report(codes.LOGICAL_SUPERVISION_IN_WORDS, call.name, message, "Supervise it by hand in the adapter.")
 
 
 # -- modes --------------------------------------------------------------------------------------------------------
@@ -260,10 +266,14 @@ def _diagnostic(error: Error, place: Place, statuses: Mapping[str, str], limits:
         message = (
             f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is not carried."
         )
-        limits.report("N207", error.name, message, "Keep the count in a fault memory beside ROS 2.")
+        limits.report(
+            codes.IGNITION_CYCLES_NOT_COUNTED, error.name, message, "Keep the count in a fault memory beside ROS 2."
+        )
     if error.reset_condition:
         message = f"{error.name}: the reset condition is in words, which no node can check."
-        limits.report("N206", error.name, message, "Report the error as passed when the condition holds.")
+        limits.report(
+            codes.RESET_CONDITION_IN_WORDS, error.name, message, "Report the error as passed when the condition holds."
+        )
     return Diagnostic(
         name=f"{place.node}: {error.name}",
         error=error.name,
@@ -298,6 +308,8 @@ def _statuses(name: str, errors: Iterable[str], statuses: Mapping[str, str], lim
     for error in errors:
         if error not in statuses:
             message = f"{name} depends on {_short(error)}, which no function of the set reports."
-            limits.report("N216", name, message, f"Whoever reports it names its status {_short(error)}.")
+            limits.report(
+                codes.ERROR_FROM_OUTSIDE, name, message, f"Whoever reports it names its status {_short(error)}."
+            )
         made.append(statuses.get(error, error))
     return tuple(made)

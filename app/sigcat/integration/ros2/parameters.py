@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.datatypes import value_range
@@ -47,7 +48,7 @@ def _parameter(
         return None
     if kind.element is None:
         message = f"{interface}: nodes have no parameters that are structs; it is left out."
-        limits.report("N209", interface, message, "Declare a parameter for each member.")
+        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Declare a parameter for each member.")
         return None
     _unexpressed(item, kind, interface, limits)
     name = field_name(item.name, taken)
@@ -143,10 +144,10 @@ def _constraints(kind: FieldType) -> str | None:
 def _unexpressed(item: Parameter, kind: FieldType, interface: str, limits: Limits) -> None:
     if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
         message = f"{interface} is kept over a restart; parameters of nodes are not."
-        limits.report("N208", interface, message, "Write it to a file when the node is cleaned up.")
+        limits.report(codes.VALUE_NOT_KEPT, interface, message, "Write it to a file when the node is cleaned up.")
     if item.interface_type == "Measurement":
         message = f"{interface} is a measurement; as a parameter it is read, and nobody is told when it changes."
-        limits.report("N209", interface, message, "Provide it as a signal.")
+        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Provide it as a signal.")
     if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
         message = f"{interface}: integers of parameters end at {_LARGEST}."
-        limits.report("N209", interface, message, "Narrow the range with `max`.")
+        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Narrow the range with `max`.")

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.function.function_json.model import PROVIDER, Argument, Method, Runnable
 from sigcat.integration.names import field_name, topic_name
 from sigcat.integration.ros2.limits import Limits
@@ -72,7 +73,7 @@ def _service(
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
         message = f"{call.place.name} and another function mean the method {method.name} with other arguments."
-        limits.report("N214", method.name, message, "Give one of them another name.")
+        limits.report(codes.MEANINGS_DIFFER, method.name, message, "Give one of them another name.")
     return RosService(
         name=settings.namespace + topic_name(method.name),
         method=method.name,

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.integration.names import field_name, package_name, topic_name
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
 from sigcat.integration.ros2.limits import Limits
@@ -86,12 +87,14 @@ def _providers(uses: Iterable[Use], limits: Limits) -> dict[str, str]:
     for use in uses:
         if not use.path:
             message = f"{use.interface} names no path of the catalogue; only {use.place.name} can know its topic."
-            limits.report("N211", use.interface, message, "Give its path under `paths` in the deployment file.")
+            limits.report(
+                codes.SIGNAL_WITHOUT_PATH, use.interface, message, "Give its path under `paths` in the deployment file."
+            )
         if use.is_provider:
             first = providers.setdefault(use.key, use.place.name)
             if first != use.place.name:
                 message = f"{first} and {use.place.name} both publish {use.interface}; subscribers get a mixture."
-                limits.report("N218", use.interface, message, "Let one function provide it.")
+                limits.report(codes.SEVERAL_PUBLISHERS, use.interface, message, "Let one function provide it.")
     return providers
 
 
@@ -165,7 +168,7 @@ def _member(own: list[Use], taken: set[str], book: MessageBook, limits: Limits) 
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
             message = f"{first.place.name} and {use.place.name} mean {first.interface} in two datatypes or units."
-            limits.report("N214", first.interface, message, "Build both functions from one catalogue.")
+            limits.report(codes.MEANINGS_DIFFER, first.interface, message, "Build both functions from one catalogue.")
     written = book.written(kind, first.interface)
     if written is None:
         return None
@@ -234,7 +237,9 @@ def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
         cycle = slowest.get(use.key)
         if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
             message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {cycle} ms."
-            limits.report("N213", use.interface, message, "One late value sets it: allow twice the cycle.")
+            limits.report(
+                codes.TIMEOUT_BELOW_TWO_CYCLES, use.interface, message, "One late value sets it: allow twice the cycle."
+            )
 
 
 def _data_map(mine: Sequence[Use], topic: Topic, taken: set[str], book: MessageBook, limits: Limits) -> DataMap:
@@ -257,7 +262,7 @@ def _row(
     data = use.data
     if not data.variable:
         message = f"{use.interface} names no variable; its name {data.name!r} is taken for one."
-        limits.report("N212", use.interface, message, "Give `variable` in the declaration.")
+        limits.report(codes.VARIABLE_ASSUMED, use.interface, message, "Give `variable` in the declaration.")
     way = "to_topic" if use.is_provider else "from_topic"
     name = package_name(f"{use.place.name}_{data.name}_{way}", taken).text
     made = conversion(

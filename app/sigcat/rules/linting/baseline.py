@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 
@@ -79,7 +80,7 @@ def compare(findings: Iterable[Finding], baseline: Baseline, root: Path, *, comp
         else:
             new.append(finding)
     stale = [
-        Finding("L003", "warning", f"{rule} at {path!r} is no longer found.", baseline.file, path=path, fix="Write the baseline again.")
+        codes.BASELINE_STALE.finding(f"{rule} at {path!r} is no longer found.", baseline.file, path=path, fix="Write the baseline again.")
         for (rule, path), count in sorted(left.items())
         if count > 0 and complete
     ]  # fmt: skip

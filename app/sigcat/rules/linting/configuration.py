@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
-from sigcat.findings import Finding
 from sigcat.names import did_you_mean
 from sigcat.rules.linting.options import LintOptions, PerFile
 from sigcat.rules.linting.selection import OFF, as_severity
@@ -59,7 +59,7 @@ def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
             field, convert = _FIELDS[key]
             read[field] = convert(key, value, path.parent)
         except UsageError as error:
-            findings.append(Finding("L012", "error", str(error), str(path), path=key))
+            findings.append(codes.CONFIGURATION_UNUSABLE.finding(str(error), str(path), path=key))
     if findings:
         raise InputRefused(f"The configuration {str(path)!r} cannot be used.", tuple(findings))
     return LintOptions(root=path.parent, **read)

@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import compose, compose_part
 from sigcat.catalogue.composing.older_releases import Units, in_present_words, read_units
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -39,12 +40,20 @@ from sigcat.rules.rule_set import RuleSet
 from sigcat.rules.tree import Tree
 
 _WHOLE_TREE_CHECKS = frozenset(("reference", "reference-cycle", "companions", "asil-of-step", "deprecation-target"))
-_WHOLE_TREE_CODES = frozenset(("V020", "V021", "V022", "R010", "O001"))
+_WHOLE_TREE_CODES = frozenset(
+    (
+        codes.BRANCH_UNDEFINED.id,
+        codes.SECOND_ROOT.id,
+        codes.OUTSIDE_ROOT.id,
+        codes.INCLUDE_OUTSIDE.id,
+        codes.GLOB_MATCHES_NOTHING.id,
+    )
+)
 """What composing says of a part alone only because the rest of its tree is not there."""
 
-_ABOUT_RULES = frozenset(("L010", "L011"))
+_ABOUT_RULES = frozenset((codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id))
 """What is wrong with a rule is told wherever it was to be used."""
-_UNREADABLE = frozenset(("R002", "R003"))
+_UNREADABLE = frozenset((codes.NOT_UTF_8.id, codes.FILE_TOO_LARGE.id))
 """A file that is no text has no lines to judge."""
 
 Texts = Literal["vspec", "comments", "nothing"]
@@ -101,7 +110,9 @@ def lint_text(
 ) -> tuple[Finding, ...]:
     """Findings in a text that stands in no file: an overlay over `base`, or a tree by itself."""
     if not text.strip():
-        return (Finding("Q003", "error", "The text is empty.", name, 1, 1, fix="Send the file: nothing of it came."),)
+        return (
+            codes.POSTED_TEXT_EMPTY.finding("The text is empty.", name, 1, 1, fix="Send the file: nothing of it came."),
+        )
     layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
         compose_text = partial(compose, [layer], base.vocabulary if base else EMPTY, limits=limits)
@@ -295,9 +306,9 @@ def _bytes_of(path: Path, lint: _Lint) -> bytes:
         if size <= DEFAULT_LIMITS.file_bytes:
             return path.read_bytes()
         message = f"The file has {size:,} bytes; the limit is {DEFAULT_LIMITS.file_bytes:,}."
-        finding = Finding("R003", "error", message, str(path))
+        finding = codes.FILE_TOO_LARGE.finding(message, str(path))
     except OSError as error:
-        finding = Finding("R012", "error", f"{str(path)!r} cannot be read: {error.strerror}.", str(path))
+        finding = codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {error.strerror}.", str(path))
     _add([(finding, None)], None, lint)
     return b""
 
@@ -306,7 +317,9 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, complete: bool) -> No
     """Function files, alone and together. Files that were named one by one may be a part of a set."""
     _look_at(map(str, paths), lint, "comments")
     read = [(_bytes_of(path, lint), str(path)) for path in paths]
-    unreadable = {finding.file for finding in lint.found if finding.rule in ("R003", "R012")}
+    unreadable = {
+        finding.file for finding in lint.found if finding.rule in (codes.FILE_TOO_LARGE.id, codes.FILE_UNREADABLE.id)
+    }
     files = [(data, name) for data, name in read if name not in unreadable]
     if lint.options.check_functions is not None and files:
         _add(((f, None) for f in lint.options.check_functions(files, complete)), None, lint)

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
 from sigcat.rules.flaw import Repair
@@ -46,8 +47,8 @@ class Kept(NamedTuple):
     """Those of `about_comments` that a repair settles."""
 
 
-def read_suppressions(text: str, file: str, codes: Sequence[str]) -> Suppressions:
-    """The suppressions in the text of a file. `codes` are those of all rules."""
+def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppressions:
+    """The suppressions in the text of a file. `known` are the codes of all rules."""
     lines = text.splitlines()
     entries: list[Suppression] = []
     findings: list[Finding] = []
@@ -55,10 +56,10 @@ def read_suppressions(text: str, file: str, codes: Sequence[str]) -> Suppression
         if "sigcat:" not in line:
             continue
         for match in re.finditer(_COMMENT, line):
-            named, problem = _codes(match, codes)
+            named, problem = _codes(match, known)
             column = match.start() + 1
             if problem:
-                findings.append(Finding("L002", "warning", problem, file, number, column))
+                findings.append(codes.SUPPRESSION_MALFORMED.finding(problem, file, number, column))
             if named:
                 first, last = _reach(match, number, lines)
                 entries.append(Suppression(named, first, last, number, column))
@@ -119,7 +120,7 @@ def _unused(
                 if ran and (entry.file, suppression.line, suppression.column, code) not in used:
                     message = f"Nothing is suppressed by `ignore[{code}]`."
                     place = (entry.file, suppression.line, suppression.column)
-                    finding = Finding("L001", "warning", message, *place, fix="Remove it.")
+                    finding = codes.SUPPRESSION_UNUSED.finding(message, *place, fix="Remove it.")
                     yield finding, Repair("remove suppression", code)
 
 

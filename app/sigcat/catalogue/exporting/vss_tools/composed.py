@@ -74,7 +74,7 @@ def refused_attributes(definition: Definition) -> tuple[Problem, ...]:
     return tuple(
         problem
         for problem in definition.problems
-        if problem.severity == "error"
+        if problem.rule.severity == "error"
         and problem.attribute in definition.values
         and problem.attribute not in _ESSENTIAL
     )

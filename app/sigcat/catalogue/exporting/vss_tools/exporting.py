@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import unexpanded
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
 from sigcat.catalogue.exporting.vss_tools.files import Export, ExportedFile, zipped
@@ -11,7 +12,7 @@ from sigcat.catalogue.exporting.vss_tools.options import checked_options
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.errors import InputRefused, UsageError
-from sigcat.findings import Finding, has_errors
+from sigcat.findings import has_errors
 
 __all__ = ["TIMEOUT", "Export", "ExportedFile", "export", "exported", "zipped"]
 
@@ -94,7 +95,7 @@ def _refuse_unfit_catalogue(catalogue: Catalogue, format_: Format) -> None:
             f"The export {format_.name} is of struct types, and the catalogue has none: give a types file."
         )
     unsafe = tuple(
-        Finding("X003", "error", "A name with a slash cannot be exported: it could become the name of a file.",
+        codes.NAME_WITH_SLASH.finding("A name with a slash cannot be exported: it could become the name of a file.",
                 *definition.origin()[:3], definition.path)
         for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue))
         if _names_a_folder(definition)

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.exporting.export_json import kept_instances
 from sigcat.catalogue.exporting.vss_tools.composed import Files, refused_attributes, write_catalogue
 from sigcat.catalogue.exporting.vss_tools.files import Export, ExportedFile
@@ -174,15 +175,15 @@ def _left_out(catalogue: Catalogue) -> Iterator[Finding]:
         for problem in refused_attributes(definition):
             message = f"`{problem.attribute}` is left out, since vss-tools refuses it. {problem.message}"
             place = definition.origin(problem.attribute)[:3]
-            yield Finding("X004", "warning", message, *place, definition.path)
+            yield codes.ATTRIBUTE_LEFT_OUT.finding(message, *place, definition.path)
 
 
 def _finding(level: str, message: str, catalogue: Catalogue) -> Finding:
-    rule = "X002" if level == "WARNING" else "X001"
+    rule = codes.EXPORTER_WARNS if level == "WARNING" else codes.EXPORTER_REFUSES
     text = f"vss-tools: {' '.join(message.split())}"
     for path in _NODE_PATH.findall(message):
         node = catalogue.get(path)
         definition = catalogue.definitions.get(path) or (node.definition if node else None)
         if definition is not None:
-            return Finding(rule, _SEVERITIES[level], text, *definition.origin()[:3], path)
-    return Finding(rule, _SEVERITIES[level], text)
+            return rule.finding(text, *definition.origin()[:3], path)
+    return rule.finding(text)

@@ -1,0 +1,57 @@
+"""The record of a rule is the one home of its code and severity; the code of sigcat names rules and nothing else."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+from scripts.codes import TARGET, codes_module
+from sigcat.data import INTERFACE_RULES
+from sigcat.rules.record import load_rules
+
+APP = Path(__file__).parents[2] / "app" / "sigcat"
+CODE = re.compile(r"[A-Z][0-9]{3}")
+FILES = [file for file in sorted(APP.rglob("*.py")) if file != TARGET and APP / "function" not in file.parents]
+RULES = load_rules(INTERFACE_RULES)
+
+
+def test_the_codes_are_those_of_the_records():
+    assert TARGET.read_text(encoding="utf-8") == codes_module(RULES), "run make generate"
+
+
+def test_two_rules_of_one_name_are_refused():
+    made_by_code = [rule for rule in RULES if rule.check == "function"]
+    with pytest.raises(ValueError, match=made_by_code[0].name):
+        codes_module((*RULES, made_by_code[0]))
+
+
+def test_no_other_file_has_a_code_in_it():
+    """But for examples in the API's document, which are data."""
+    assert len(FILES) > 200
+    found = {f"{file.relative_to(APP)}: {code}" for file in FILES for code in literal_codes(file)}
+    assert found == set()
+
+
+def test_every_code_is_reported_somewhere():
+    text = "\n".join(file.read_text(encoding="utf-8") for file in FILES)
+    constants = re.findall(r"^([A-Z0-9_]+) = RuleCode", TARGET.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(constants) > 100
+    of_functions = {rule.name.replace("-", "_").upper() for rule in RULES if rule.check == "function"}
+    assert [name for name in constants if f"codes.{name}" not in text and name not in of_functions] == []
+
+
+def literal_codes(file):
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    examples = {
+        id(item)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.keyword) and node.arg == "examples"
+        for item in ast.walk(node)
+    }
+    return [
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in examples
+        if CODE.fullmatch(node.value)
+    ]
