@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench pictures golden clients fuzz slow sbom audit lock clean
+.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow sbom audit lock clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -37,8 +37,8 @@ bench: .venv/dev  ## measure, each figure beside its reference
 pictures: .venv/dev  ## picture every page into docs/pictures
 	$(BIN)/python scripts/pictures.py
 
-golden: .venv/dev  ## write the expected outputs of the tests anew
-	$(BIN)/python scripts/golden.py
+generate: .venv/dev  ## write everything that is generated: expected outputs of tests, pages of docs, the OpenAPI document
+	$(BIN)/python -m scripts.generate
 
 clients: .venv/dev  ## generate a Python and a TypeScript client, and run the same round trip with each
 	$(BIN)/python -m scripts.clients

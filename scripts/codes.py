@@ -1,12 +1,10 @@
-"""Write app/sigcat/codes.py from interface_rules/: a constant for each rule that code finds broken."""
+"""The module app/sigcat/codes.py, made from interface_rules/: a constant for each rule that code finds broken."""
 
+from collections.abc import Mapping
 from itertools import groupby
-from pathlib import Path
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.record import MAKERS, Rule, load_rules
-
-TARGET = Path(__file__).parents[1] / "app" / "sigcat" / "codes.py"
 
 _HEADER = '''\
 """The rules that code finds broken, by name: `codes.NOT_YAML.finding(message, file, line, …)`.
@@ -16,6 +14,11 @@ Written by `make generate` from the records in interface_rules/, which say why e
 
 from sigcat.findings import RuleCode
 '''
+
+
+def files() -> Mapping[str, str]:
+    """The module."""
+    return {"app/sigcat/codes.py": codes_module(load_rules(INTERFACE_RULES))}
 
 
 def codes_module(rules: tuple[Rule, ...]) -> str:
@@ -33,7 +36,3 @@ def codes_module(rules: tuple[Rule, ...]) -> str:
 
 def _constant(rule: Rule) -> str:
     return f'{rule.name.replace("-", "_").upper()} = RuleCode("{rule.id}", "{rule.severity}")'
-
-
-if __name__ == "__main__":
-    TARGET.write_text(codes_module(load_rules(INTERFACE_RULES)), encoding="utf-8")

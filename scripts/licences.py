@@ -1,15 +1,14 @@
-"""Write docs/reference/licences.md anew: the licence of every package that is shipped: `python -m scripts.licences`."""
+"""The page of licences, docs/reference/licences.md: the licence of every package that is shipped."""
 
-import sys
+from collections.abc import Mapping
 
-from scripts.shipped import ROOT, Package, shipped
+from scripts.shipped import Package, shipped
 
-FILE = ROOT / "docs" / "reference" / "licences.md"
 _HEAD = """\
 # Licences of what is shipped
 
 sigcat is licensed under Apache-2.0. At run time it needs the packages below, as `requirements.txt` pins them; the
-container has them all. They are used as they come, unchanged. `python -m scripts.licences` writes this page, and a test
+container has them all. They are used as they come, unchanged. `make generate` writes this page, and a test
 compares it with `requirements.txt` and with the licences that may be shipped.
 
 | package | version | licence | needed by |
@@ -17,20 +16,10 @@ compares it with `requirements.txt` and with the licences that may be shipped.
 """
 
 
-def licence_page() -> str:
-    """The page as it has to be."""
-    return _HEAD + "".join(map(_row, shipped()))
+def files() -> Mapping[str, str]:
+    """The page."""
+    return {"docs/reference/licences.md": _HEAD + "".join(map(_row, shipped()))}
 
 
 def _row(package: Package) -> str:
     return f"| {package.name} | {package.version} | {package.licence} | {', '.join(package.needed_by)} |\n"
-
-
-def main() -> int:
-    """Write the page."""
-    FILE.write_text(licence_page(), encoding="utf-8")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

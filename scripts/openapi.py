@@ -1,6 +1,7 @@
-"""Write docs/reference/openapi.json anew, and tell what that breaks for clients of the released one: `python -m scripts.openapi`.
+"""Tell what the OpenAPI document breaks for clients of the released one: `python -m scripts.openapi`.
 
 With `--release` the document becomes the released one, to which later ones are compared; if it breaks clients, it does not.
+`make generate` writes docs/reference/openapi.json.
 """
 
 import json
@@ -13,10 +14,19 @@ from sigcat.api.application import create_app
 from sigcat.api.openapi_changes import breaking_changes
 from sigcat.catalogue.hosting.library import Library
 
-ROOT = Path(__file__).parent.parent
-FILE = ROOT / "docs" / "reference" / "openapi.json"
-RELEASED = ROOT / "docs" / "reference" / "openapi-released.json"
+FILE = "docs/reference/openapi.json"
+RELEASED = Path(__file__).parents[1] / "docs" / "reference" / "openapi-released.json"
 """The document of the last release. It moves with releases only, so that a change is found however many commits ago."""
+
+
+def document() -> Mapping[str, Any]:
+    """The document of the service, whichever catalogues it hosts."""
+    return create_app(Library(())).openapi()
+
+
+def files() -> Mapping[str, str]:
+    """The document that is checked in."""
+    return {FILE: json.dumps(document(), indent=1, ensure_ascii=False) + "\n"}
 
 
 def release(document: Mapping[str, Any], released: Path = RELEASED) -> list[str]:
@@ -28,13 +38,11 @@ def release(document: Mapping[str, Any], released: Path = RELEASED) -> list[str]
 
 
 def main() -> int:
-    """Write the document; 1 if it breaks clients of the released one."""
-    document = create_app(Library(())).openapi()
-    FILE.write_text(json.dumps(document, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    """Print what breaks clients of the released document; 1 if anything does."""
     if "--release" in sys.argv[1:]:
-        broken = release(document)
+        broken = release(document())
     else:
-        broken = breaking_changes(json.loads(RELEASED.read_bytes()), document)
+        broken = breaking_changes(json.loads(RELEASED.read_bytes()), document())
     for change in broken:
         print(f"breaks clients: {change}")
     return int(bool(broken))

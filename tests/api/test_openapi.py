@@ -31,7 +31,7 @@ def shipped() -> Ask:
 
 
 def test_the_document_that_is_checked_in_is_the_one_that_is_served(ask: Ask) -> None:
-    assert ask("/openapi.json").json() == DOCUMENT, "write it anew: python -m scripts.openapi"
+    assert ask("/openapi.json").json() == DOCUMENT, "run `make generate`"
 
 
 def test_the_document_breaks_no_client_of_the_released_one() -> None:

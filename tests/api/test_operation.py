@@ -256,10 +256,10 @@ def test_settings_that_do_not_fit_are_refused(
     assert "secret" not in text
 
 
-def test_every_setting_is_described_and_documented() -> None:
-    text = (Path(__file__).parents[2] / "docs" / "how-to" / "production.md").read_text()
-    for name, value, description in shown(Settings()):
-        assert f"| `{name}` | `{value}` | {description} |" in text, f"| `{name}` | `{value}` | {description} |"
+def test_every_setting_is_described() -> None:
+    settings = {name: description for name, _, description in shown(Settings())}
+    assert settings.keys() == set(Settings.model_fields)
+    assert all(settings.values())
 
 
 def test_a_proxy_is_believed_only_if_it_is_trusted(library: Library) -> None:

@@ -1,28 +1,22 @@
 """Bad input: each gives clear findings, all at once, quickly, and the process lives."""
 
 import threading
-from pathlib import Path
 
 import pytest
 
+from scripts.cases import BAD_INPUT
 from sigcat.catalogue.composing.compose import compose, read_catalogue
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import layer_from_text, read_layer
 from sigcat.limits import Limits
 from tests.catalogue.trees import ROOT, findings_of
 
-BAD = Path(__file__).parent / "bad"
 
-
-@pytest.mark.parametrize("name", sorted(folder.name for folder in BAD.iterdir()))
-def test_the_findings_are_as_expected(name, monkeypatch):
-    monkeypatch.chdir(BAD / name)
-    options = Path("options").read_text().split() if Path("options").exists() else []
-    overlays = [Path(option) for option in options[1::2]]
-    catalogue = read_catalogue(Path("tree.vspec"), overlays)
-    lines = [finding.line_of_text for finding in catalogue.findings]
-    assert lines == Path("expected.txt").read_text().splitlines()
-    assert lines
+@pytest.mark.parametrize("name", BAD_INPUT.names)
+def test_the_findings_are_as_expected(name):
+    found = BAD_INPUT.made(name)
+    assert found
+    assert found == BAD_INPUT.text(name), "If that is meant, run `make generate`."
 
 
 @pytest.mark.parametrize(

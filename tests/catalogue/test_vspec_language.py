@@ -4,39 +4,37 @@ Each folder of `cases/` has a tree, perhaps overlays and options of `vspec expor
 The expectation is held against real vss-tools as well, so that it cannot drift from the judge.
 """
 
+import contextlib
 import json
 from functools import cache
 from pathlib import Path
 
 import pytest
 
-from sigcat.cli import main
+from scripts.cases import LANGUAGE, options
 from tests.catalogue.judging import Job, verdicts
 
 CASES = Path(__file__).parent / "cases"
-NAMES = sorted(folder.name for folder in CASES.iterdir())
 
 
-def arguments(name: str) -> list[str]:
-    options = CASES / name / "options"
-    return ["-s", "tree.vspec", *(options.read_text().split() if options.exists() else [])]
+def job(name: str) -> Job:
+    with contextlib.chdir(CASES / name):
+        return Job("json", CASES / name, ["-s", "tree.vspec", *options()])
 
 
 @cache
 def judged() -> dict[str, str | None]:
-    return verdicts({name: Job("json", CASES / name, arguments(name)) for name in NAMES})
+    return verdicts({name: job(name) for name in LANGUAGE.names})
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_export_is_as_expected(name, monkeypatch, capsys):
-    monkeypatch.chdir(CASES / name)
-    assert main(["export", "json", *arguments(name)]) == 0
-    assert json.loads(capsys.readouterr().out) == json.loads(Path("expected.json").read_text())
+@pytest.mark.parametrize("name", LANGUAGE.names)
+def test_the_export_is_as_expected(name):
+    assert LANGUAGE.made(name) == LANGUAGE.text(name), "If that is meant, run `make generate`."
 
 
 @pytest.mark.xdist_group("judge of the language")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", LANGUAGE.names)
 def test_vss_tools_gives_the_same(name):
     verdict = judged()[name]
     assert verdict is not None
-    assert json.loads(verdict) == json.loads((CASES / name / "expected.json").read_text())
+    assert json.loads(verdict) == json.loads(LANGUAGE.text(name))

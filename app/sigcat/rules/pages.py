@@ -53,7 +53,7 @@ def rule_book(rules: Sequence[Rule]) -> str:
     ordered = sorted(rules, key=lambda rule: (places.get(rule.category, len(places)), rule.category, rule.id))
     parts = [
         "# Rules of `sigcat lint`",
-        "Made from `interface_rules/` by `scripts/rule_docs.py`; a test checks that it is up to date.",
+        "Made from `interface_rules/` by `make generate`; a test checks that it is up to date.",
     ]
     for category, group in groupby(ordered, key=lambda rule: rule.category):
         members = list(group)

@@ -1,0 +1,105 @@
+"""The expected outputs in the folders of cases of the tests. Each case is a folder; what it is expected to give stands in it.
+
+A change of what is expected is read in the diff, and held against vss-tools by the tests where vss-tools has a word on it.
+"""
+
+import contextlib
+import io
+import json
+import shlex
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.hosting.source import Source, load
+from sigcat.cli import main as sigcat
+
+ROOT = Path(__file__).parents[1]
+
+
+class Cases(NamedTuple):
+    """A folder of cases, and how what is expected of each is made."""
+
+    folder: str
+    expected: str
+    """Name of the file."""
+    make: Callable[[], str]
+    """Runs with the case as the current folder."""
+
+    @property
+    def names(self) -> Sequence[str]:
+        """The cases; that there are none is an error, so that no test passes for want of them."""
+        names = sorted(path.name for path in (ROOT / self.folder).iterdir() if path.is_dir())
+        assert names, f"There are no cases in {self.folder}."
+        return names
+
+    def made(self, name: str) -> str:
+        """What a case gives today."""
+        with contextlib.chdir(ROOT / self.folder / name):
+            return self.make()
+
+    def text(self, name: str) -> str:
+        """What it is expected to give."""
+        return (ROOT / self.folder / name / self.expected).read_text(encoding="utf-8")
+
+
+def options() -> list[str]:
+    """Options of the command line that the case has in a file of that name."""
+    file = Path("options")
+    return shlex.split(file.read_text(encoding="utf-8")) if file.exists() else []
+
+
+def export() -> str:
+    """The tree as `sigcat export json` writes it, indented."""
+    exported = output_of("export", "json", "-s", "tree.vspec", *options())
+    return json.dumps(json.loads(exported), indent=2) + "\n"
+
+
+def findings() -> str:
+    """The findings of a tree and its overlays."""
+    overlays = [Path(option) for option in options()[1::2]]
+    return lines(finding.line_of_text for finding in read_catalogue(Path("tree.vspec"), overlays).findings)
+
+
+def findings_of_older() -> str:
+    """The findings of a tree in the layout of an older release, without what to do."""
+    catalogue = load(Source("old", "Old", Path("VehicleSignalSpecification.vspec"), release=""))
+    return lines(finding._replace(fix="").line_of_text for finding in catalogue.findings)
+
+
+def changes() -> str:
+    """What `sigcat diff` tells of an old and a new tree."""
+    return output_of("diff", *sides())
+
+
+def sides() -> tuple[str, str]:
+    """The two trees of a case of `sigcat diff`."""
+    return "old.vspec", "new.vspec+overlay.vspec" if Path("overlay.vspec").exists() else "new.vspec"
+
+
+LANGUAGE = Cases("tests/catalogue/cases", "expected.json", export)
+BAD_INPUT = Cases("tests/catalogue/bad", "expected.txt", findings)
+OLDER_RELEASES = Cases("tests/catalogue/hosting/older", "expected.txt", findings_of_older)
+CHANGES = Cases("tests/catalogue/comparing/cases", "expected.txt", changes)
+ALL = (LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES)
+
+
+def files() -> Mapping[str, str]:
+    """What is expected of every case."""
+    return {f"{cases.folder}/{name}/{cases.expected}": cases.made(name) for cases in ALL for name in cases.names}
+
+
+def lines(texts: Iterable[str]) -> str:
+    """The texts as lines."""
+    return "".join(f"{text}\n" for text in texts)
+
+
+def output_of(*arguments: str) -> str:
+    """What a command of sigcat writes to standard output."""
+    output, problems = io.TextIOWrapper(io.BytesIO(), "utf-8"), io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(problems):
+        status = sigcat(arguments)
+    output.seek(0)
+    assert status == 0, problems.getvalue()
+    return output.read()

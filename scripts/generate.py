@@ -1,0 +1,74 @@
+"""Write everything in this repository that is generated: `make generate`, or `python -m scripts.generate NAME ...`.
+
+tests/test_generated.py compares what stands in the repository with what the generators make.
+"""
+
+import argparse
+import importlib
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+
+GENERATORS: Mapping[str, str] = {
+    "codes": "",
+    "rule_docs": "",
+    "settings_table": "",
+    "openapi": "",
+    "licences": "",
+    "examples": "examples/*/expected/**/*",
+    "cases": "tests/**/expected.*",
+}
+"""Modules of scripts/ in the order in which they run. Each has `files()`, which gives texts by their path in the repository.
+
+Beside each: a glob of files that nothing else makes, so that those which are no longer made are removed.
+"""
+
+
+def made_by(name: str) -> Mapping[str, str]:
+    """What a generator makes. It is imported here: the one before it may have written what it imports."""
+    made: Mapping[str, str] = importlib.import_module(f"scripts.{name}").files()
+    assert made, f"scripts/{name}.py must make files."
+    return made
+
+
+def outdated(made: Mapping[str, str], owned: str = "") -> Mapping[str, str | None]:
+    """The files that are not as they are made, with the text that they should have; None: no file."""
+    found = (path for path in ROOT.glob(owned) if path.is_file()) if owned else ()
+    stale = {path.relative_to(ROOT).as_posix() for path in found} - made.keys()
+    return {path: made.get(path) for path in sorted({*made, *stale}) if made.get(path) != text_of(path)}
+
+
+def text_of(path: str) -> str | None:
+    """The text of a file of the repository; None where there is no such file."""
+    file = ROOT / path
+    return file.read_bytes().decode("utf-8") if file.is_file() else None
+
+
+def write(path: str, text: str | None) -> None:
+    """Give a file of the repository its text; None removes it."""
+    file = ROOT / path
+    if text is None:
+        file.unlink()
+    else:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text.encode("utf-8"))
+
+
+def main() -> int:
+    """Write what is outdated, and print its name."""
+    parser = argparse.ArgumentParser(prog="python -m scripts.generate", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"what to generate: {', '.join(GENERATORS)}; else all")
+    names = parser.parse_args().names or GENERATORS
+    for name in names:
+        if name not in GENERATORS:
+            parser.error(f"there is no generator {name!r}; there are {', '.join(GENERATORS)}")
+        for path, text in outdated(made_by(name), GENERATORS[name]).items():
+            write(path, text)
+            print(path if text is not None else f"{path} (removed)")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
