@@ -1,19 +1,35 @@
-"""Automotive Safety Integrity Levels (ISO 26262): QM, then A to D."""
+"""Automotive Safety Integrity Levels (ISO 26262): QM, then A to D. Their order, and how they may be spelled."""
 
-import re
+from collections.abc import Mapping
+from typing import Literal, get_args
 
-LEVELS = ("QM", "A", "B", "C", "D")
+Level = Literal["QM", "A", "B", "C", "D"]
 
-_SPELLINGS = re.compile(r"(?:ASIL[ _-]?)?(QM|[A-D])(?:\s*\((?:ASIL[ _-]?)?(?:QM|[A-D])\))?", re.IGNORECASE)
-"""Also `ASIL B`, `qm`, and decomposed levels: `B(D)` counts as B, the level that is implemented."""
+LEVELS: tuple[Level, ...] = get_args(Level)
+"""From the least to the most demanding."""
+
+_PREFIXES = ("", "ASIL ", "ASIL-", "ASIL_")
+_SPELLINGS: Mapping[str, Level] = {
+    spelling: level
+    for index, level in enumerate(LEVELS)
+    for implemented in (level, *(f"{level}({original})" for original in LEVELS[index:]))
+    for prefix in _PREFIXES
+    for spelling in (f"{prefix}{implemented}", f"{prefix}{implemented}".lower())
+}
+"""`B`, `ASIL B`, `ASIL-B` and `ASIL_B`, all of them in small letters too; and the same of decomposed levels: `B(D)` is
+implemented to B, as its part of a D (ISO 26262-9). No level is decomposed into a higher one."""
 
 
-def level_of(text: str | None) -> str | None:
-    """The level that a text means, or None if it means none."""
-    match = _SPELLINGS.fullmatch(text.strip()) if text else None
-    return match[1].upper() if match else None
+def level_of(text: object) -> Level | None:
+    """The level that a text spells; None for every other text, and for what is no text."""
+    return _SPELLINGS.get(text) if isinstance(text, str) else None
 
 
-def rank(level: str | None) -> int:
-    """Order of a level: QM is 0, D is 4; no level ranks as QM."""
-    return LEVELS.index(level) if level in LEVELS else 0
+def rank(level: Level) -> int:
+    """Order of a level: QM is 0, D is 4."""
+    return LEVELS.index(level)
+
+
+def is_above(level: Level | None, other: Level | None) -> bool:
+    """Whether one level demands more than another. A level that is not stated is not compared."""
+    return level is not None and other is not None and rank(level) > rank(other)

@@ -39,6 +39,12 @@ def last_name(path: str) -> str:
     return path.rpartition(".")[2]
 
 
+def either(names: Iterable[str]) -> str:
+    """Names as a choice: `QM, A or B`."""
+    *others, last = names
+    return f"{', '.join(others)} or {last}" if others else last
+
+
 def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float = 75.0) -> tuple[str, ...]:
     """The candidates that `name` was probably meant to be, best first; case does not count.
 

@@ -1,8 +1,7 @@
-"""Datatypes: what C definitions and references mean, and ASIL."""
+"""Datatypes: what C definitions and references mean."""
 
 import pytest
 
-from sigcat.asil import level_of, rank
 from sigcat.catalogue.model.datatypes import PRIMITIVES as VSS
 from sigcat.function.function_json.datatypes import PRIMITIVES, CType, agree, c_type, reference_type
 
@@ -44,15 +43,3 @@ def test_reference_and_c_definition_of_a_row_agree(row):
 )
 def test_a_c_definition_is_understood(definition, meaning):
     assert c_type(definition) == meaning
-
-
-@pytest.mark.parametrize(
-    ("text", "level"),
-    [("QM", "QM"), ("qm", "QM"), ("B", "B"), ("ASIL D", "D"), ("asil-c", "C"), ("B(D)", "B"), ("E", None), (None, None)],
-)  # fmt: skip
-def test_levels_are_understood_however_they_are_spelled(text, level):
-    assert level_of(text) == level
-
-
-def test_levels_are_ordered():
-    assert [rank(level) for level in ("QM", "A", "B", "C", "D", None)] == [0, 1, 2, 3, 4, 0]

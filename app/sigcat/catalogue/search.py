@@ -14,6 +14,7 @@ from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
 
+from sigcat.asil import level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.names import nearest, parent_path, words
@@ -246,7 +247,7 @@ _FACET_VALUES: Mapping[str, Callable[[Node], str]] = {
     "datatype": lambda node: str(node.values.get("datatype") or ""),
     "unit": lambda node: str(node.values.get("unit") or ""),
     "category": lambda node: category_of(node.path) or "",
-    "asil": lambda node: str(node.values.get("ASILlevel") or ""),
+    "asil": lambda node: level_of(node.values.get("ASILlevel")) or "",
     "overlay": _last_overlay,
     "deprecated": lambda node: "yes" if node.values.get("deprecation") else "no",
 }

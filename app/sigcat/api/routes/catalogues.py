@@ -13,6 +13,7 @@ from sigcat.api.answers.representation import answer, csv_stream, is_table, offe
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
 from sigcat.api.settings import Settings
+from sigcat.asil import LEVELS
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import DATATYPES
@@ -217,7 +218,7 @@ def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
 def _possible(facet: str, catalogue: Catalogue) -> Iterable[str]:
     """Values of a filter that a node may have, whether or not one has it."""
     fixed: Mapping[str, Iterable[str]] = {
-        "type": TYPES, "category": CATEGORIES, "datatype": DATATYPES, "asil": ("QM", "A", "B", "C", "D"),
+        "type": TYPES, "category": CATEGORIES, "datatype": DATATYPES, "asil": LEVELS,
         "deprecated": ("yes", "no"), "unit": (unit.key for unit in catalogue.vocabulary.distinct_units),
         "overlay": (overlay_name(layer.name) for layer in catalogue.overlays),
     }  # fmt: skip

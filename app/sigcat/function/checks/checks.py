@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 
-from sigcat.asil import level_of, rank
+from sigcat.asil import is_above, level_of
 from sigcat.function.checks.order import contradiction, in_circles, previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
@@ -297,12 +297,12 @@ def _supervision_types(placed: Placed) -> Problems:
 def _asil(function: FunctionJson) -> Problems:
     for pointer, (_, _, runnable), item in data(function):
         level, own = level_of(item.asil_level), level_of(runnable.asil_level)
-        if item.role == PROVIDER and own and rank(level) > rank(own):
+        if item.role == PROVIDER and is_above(level, own):
             message = f"{runnable.name} is implemented to {own}, but provides {item.name!r} at {level}."
             yield Problem("F057", pointer, message, path=item.name)
     for pointer, (_, _, runnable), error in errors(function):
         level, own = level_of(error.asil_level), level_of(runnable.asil_level)
-        if own and rank(level) > rank(own):
+        if is_above(level, own):
             message = f"{runnable.name} is implemented to {own}, but reports {error.name} at {level}."
             yield Problem("F057", pointer, message, path=error.name)
 

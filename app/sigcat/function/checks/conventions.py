@@ -15,7 +15,7 @@ from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.datatypes import BY_REFERENCE, agree, c_type, proposed_reference, reference_type
 from sigcat.function.function_json.model import CONSUMER, PROVIDER, Datatype, FunctionJson, Parameter
 from sigcat.function.function_json.walk import contracts, data, errors, parameters, references, runnables
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
 
@@ -89,9 +89,12 @@ def _asil(pointer: Pointer, text: str | None, name: str) -> Problems:
     if text is None:
         yield Problem("F090", pointer, f"{name} has no ASIL.", "State one; QM where there is no requirement.", name)
     elif level is None:
-        yield Problem("F091", pointer, f"{text!r} is no ASIL.", f"Use one of {', '.join(LEVELS)}.", name)
-    elif text not in LEVELS:
-        yield Problem("F091", pointer, f"The ASIL of {name} is spelled {text!r}.", f"Write {level!r}.", name)
+        message = f"`{pointer[-1]}` must be {either(LEVELS)}, not {text!r}."
+        yield Problem("F091", pointer, message, "Write one of these; until then it counts as not stated.", name)
+    elif text != level:
+        yield Problem(
+            "F091", pointer, f"`{pointer[-1]}` must be spelled {level!r}, not {text!r}.", f"Write {level!r}.", name
+        )
 
 
 def _priorities(function: FunctionJson) -> Problems:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from sigcat.asil import level_of, rank
+from sigcat.asil import is_above, level_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.datatypes import c_type
 from sigcat.function.function_json.model import (
@@ -79,7 +79,7 @@ def misfits(provider: End, consumer: End) -> Iterator[Misfit]:
         if told:
             yield Misfit(rule, at, f"{provider.function} provides {consumer.path!r} {told}.", fix)
     level, own = level_of(wanted.asil_level), level_of(given.asil_level)
-    if level and own and rank(own) < rank(level):
+    if is_above(level, own):
         message = f"{provider.function} provides {consumer.path!r} at {own}, and {consumer.function} needs {level}."
         yield Misfit("F110", "", message, "")
 

@@ -1,13 +1,14 @@
 """What the parts of `function.yaml` have in common: how keys are spelled, and the kinds of values."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from sigcat.asil import Level
 from sigcat.function.function_json.wire import Integer, Number
 from sigcat.names import camel_case
 
-Asil = Literal["QM", "A", "B", "C", "D"]
+Asil = Level
 Text = Annotated[str, Field(min_length=1)]
 Natural = Annotated[Integer, Field(ge=0)]
 Duration = Annotated[Number, Field(ge=0)]

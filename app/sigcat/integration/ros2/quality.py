@@ -11,11 +11,11 @@
 
 from collections.abc import Mapping, Sequence
 
+from sigcat.asil import rank
 from sigcat.integration.ros2.model import QualityOfService
 from sigcat.integration.ros2.settings import QualitySettings
 from sigcat.integration.ros2.signal_uses import Use
 
-_ASILS = ("QM", "A", "B", "C", "D")
 MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
     reasons=("A mode is told once and holds until the next one.",),
@@ -27,7 +27,7 @@ def quality(
 ) -> QualityOfService:
     """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
-    asil = max((use.asil for use in everyone), key=_ASILS.index)
+    asil = max((use.asil for use in everyone), key=rank)
     is_strict = asil in ("C", "D")
     deadline = _deadline(mine, everyone, reasons)
     derived = QualityOfService(

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.asil import Level, level_of
 from sigcat.function.function_json.model import (
     PROVIDER,
     Component,
@@ -68,7 +69,7 @@ class Use(NamedTuple):
         return whole(milliseconds(self.data.timeout)) or None
 
     @property
-    def asil(self) -> str:
+    def asil(self) -> Level:
         """ASIL of the signal, or else of the call."""
         return asil_of(self.data.asil_level or self.runnable.asil_level)
 
@@ -120,10 +121,9 @@ def run_kind(runnable: Runnable) -> Kind:
     return EVENT
 
 
-def asil_of(text: str | None) -> str:
-    """`qm`, `ASIL B`, `B(D)` → QM, B, B; without a statement QM."""
-    letter = (text or "").upper().replace("ASIL", "").strip(" -_")[:1]
-    return letter if letter in ("A", "B", "C", "D") else "QM"
+def asil_of(text: str | None) -> Level:
+    """The level that a document states; QM where it states none that can be read (F090, F091)."""
+    return level_of(text) or "QM"
 
 
 def whole(number: float | None) -> float | None:

@@ -1,7 +1,8 @@
 """Checks of a branch and what stands below it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
+from sigcat.asil import is_above, level_of, rank
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.names import last_name, parent_path
@@ -10,8 +11,6 @@ from sigcat.rules.flaw import Flaw
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
-
-ASIL_ORDER: Mapping[str, int] = {"QM": 0, "A": 1, "B": 2, "C": 3, "D": 4}
 
 
 def companions(rule: Rule, tree: Tree) -> NodeTest:
@@ -45,21 +44,19 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
     provided = frozenset(rule.options["provides"])
 
     def test(definition: Definition) -> Iterator[Flaw]:
-        own = ASIL_ORDER.get(str(definition.values.get("ASILlevel")))
+        own = level_of(definition.values.get("ASILlevel"))
         if own is None or definition.type != BRANCH:
             return
-        others = [other for other in _below(parent_path(parent_path(definition.path)), tree) if _asil(other) > own]
-        highest = max((other for other in others if category_of(other.path) in provided), key=_asil, default=None)
+        below = _below(parent_path(parent_path(definition.path)), tree)
+        levels = ((level_of(other.values.get("ASILlevel")), other) for other in below)
+        above = ((level, other) for level, other in levels if level is not None and is_above(level, own))
+        wanted = ((level, other) for level, other in above if category_of(other.path) in provided)
+        level, highest = max(wanted, key=lambda each: rank(each[0]), default=(None, None))
         if highest is not None:
-            level = highest.values["ASILlevel"]
-            message = f"ASIL {definition.values['ASILlevel']} is below ASIL {level} of {highest.path!r}."
+            message = f"ASIL {own} is below ASIL {level} of {highest.path!r}."
             yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
 
     return test
-
-
-def _asil(definition: Definition) -> int:
-    return ASIL_ORDER.get(str(definition.values.get("ASILlevel")), 0)
 
 
 def _below(path: str, tree: Tree) -> Iterator[Definition]:
