@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from sigcat.file_kind import ROOT_NAME
+
 _INSIDE = Path(__file__).parent / "_data"
 _HOME = _INSIDE if _INSIDE.is_dir() else Path(__file__).parents[2]
 
@@ -10,4 +12,4 @@ OVERLAYS = _HOME / "overlays"
 INTERFACE_RULES = _HOME / "interface_rules"
 EXAMPLES = _HOME / "examples"
 
-ROOT_FILE = VSPEC / "VehicleSignalSpecification.vspec"
+ROOT_FILE = VSPEC / ROOT_NAME

@@ -120,5 +120,5 @@ def test_the_media_type_does_not_matter(ask: Ask, media_type: str) -> None:
 def test_a_function_that_is_posted_as_an_overlay_is_one_finding(shipped: Ask) -> None:
     report = shipped("/api/v1/lint?name=mine.yaml", "POST", content=DECLARATION).json()
     assert report["counts"] == {"error": 1, "warning": 0, "info": 0}
-    assert report["findings"][0]["message"] == "This is a function.yaml, which is no overlay."
-    assert report["findings"][0]["fix"] == "Post it with `?kind=function`."
+    assert report["findings"][0]["message"] == "The text must be an overlay, not a function."
+    assert report["findings"][0]["fix"] == "Check it with the kind `function`."

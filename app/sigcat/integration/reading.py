@@ -7,8 +7,9 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.file_kind import is_json
 from sigcat.findings import Finding, has_errors, in_order
-from sigcat.function.build.build import build, is_function_json
+from sigcat.function.build.build import build
 from sigcat.function.checks.validate import validated
 from sigcat.function.declaration.declaration import Declared, read_declaration
 from sigcat.function.document.document import Document, read_json
@@ -33,7 +34,7 @@ def read_functions(
     Only `function.yaml` needs a catalogue. Raises InputRefused with every finding of every file if there are errors.
     """
     read = [
-        read_json(data, name, limits) if is_function_json(data, name) else read_declaration(data, name, limits)
+        read_json(data, name, limits) if is_json(data, name) else read_declaration(data, name, limits)
         for data, name in files
     ]
     declared = [each for each in read if isinstance(each, Declared)]

@@ -12,13 +12,13 @@ import pytest
 import yaml
 
 from sigcat.catalogue.composing.compose import compose, read_catalogue
-from sigcat.catalogue.composing.older_releases import OFFICIAL_ROOT
 from sigcat.catalogue.exporting.vss_tools.exporting import ExportedFile, export, exported, zipped
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.errors import InputRefused, UsageError
+from sigcat.file_kind import ROOT_NAME
 from tests.catalogue.exporting.test_same_bytes import TREE
 from tests.catalogue.judging import OFFICIAL
 from tests.catalogue.trees import ROOT, catalogue_of
@@ -196,7 +196,7 @@ def test_the_release_that_vss_tools_refuses_is_exported(name):
 
 @pytest.mark.parametrize("case", sorted(folder.name for folder in OLDER.iterdir()))
 def test_trees_of_older_releases_are_exported(case):
-    catalogue = load(Source("old", "Old", OLDER / case / OFFICIAL_ROOT))
+    catalogue = load(Source("old", "Old", OLDER / case / ROOT_NAME))
     export_ = exported(catalogue, "csv")
     paths = {line.partition(",")[0] for line in export_.files[0].data.decode().splitlines()}
     assert paths == {"Signal", *catalogue.nodes}

@@ -6,7 +6,6 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
-from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.presenting import lint_report
 from sigcat.api.answers.problems import problem_documentation
@@ -22,7 +21,6 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.api.requests.function_files import SET
 from sigcat.api.routes.functions import check_posted
-from sigcat.function.build.build import is_function_yaml
 from sigcat.rules.linting.lint import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
@@ -35,7 +33,6 @@ Vehicle.Speed:
   unit: km/h
   max: 300
 """
-_NO_OVERLAY = "This is a function.yaml, which is no overlay."
 
 
 @router.post(
@@ -57,9 +54,6 @@ async def lint(
     name: FileName = "posted.vspec",
 ) -> Response:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
-    if kind == "overlay" and is_function_yaml(text):
-        fix = "Post it with `?kind=function`."
-        return json_answer(lint_report((codes.FIELD_UNKNOWN.finding(_NO_OVERLAY, name, 1, 1, fix=fix),)))
     if kind == "function":
         work = partial(check_posted, text, name, hosted.catalogue, settings.limits)
     else:

@@ -18,6 +18,7 @@ from sigcat.catalogue.reading.git_revision import unpack_revision
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.errors import InputRefused, UsageError
+from sigcat.file_kind import ending_of
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
@@ -80,7 +81,7 @@ def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Opti
     """The side that a file or folder is; None if there is none."""
     if not path.exists():
         return None
-    if path.suffix.lower() == ".json" and path.is_file():
+    if ending_of(path.name) == ".json" and path.is_file():
         return Side(title, read_export(path, _layers(overlays, options), options.limits), UNKNOWN)
     spec = root_file(path, options.limits) if path.is_dir() else path
     types = options.types or (types_beside(spec, options.limits) if path.is_dir() else ())

@@ -27,11 +27,9 @@ from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, VspecFile, parse_vspec
 from sigcat.data import VSPEC
 from sigcat.digest import digest_of
+from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
-
-OFFICIAL_ROOT = "VehicleSignalSpecification.vspec"
-"""Name of the root file of every official release."""
 
 _WORDS = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
 """Attributes of a unit as they were called before 4.1 (`units` is a slip that 4.1 has), and now."""
@@ -82,9 +80,9 @@ def read_units(
 
     An official tree without units is one of 3.0, whose units stood in the tools: it gets the shipped ones.
     """
-    unit_files = default_files(spec, units, "units.yaml")
-    quantity_files = default_files(spec, quantities, "quantities.yaml")
-    if not unit_files and spec.name == OFFICIAL_ROOT and spec.is_file():
+    unit_files = default_files(spec, units, UNIT_NAMES[0])
+    quantity_files = default_files(spec, quantities, QUANTITY_NAMES[0])
+    if not unit_files and spec.name == ROOT_NAME and spec.is_file():
         return Units(_units_of_tools(spec, limits), is_older=True)
     older = [file for path in unit_files if (file := _older_file(path, limits)) is not None]
     names = {file.source.name for file in older}

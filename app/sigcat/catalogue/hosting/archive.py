@@ -19,10 +19,11 @@ from pathlib import Path, PurePosixPath
 from typing import IO, Literal, NamedTuple
 
 from sigcat.errors import InputRefused
+from sigcat.file_kind import ROOT_NAME
 
 Kind = Literal["file", "folder", "link", "device"]
 
-ROOT_FILE = "spec/VehicleSignalSpecification.vspec"
+ROOT_FILE = f"spec/{ROOT_NAME}"
 """What makes an archive one of a release."""
 KEPT_FOLDERS = frozenset(("spec", "overlays"))
 KEPT_FILES = frozenset(("LICENSE", "LICENSE.txt", "VERSION", "CHANGELOG.md"))

@@ -12,6 +12,7 @@ from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import SearchIndex
 from sigcat.errors import NotFound
+from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import nearest
@@ -170,7 +171,7 @@ def _files(catalogue: Catalogue) -> frozenset[tuple[str, str]]:
 
 def _named_files(source: Source) -> frozenset[Path]:
     """The files that a source names, and those that would be read if they stood beside its tree."""
-    beside = (source.spec.with_name(name) for name in ("units.yaml", "quantities.yaml"))
+    beside = (source.spec.with_name(name) for name in (UNIT_NAMES[0], QUANTITY_NAMES[0]))
     return frozenset((source.spec, *source.overlays, *source.units, *source.quantities, *source.types, *beside))
 
 

@@ -8,6 +8,7 @@ from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from sigcat.errors import UsageError
+from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
 """Name that stands for the tree that sigcat ships, where a release is asked for."""
@@ -61,13 +62,13 @@ def source_of_tree(tree: str) -> Source:
     """
     path = Path(tree)
     if path.is_file():
-        if path.suffix.lower() == ".json":
+        if ending_of(path.name) == ".json":
             raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
         return Source(path.stem, path.stem, path)
     if path.is_dir():
         root = root_file(path)
         return Source(path.name, path.name, root, types=types_beside(root))
-    if path.suffix in (".vspec", ".yaml", ".yml") or len(path.parts) > 1:
+    if ending_of(path.name) in TREE_ENDINGS or len(path.parts) > 1:
         raise UsageError(f"{tree}: there is no such file")
     shipped = {source.id: source for source in shipped_sources()}
     return shipped.get(tree) or release_source(tree)

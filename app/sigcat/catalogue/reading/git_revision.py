@@ -9,9 +9,8 @@ from pathlib import Path, PurePosixPath
 from typing import IO
 
 from sigcat.errors import UsageError
+from sigcat.file_kind import ENDINGS
 from sigcat.limits import DEFAULT_LIMITS, Limits
-
-_WANTED = frozenset((".vspec", ".yaml", ".yml", ".json"))
 
 
 def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS) -> str:
@@ -62,7 +61,7 @@ def _unpack(archive: IO[bytes], folder: Path, limits: Limits) -> None:
     with tarfile.open(fileobj=archive, mode="r|") as tar:
         for member in tar:
             path = PurePosixPath(member.name)
-            if not member.isfile() or path.suffix not in _WANTED or path.is_absolute() or ".." in path.parts:
+            if not member.isfile() or path.suffix.lower() not in ENDINGS or path.is_absolute() or ".." in path.parts:
                 continue
             count += 1
             if count > limits.files or member.size > limits.file_bytes:

@@ -11,10 +11,9 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.catalogue.reading.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
 from sigcat.digest import digest_of
+from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
-
-_SUFFIXES = (".vspec", ".yaml", ".yml")
 
 
 class Layer:
@@ -166,7 +165,7 @@ def _too_many(reading: _Reading) -> bool:
 
 
 def _find(target: str, folders: Sequence[Path]) -> Path | None:
-    names = [target] if Path(target).suffix else [target + suffix for suffix in _SUFFIXES]
+    names = [target] if Path(target).suffix else [target + suffix for suffix in TREE_ENDINGS]
     for folder in dict.fromkeys(folders):
         for name in names:
             candidate = folder / name

@@ -8,11 +8,9 @@ from typing import NamedTuple
 
 from sigcat.catalogue.reading.vspec_file import SourceFile, parse_vspec
 from sigcat.errors import UsageError
+from sigcat.file_kind import ROOT_NAME, TYPES_NAME, holds_only_structs
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
-_USUAL_NAME = "VehicleSignalSpecification.vspec"
-_USUAL_TYPES = "VehicleDataTypes.vspec"
-"""What the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
 _SHOWN = 5
 
 
@@ -23,7 +21,7 @@ def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
     Raises UsageError where that is not one.
     """
     files = [file for file in sorted(_vspec_files(folder, limits)) if "overlays" not in _folders(file, folder)]
-    usual = [file for file in files if file.name == _USUAL_NAME]
+    usual = [file for file in files if file.name == ROOT_NAME]
     if usual:
         depth = min(len(file.parts) for file in usual)
         roots = [file for file in usual if len(file.parts) == depth]
@@ -47,7 +45,7 @@ def types_beside(root: Path, limits: Limits = DEFAULT_LIMITS) -> tuple[Path, ...
 
     One of the usual name is the only one.
     """
-    usual = root.with_name(_USUAL_TYPES)
+    usual = root.with_name(TYPES_NAME)
     if usual.is_file():
         return (usual,)
     beside = [file for file in sorted(root.parent.glob("*.vspec")) if file != root and file.is_file()]
@@ -86,10 +84,9 @@ def _read(file: Path, limits: Limits) -> _Read:
         return _Read((), is_of_types=False, has_root=True)
     data = file.read_bytes()
     text = parse_vspec(data, SourceFile(str(file), "", hashlib.sha256(data).hexdigest()), limits)
-    types = {str(statement.values.get("type")) for statement in text.statements}
     return _Read(
         tuple(_without_steps(include.target) for include in text.includes),
-        is_of_types="struct" in types and types <= {"branch", "struct", "property"},
+        is_of_types=holds_only_structs(data),
         has_root=bool(text.includes) or any("." not in statement.path for statement in text.statements),
     )
 

@@ -1,6 +1,5 @@
 """From a declaration and a catalogue to Function JSON."""
 
-import re
 from collections.abc import Collection
 from pathlib import PurePath
 from typing import NamedTuple
@@ -10,6 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.file_kind import is_json
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.function.build.causes import causes
 from sigcat.function.build.overlay import defined
@@ -103,19 +103,9 @@ def check_function(
     data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
 ) -> tuple[Finding, ...]:
     """Everything that is wrong with a function file, `function.yaml` or Function JSON."""
-    if is_function_json(data, name):
+    if is_json(data, name):
         return validate_function_json(data, name, catalogue, limits)
     return build(read_declaration(data, name, limits), catalogue).findings
-
-
-def is_function_json(data: bytes, name: str) -> bool:
-    """Whether a function file is Function JSON: by its name, or by its first look."""
-    return name.lower().endswith(".json") or (data.lstrip()[:1] == b"{" and b'"FunctionInfo"' in data)
-
-
-def is_function_yaml(data: bytes) -> bool:
-    """Whether a text looks like a function.yaml: no tree has nodes of both names."""
-    return all(re.search(rb"^%s:" % key, data, re.MULTILINE) for key in (b"function", b"components"))
 
 
 def _function(declaration: Declaration, document: Document, catalogue: Catalogue, work: Work) -> FunctionJson:

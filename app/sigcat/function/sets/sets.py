@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.file_kind import is_json
 from sigcat.findings import Finding, in_order
-from sigcat.function.build.build import is_function_json, place_in, resolved
+from sigcat.function.build.build import place_in, resolved
 from sigcat.function.build.defining import layered
 from sigcat.function.checks.order import contradiction, in_circles, previous_calls
 from sigcat.function.checks.validate import validated
@@ -55,7 +56,7 @@ def read_set(
 ) -> tuple[tuple[Member, ...], Catalogue]:
     """The functions of files, and the catalogue with everything that they define."""
     read = [
-        read_json(data, name, limits) if is_function_json(data, name) else read_declaration(data, name, limits)
+        read_json(data, name, limits) if is_json(data, name) else read_declaration(data, name, limits)
         for data, name in files
     ]
     over = with_definitions((each for each in read if isinstance(each, Declared)), catalogue)

@@ -12,31 +12,34 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from sigcat.errors import NotFound
+from sigcat.file_kind import (
+    ENDINGS,
+    OVERLAY_FOLDERS,
+    ROOT_NAME,
+    TREE_ENDINGS,
+    UNIT_NAMES,
+    FileKind,
+    ending_of,
+    file_kind,
+    holds_only_structs,
+    holds_top_level_node,
+)
 
 Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
 
-ROOT_NAME = "VehicleSignalSpecification.vspec"
-UNIT_FILES = ("units.yaml", "units.yml")
-QUANTITY_FILES = ("quantities.yaml", "quantities.yml")
-OVERLAY_FOLDERS = frozenset(("overlay", "overlays"))
-
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
-_SUFFIXES = frozenset((".vspec", ".yaml", ".yml", ".json"))
 _MOST_BYTES = 4 * 1024 * 1024
 """A data file larger than this is not looked into to find out what it is."""
-_INCLUDE = re.compile(rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?", re.MULTILINE)
-_RULE_FILE = re.compile(rb"^[A-Z]+[0-9]{3}:[ \t]*\r?\n", re.MULTILINE)
-_RULE_FIELD = re.compile(rb"^[ \t]+check:[ \t]*\S", re.MULTILINE)
-_FUNCTION_JSON = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
-_INTEGRATION_JSON = b'"CommunicationList"'
-"""What the Integration JSON of ROS 2 has beside everything of Function JSON."""
-_FUNCTION_YAML = re.compile(rb"^(function|Function):", re.MULTILINE)
-_NODE = re.compile(
-    rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(branch|sensor|actuator|attribute|struct|property)\b""", re.MULTILINE
-)
-_STRUCT = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?struct\b""", re.MULTILINE)
-_SIGNAL = re.compile(rb"""^[ \t]+["']?type["']?[ \t]*:[ \t]*["']?(sensor|actuator|attribute)\b""", re.MULTILINE)
-_OWN_ROOT = re.compile(rb"""^["']?[A-Za-z]\w*["']?:[ \t]*(\n|\r|\{|#)""", re.MULTILINE)
+_INCLUDE = rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?"
+_KINDS: Mapping[FileKind, Kind] = {
+    "vspec": "overlay",
+    "units": "vocabulary",
+    "quantities": "vocabulary",
+    "function": "function",
+    "function json": "function",
+    "rules": "rules",
+}
+"""What is done with data files; those of other kinds are passed over, unless the user names them."""
 
 _Includes = Mapping[Path, tuple[tuple[str, str], ...]]
 
@@ -63,7 +66,7 @@ def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterab
             found[path] = True
         else:
             raise NotFound(f"{str(path)!r} {'is no file.' if path.exists() else 'does not exist.'}")
-    includes = {path: includes_of(path) for path in found if path.suffix == ".vspec"}
+    includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = _parts(includes)
     known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
     known.update({path.resolve(): "types" for path in types})
@@ -79,7 +82,7 @@ def walk(folder: Path) -> Iterator[Path]:
     for here, folders, files in os.walk(folder):
         folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _SKIPPED)
         for name in sorted(files):
-            if not name.startswith(".") and os.path.splitext(name)[1] in _SUFFIXES:  # noqa: PTH122 — many files
+            if not name.startswith(".") and name.lower().endswith(ENDINGS):
                 path = Path(here, name)
                 if path.is_file():
                     yield path
@@ -90,7 +93,7 @@ def includes_of(path: Path) -> tuple[tuple[str, str], ...]:
     data = first_bytes(path)
     if b"include" not in data:
         return ()
-    found = [(m[1], m[2] or b"") for m in _INCLUDE.finditer(data)]
+    found = [(m[1], m[2] or b"") for m in re.finditer(_INCLUDE, data, re.MULTILINE)]
     if b"includes:" in data:
         found.extend(_listed_includes(data))
     return tuple(
@@ -166,7 +169,7 @@ def default_tree(near: Path) -> Path | None:
 def types_beside(files: Iterable[Path]) -> tuple[Path, ...]:
     """Files of struct types in the folders of trees and overlays, those left out that a file there includes."""
     beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in sorted(folder.glob("*.vspec"))]
-    found = [path for path in beside if _has_structs_only(path)]
+    found = [path for path in beside if holds_only_structs(first_bytes(path))]
     parts = _parts({path: includes_of(path) for path in found})
     return tuple(path for path in found if path not in parts)
 
@@ -175,23 +178,25 @@ def _only_tree(folder: Path, near: Path) -> Path | None:
     if folder.name in OVERLAY_FOLDERS or not _has_units(folder):
         return None
     others = (path for path in sorted(folder.glob("*.vspec")) if path != near.resolve())
-    trees = [path for path in others if _has_own_root(path) and not _has_structs_only(path) and tree_of(path) is None]
+    trees = [
+        path
+        for path in others
+        if holds_top_level_node(first_bytes(path))
+        and not holds_only_structs(first_bytes(path))
+        and tree_of(path) is None
+    ]
     return trees[0] if len(trees) == 1 else None
 
 
 def _has_units(folder: Path) -> bool:
-    return any((folder / name).is_file() for name in UNIT_FILES)
-
-
-def _has_own_root(path: Path) -> bool:
-    return bool(_OWN_ROOT.search(first_bytes(path)))
+    return any((folder / name).is_file() for name in UNIT_NAMES)
 
 
 def _source(path: Path, named: bool, known: Kind | None, above: Path | None, includes: _Includes) -> Source:
     """`above` is the file of the list that includes this one, directly or through others, and is included by none."""
     if known:
         return Source(path, known, named)
-    if path.suffix != ".vspec":
+    if ending_of(path.name) != ".vspec":
         return Source(path, _kind_of_data(path, named=named), named)
     if above is None:
         return _top(path, named, includes)
@@ -207,14 +212,14 @@ def _top(path: Path, named: bool, includes: _Includes) -> Source:
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
-    if _has_structs_only(path):
+    if holds_only_structs(first_bytes(path)):
         return Source(path, "types", named)
     if _is_in_overlay_folder(path):
         return Source(path, "overlay", named)
     has_units = _has_units(path.parent)
     if has_units and (path.parent / ROOT_NAME).is_file():
         return Source(path, "overlay", named)
-    signs = (has_units, bool(includes.get(path)), _has_own_root(path))
+    signs = (has_units, bool(includes.get(path)), holds_top_level_node(first_bytes(path)))
     return Source(path, "tree" if sum(signs) > 1 else "overlay", named)
 
 
@@ -226,11 +231,6 @@ def _is_in_overlay_folder(path: Path) -> bool:
         if (folder / ".git").exists():
             break
     return False
-
-
-def _has_structs_only(path: Path) -> bool:
-    data = first_bytes(path)
-    return b"struct" in data and bool(_STRUCT.search(data)) and not _SIGNAL.search(data)
 
 
 def _above(path: Path, parts: Mapping[Path, Path]) -> Path | None:
@@ -265,7 +265,7 @@ def _parts(includes: _Includes) -> dict[Path, Path]:
 
 
 def _with_suffix(target: str) -> str:
-    return target if os.path.splitext(target)[1] else f"{target}.vspec"  # noqa: PTH122
+    return target if ending_of(target) else f"{target}{TREE_ENDINGS[0]}"
 
 
 def _prefix_in(file: Path, wanted: Path, root: Path, prefix: str, seen: set[Path]) -> str | None:
@@ -287,14 +287,7 @@ def _prefix_in(file: Path, wanted: Path, root: Path, prefix: str, seen: set[Path
 
 def _kind_of_data(path: Path, *, named: bool) -> Kind:
     """What a YAML or JSON file is. A file that the user named is taken for something, so that it is not passed over."""
-    data = first_bytes(path)
-    if path.suffix == ".json":
-        is_function = any(key in data for key in _FUNCTION_JSON) and _INTEGRATION_JSON not in data
-        return "function" if named or is_function else "other"
-    if _RULE_FILE.search(data) and _RULE_FIELD.search(data):
-        return "rules"
-    if path.name in UNIT_FILES or path.name in QUANTITY_FILES:
-        return "vocabulary"
-    if path.stem == "function" or path.stem.endswith(".function") or _FUNCTION_YAML.search(data):
-        return "function"
-    return "overlay" if named or _NODE.search(data) else "other"
+    kind = _KINDS.get(file_kind(first_bytes(path), path.name), "other")
+    if kind == "other" and named:
+        return "function" if ending_of(path.name) == ".json" else "overlay"
+    return kind

@@ -19,13 +19,12 @@ from sigcat.catalogue.model.vocabulary import EMPTY, Vocabulary, default_files, 
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import OVERLAYS, ROOT_FILE
+from sigcat.file_kind import FUNCTION_KINDS, QUANTITY_NAMES, UNIT_NAMES, file_kind
 from sigcat.findings import Finding, Severity, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.flaw import Repair
 from sigcat.rules.linting.discovery import (
-    QUANTITY_FILES,
-    UNIT_FILES,
     Source,
     default_tree,
     discover,
@@ -113,6 +112,10 @@ def lint_text(
         return (
             codes.POSTED_TEXT_EMPTY.finding("The text is empty.", name, 1, 1, fix="Send the file: nothing of it came."),
         )
+    if file_kind(text) in FUNCTION_KINDS:
+        wanted = "a tree" if is_tree else "an overlay"
+        message = f"The text must be {wanted}, not a function."
+        return (codes.FIELD_UNKNOWN.finding(message, name, 1, 1, fix="Check it with the kind `function`."),)
     layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
         compose_text = partial(compose, [layer], base.vocabulary if base else EMPTY, limits=limits)
@@ -183,13 +186,13 @@ def _units(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOptio
 
     Where there are none, an official tree that uses units is one of 3.0; one that uses none tells nothing of its age.
     """
-    units = default_files(root, (), UNIT_FILES[0])
-    quantities = default_files(root, (), QUANTITY_FILES[0])
+    units = default_files(root, (), UNIT_NAMES[0])
+    quantities = default_files(root, (), QUANTITY_NAMES[0])
     for folder in dict.fromkeys(path.parent for path in overlays):
-        units += tuple(folder / name for name in UNIT_FILES if (folder / name).is_file())
-        quantities += tuple(folder / name for name in QUANTITY_FILES if (folder / name).is_file())
-    if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_FILES[0]):
-        units += (OVERLAYS / UNIT_FILES[0],)  # the shipped tree has them for functions, too
+        units += tuple(folder / name for name in UNIT_NAMES if (folder / name).is_file())
+        quantities += tuple(folder / name for name in QUANTITY_NAMES if (folder / name).is_file())
+    if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_NAMES[0]):
+        units += (OVERLAYS / UNIT_NAMES[0],)  # the shipped tree has them for functions, too
     units, quantities = (*units, *options.units), (*quantities, *options.quantities)
     if not units and not any("unit" in statement.values for statement in tree.statements):
         return Units(read_vocabulary((), tuple(dict.fromkeys(quantities))), is_older=False)
@@ -334,8 +337,8 @@ def _lint_rules(path: Path, lint: _Lint) -> None:
 
 
 def _lint_vocabulary(path: Path, lint: _Lint) -> None:
-    is_units = path.name in UNIT_FILES
-    beside = tuple(path.parent / name for name in QUANTITY_FILES if (path.parent / name).is_file())
+    is_units = path.name in UNIT_NAMES
+    beside = tuple(path.parent / name for name in QUANTITY_NAMES if (path.parent / name).is_file())
     vocabulary = read_units(path, (path,), beside).vocabulary if is_units else read_vocabulary((), (path,))
     _add(((f, None) for f in vocabulary.findings), {str(path)}, lint)
     _look_at([str(path)], lint)

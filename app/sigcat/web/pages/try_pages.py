@@ -13,8 +13,9 @@ from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import OVERLAYS
 from sigcat.errors import NotFound, UsageError
+from sigcat.file_kind import is_json
 from sigcat.findings import Finding
-from sigcat.function.build.build import build, is_function_json
+from sigcat.function.build.build import build
 from sigcat.function.checks.validate import read_function_json
 from sigcat.function.declaration.declaration import read_declaration
 from sigcat.function.function_json.model import FunctionJson
@@ -132,7 +133,7 @@ def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits
     if kind != "function":
         is_tree = kind == "tree"
         return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
-    if is_function_json(data, FILE):
+    if is_json(data, FILE):
         validated = read_function_json(data, "function.json", catalogue, limits)
         return Tried(validated.findings, validated.function)
     built = build(read_declaration(data, FILE, limits), catalogue)

@@ -1,0 +1,102 @@
+"""What kind of file this is: decided by its name and a first look at its bytes. Nothing is parsed.
+
+Which of several vspec files is the root of a tree, which an overlay and which a part of a tree depends on the files
+beside them: that is `sigcat.rules.linting.discovery`.
+"""
+
+import os
+import re
+from typing import Literal
+
+FileKind = Literal["vspec", "units", "quantities", "function", "function json", "integration json", "rules", "unknown"]
+"""`vspec` is a tree, an overlay, struct types, or a part of one; `function` is a function.yaml."""
+
+ROOT_NAME = "VehicleSignalSpecification.vspec"
+TYPES_NAME = "VehicleDataTypes.vspec"
+"""What the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
+UNIT_NAMES = ("units.yaml", "units.yml")
+QUANTITY_NAMES = ("quantities.yaml", "quantities.yml")
+OVERLAY_FOLDERS = frozenset(("overlay", "overlays"))
+
+TREE_ENDINGS = (".vspec", ".yaml", ".yml")
+"""How the names of trees and overlays end; an include that names none of them means the first."""
+ENDINGS = (*TREE_ENDINGS, ".json")
+
+FUNCTION_KINDS: tuple[FileKind, ...] = ("function", "function json", "integration json")
+
+_FUNCTION_KEYS = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
+_INTEGRATION_KEYS = (b'"FunctionInformation"', b'"CommunicationList"')
+"""What the Integration JSON of AUTOSAR adaptive has in place of the keys of Function JSON, and that of ROS 2 beside them."""
+_FUNCTION_NAME = rb"""^["']?[Ff]unction["']?:[ \t]+[^\s#{&!]"""
+_FUNCTION_PARTS = (rb"^function:", rb"^components:")
+_RULE = (rb"^[A-Z]+[0-9]{3}:[ \t]*\r?$", rb"^[ \t]+check:[ \t]*\S")
+_TYPE = rb"""(?:^[ \t]+|[{,][ \t]*)["']?type["']?[ \t]*:[ \t]*["']?"""
+_NODE = _TYPE + rb"(branch|sensor|actuator|attribute|struct|property)\b"
+_STRUCT = _TYPE + rb"struct\b"
+_SIGNAL = _TYPE + rb"(sensor|actuator|attribute)\b"
+_TOP_LEVEL_NODE = rb"""^["']?[A-Za-z]\w*["']?:[ \t]*(\n|\r|\{|#)"""
+
+
+def file_kind(data: bytes, name: str = "") -> FileKind:
+    """The kind of a file; without a name, of a text. JSON and YAML are told apart by the ending, if there is one."""
+    ending = ending_of(name)
+    if ending == ".vspec":
+        return "vspec"
+    if ending == ".json" or data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
+        kind = _kind_of_json(data)
+        if kind != "unknown" or ending == ".json":
+            return kind
+    return _kind_of_yaml(data, os.path.basename(name))  # noqa: PTH119 — of every file of a folder
+
+
+def is_json(data: bytes, name: str) -> bool:
+    """Whether a function file is read as JSON: it is called so, or it is Function JSON under another name."""
+    return ending_of(name) == ".json" or file_kind(data, name) in ("function json", "integration json")
+
+
+def ending_of(name: str) -> str:
+    """The ending of a file's name in lower case, dot included."""
+    return os.path.splitext(name)[1].lower()  # noqa: PTH122 — of every file of a folder
+
+
+def holds_only_structs(data: bytes) -> bool:
+    """Whether a vspec file has struct types and no signals."""
+    return b"struct" in data and _holds(_STRUCT, data) and not _holds(_SIGNAL, data)
+
+
+def holds_top_level_node(data: bytes) -> bool:
+    """Whether a vspec file has a node without a branch above it, as the root of a tree is."""
+    return _holds(_TOP_LEVEL_NODE, data)
+
+
+def _kind_of_json(data: bytes) -> FileKind:
+    if any(key in data for key in _INTEGRATION_KEYS):
+        return "integration json"
+    return "function json" if any(key in data for key in _FUNCTION_KEYS) else "unknown"
+
+
+def _kind_of_yaml(data: bytes, base: str) -> FileKind:
+    if all(_holds(pattern, data) for pattern in _RULE):
+        return "rules"
+    if base in UNIT_NAMES:
+        return "units"
+    if base in QUANTITY_NAMES:
+        return "quantities"
+    if _is_function_name(base) or _declares_function(data):
+        return "function"
+    return "vspec" if _holds(_NODE, data) else "unknown"
+
+
+def _is_function_name(base: str) -> bool:
+    stem, ending = os.path.splitext(base)  # noqa: PTH122 — see above
+    return ending.lower() in TREE_ENDINGS and (stem == "function" or stem.endswith(".function"))
+
+
+def _declares_function(data: bytes) -> bool:
+    """`function:` with a name behind it, which no node of a tree has, or the two keys that every function.yaml has."""
+    return _holds(_FUNCTION_NAME, data) or all(_holds(pattern, data) for pattern in _FUNCTION_PARTS)
+
+
+def _holds(pattern: bytes, data: bytes) -> bool:
+    """Patterns are compiled when they are needed, and kept by `re`: a linter lives by its start-up time."""
+    return re.search(pattern, data, re.MULTILINE) is not None
