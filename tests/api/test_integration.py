@@ -11,6 +11,7 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.data import EXAMPLES
+from sigcat.integration.platforms import PLATFORMS
 from sigcat.integration.schemas import SCHEMAS
 from tests.api.conftest import asker
 
@@ -45,14 +46,14 @@ def posted(ask, address, body):
     return ask(address, "POST", content=text, headers={"content-type": "application/json"})
 
 
-@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+@pytest.mark.parametrize("platform", PLATFORMS)
 def test_a_declaration_becomes_integration_json(shipped, platform):
     answer = posted(shipped, f"/api/v1/integrate/{platform}", CORE_ACC)
     assert answer.status_code == 200
     assert [component["Name"] for component in answer.json()["ComponentList"]] == ["CoreAcc"]
 
 
-@pytest.mark.parametrize("platform", ["autosar-adaptive", "ros2"])
+@pytest.mark.parametrize("platform", PLATFORMS)
 def test_a_set_is_a_list_of_functions_of_either_kind(shipped, platform):
     built = posted(shipped, "/api/v1/functions/build", CORE_ACC).json()
     body = {"functions": [built, MPC], "deployment": {"name": "EcoControl"}}

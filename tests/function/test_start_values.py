@@ -6,8 +6,8 @@ import pytest
 
 from sigcat.function.build.build import build_function
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT
-from sigcat.integration.platforms import integrate
+from sigcat.integration.integrate import integrate
+from sigcat.integration.platforms import PLATFORMS
 from tests.function.shipped import interfaces
 
 ARRAY = "Vehicle.ADAS.EcoControl.Gains"
@@ -51,8 +51,8 @@ def test_the_elements_of_a_parameter_go_all_the_way() -> None:
     contracts = [contract for call in function.components[0].runnables for contract in call.contracts or ()]
     (parameter,) = [parameter for contract in contracts for parameter in contract.parameters or ()]
     assert parameter.default_text == "[10, 20]"
-    adaptive = json.loads(integrate("autosar-adaptive", [function], DEFAULT_DEPLOYMENT).document)
+    adaptive = json.loads(integrate(PLATFORMS["autosar-adaptive"], [function]).document)
     assert '"Default": "[10, 20]"' in json.dumps(adaptive)
-    ros = integrate("ros2", [function], DEFAULT_DEPLOYMENT).document.decode()
+    ros = integrate(PLATFORMS["ros2"], [function]).document.decode()
     assert "36.0" in ros
     assert "72.0" in ros

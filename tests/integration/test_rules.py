@@ -7,11 +7,10 @@ import pytest
 from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive import derive as adaptive
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.integration.platforms import PLATFORMS
 from sigcat.integration.reading import read_functions
-from sigcat.integration.ros2 import derive as ros2
 from sigcat.rules.record import load_rules
 from tests.function.shipped import interfaces
 
@@ -34,8 +33,8 @@ def findings_of(rule, example, folder):
         if "deployment" in parts
         else DEFAULT_DEPLOYMENT
     )
-    derive = ros2.derive if rule.id.startswith("N") else adaptive.derive
-    return derive(read, deployment).findings
+    platform = PLATFORMS["ros2" if rule.id.startswith("N") else "autosar-adaptive"]
+    return platform.derive(read, deployment, getattr(deployment, platform.section)).findings
 
 
 def findings_of_document(data):

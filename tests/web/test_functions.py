@@ -8,6 +8,7 @@ import pytest
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.site import create_site
+from sigcat.web.views.documents import VIEWS
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
 
@@ -29,7 +30,7 @@ def test_a_function_shows_its_interfaces_as_a_diagram(site: Ask) -> None:
     assert re.search(r'href="/tree/interfaces/Vehicle.Chassis.Brake.CylP"><text', page)
 
 
-@pytest.mark.parametrize("view", ["source", "function-json", "autosar-adaptive", "ros2", "arxml"])
+@pytest.mark.parametrize("view", ["source", *VIEWS])
 def test_what_is_made_from_a_function_is_read_and_downloaded(site: Ask, view: str) -> None:
     page = site(f"/functions/core_acc?view={view}").text
     for address in re.findall(r'href="(/functions/core_acc/files/[^"]+)"', page):
@@ -100,7 +101,7 @@ def test_a_posted_function_shows_its_diagram(site: Ask) -> None:
     assert "Interfaces of EcoControlMpc" in post(site, kind="function", text=json)
 
 
-@pytest.mark.parametrize("view", ["interfaces", "function-json", "autosar-adaptive", "ros2", "arxml"])
+@pytest.mark.parametrize("view", ["interfaces", *VIEWS])
 def test_a_posted_function_has_the_views_of_a_shipped_one(site: Ask, view: str) -> None:
     source = site("/functions/core_acc/files/source").text
     own = post(site, kind="function", text=source, view=view)

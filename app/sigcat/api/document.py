@@ -7,9 +7,11 @@ from typing import Any
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
+from sigcat.adapter.generators import GENERATORS
 from sigcat.api.answers.problems import KINDS, PROBLEM
 from sigcat.api.answers.representation import JSON, YAML
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.platforms import PLATFORMS
 
 Document = dict[str, Any]
 
@@ -41,9 +43,9 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
     "list_rules": {"get_rule": {"parameters": {"rule_id": "$response.body#/rules/0/id"}}},
     "build_function_json": {
         "validate_function": {"requestBody": "$response.body"},
-        "integrate_functions": {"parameters": {"platform": "autosar-adaptive"}, "requestBody": "$response.body"},
+        "integrate_functions": {"parameters": {"platform": next(iter(PLATFORMS))}, "requestBody": "$response.body"},
     },
-    "integrate_functions": {"generate_arxml": {"requestBody": "$response.body"}},
+    "integrate_functions": {f"generate_{name}": {"requestBody": "$response.body"} for name in GENERATORS},
 }
 """Which operation goes on from the answer of which, and with what of it."""
 

@@ -1,8 +1,9 @@
-"""`sigcat generate arxml INTEGRATION -o DIR`."""
+"""`sigcat generate KIND INTEGRATION -o DIR`."""
 
 import argparse
 from pathlib import Path
 
+from sigcat.adapter.generators import GENERATORS
 from sigcat.cli.output import write_bytes
 from sigcat.errors import UsageError
 
@@ -11,24 +12,27 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the command with a sub-command for each kind of file."""
     parser = commands.add_parser("generate", help="files for a platform, from Integration JSON")
     kinds = parser.add_subparsers(title="kinds", metavar="KIND", required=True)
-    arxml = kinds.add_parser(
-        "arxml",
-        help="ARXML for AUTOSAR adaptive R23-11",
-        description="Write ARXML for AUTOSAR adaptive R23-11: types, interfaces, components and deployment.",
-    )
-    arxml.add_argument("integration", type=Path, metavar="INTEGRATION", help="Integration JSON for AUTOSAR adaptive")
-    arxml.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
-    arxml.set_defaults(run=run)
+    for generator in GENERATORS.values():
+        one = kinds.add_parser(
+            generator.name,
+            help=f"{generator.title} for {generator.target}",
+            description=f"Write {generator.title} for {generator.target}: {generator.contents}.",
+        )
+        one.add_argument(
+            "integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {generator.platform.title}"
+        )
+        one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
+        one.set_defaults(run=run, generator=generator)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the files; the folder is made if its parent exists. Raises InputRefused if the document cannot be used."""
-    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
-    from sigcat.integration.autosar_adaptive.document import read_integration
+    from sigcat.limits import DEFAULT_LIMITS
 
-    if not arguments.integration.is_file():
-        raise UsageError(f"{arguments.integration}: there is no such file")
-    files = generate(read_integration(arguments.integration.read_bytes(), str(arguments.integration)))
+    source = arguments.integration
+    if not source.is_file():
+        raise UsageError(f"{source}: there is no such file")
+    files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS)
     _make(arguments.output)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.output import write_bytes
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
+from sigcat.integration.platforms import PLATFORMS
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -17,18 +18,16 @@ if TYPE_CHECKING:
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
 
-_PLATFORMS = (("autosar-adaptive", "AUTOSAR adaptive"), ("ros2", "ROS 2"))
-
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command with a sub-command for each platform."""
     parser = commands.add_parser("integrate", help="Integration JSON of functions, for a platform")
     platforms = parser.add_subparsers(title="platforms", metavar="PLATFORM", required=True)
-    for name, title in _PLATFORMS:
+    for platform in PLATFORMS.values():
         one = platforms.add_parser(
-            name,
-            help=f"for {title}",
-            description=f"Derive the Integration JSON for {title} of one function, or of a set of functions.",
+            platform.name,
+            help=f"for {platform.title}",
+            description=f"Derive the Integration JSON for {platform.title} of one function, or of a set of functions.",
         )
         one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
         one.add_argument("--deployment", type=Path, metavar="FILE", help="what differs from the defaults")
@@ -37,19 +36,19 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
         )
         add_tree_options(one)
-        one.set_defaults(run=run, platform=name)
+        one.set_defaults(run=run, platform=platform)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the Integration JSON; findings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.integration.platforms import integrate
+    from sigcat.integration.integrate import integrate
 
     functions = _functions(arguments)
-    made = integrate(arguments.platform, functions, _deployment(arguments.deployment))
-    _print(made.findings)
-    write_bytes(made.document, arguments.output)
+    integrated = integrate(arguments.platform, functions, _deployment(arguments.deployment))
+    _print(integrated.findings)
+    write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
-        write_bytes(_written(made.report, arguments.report), arguments.report)
+        write_bytes(_written(integrated.report, arguments.report), arguments.report)
     return 0
 
 
@@ -66,7 +65,7 @@ def _functions(arguments: argparse.Namespace) -> "tuple[FunctionJson, ...]":
 
 
 def _deployment(path: Path | None) -> "Deployment":
-    from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
+    from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 
     return DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Mapping
 from hashlib import sha256
 
-from sigcat.integration.names import CPP_KEYWORDS
+from sigcat.integration.reserved_words import CPP_KEYWORDS
 from sigcat.names import camel_case
 
 LONGEST_SHORT_NAME = 128

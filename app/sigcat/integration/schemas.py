@@ -4,20 +4,35 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sigcat.errors import NotFound
-from sigcat.function.declaration.declaration import declaration_schema
-from sigcat.function.function_json.model import function_schema
-from sigcat.integration.autosar_adaptive.model import integration_schema
-from sigcat.integration.deployment import deployment_schema
-from sigcat.integration.ros2.model import ros2_schema
+from sigcat.integration.platforms import PLATFORMS
 from sigcat.names import nearest
 
+
+def _deployment() -> dict[str, Any]:
+    from sigcat.integration.deployment_file import deployment_schema
+
+    return deployment_schema()
+
+
+def _function() -> dict[str, Any]:
+    from sigcat.function.function_json.model import function_schema
+
+    return function_schema()
+
+
+def _declaration() -> dict[str, Any]:
+    from sigcat.function.declaration.declaration import declaration_schema
+
+    return declaration_schema()
+
+
 SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
-    "deployment": deployment_schema,
-    "function": function_schema,
-    "function-declaration": declaration_schema,
-    "integration-autosar-adaptive": integration_schema,
-    "integration-ros2": ros2_schema,
+    "deployment": _deployment,
+    "function": _function,
+    "function-declaration": _declaration,
+    **{f"integration-{platform.name}": platform.schema for platform in PLATFORMS.values()},
 }
+"""Each imports its models when it is called, so that their names cost nothing."""
 
 
 def schema(name: str) -> dict[str, Any]:

@@ -5,6 +5,8 @@ from pathlib import Path
 
 from sigcat.function.build.build import build_function
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.autosar_adaptive import derive as deriving
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT
 from tests.function.shipped import FUNCTIONS, interfaces
 
 SHARED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"
@@ -14,6 +16,11 @@ SHARED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"
 def examples() -> tuple[FunctionJson, ...]:
     """The shipped examples."""
     return tuple(build_function(path.read_bytes(), path.name, interfaces())[0] for path in FUNCTIONS)
+
+
+def derive(functions, deployment=DEFAULT_DEPLOYMENT):
+    """The integration with the deployment of a file."""
+    return deriving.derive(functions, deployment, deployment.autosar_adaptive)
 
 
 def example(name: str) -> FunctionJson:

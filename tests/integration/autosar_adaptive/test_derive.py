@@ -17,19 +17,18 @@ from sigcat.function.function_json.model import (
     SafetyReaction,
     Signal,
 )
-from sigcat.integration.autosar_adaptive.derive import derive
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
-from sigcat.integration.deployment import Deployment, read_deployment
+from sigcat.integration.deployment_file import DEPLOYMENT_FILE, read_deployment
 from sigcat.integration.report import NOT_CARRIED, to_markdown
-from tests.integration.autosar_adaptive.sets import SHARED, at, example, examples, function, signal
+from tests.integration.autosar_adaptive.sets import SHARED, at, derive, example, examples, function, signal
 
 PUBLISHED_SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"
 
 
-def deployed(**settings) -> Deployment:
-    return Deployment.model_validate(settings)
+def deployed(**settings):
+    return DEPLOYMENT_FILE.model_validate(settings)
 
 
 def services(model: IntegrationModel, component=None):
@@ -86,7 +85,7 @@ def test_the_document_read_back_is_the_same():
 
 
 def test_a_function_given_twice_is_refused():
-    with pytest.raises(UsageError, match="given twice: CoreAcc"):
+    with pytest.raises(UsageError, match="once, not twice: CoreAcc"):
         derive([example("CoreAcc"), example("CoreAcc")])
 
 

@@ -9,10 +9,9 @@ from pathlib import Path
 import pytest
 
 from sigcat.function.checks.validate import read_function_json
-from sigcat.integration.autosar_adaptive.derive import derive
 from sigcat.integration.autosar_adaptive.model import to_json
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
-from tests.integration.autosar_adaptive.sets import SHARED
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from tests.integration.autosar_adaptive.sets import SHARED, derive
 
 FUNCTION = SHARED / "function_model_core_acc.json"
 BY_HAND = SHARED / "integration_model_AA_core_acc.json"

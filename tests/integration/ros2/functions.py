@@ -5,7 +5,7 @@ from functools import cache
 
 from sigcat.function.build.build import build_function
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.deployment import Deployment
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.model import to_json
 from tests.function.shipped import FUNCTIONS, interfaces
@@ -22,12 +22,16 @@ def examples():
 
 
 def settings(**ros2):
-    return Deployment.model_validate({"ros2": ros2})
+    return DEPLOYMENT_FILE.model_validate({"ros2": ros2})
+
+
+def derived(functions, deployment=None):
+    deployment = deployment or DEFAULT_DEPLOYMENT
+    return derive(functions, deployment, deployment.ros2)
 
 
 def document(functions, deployment=None):
-    derived = derive(functions, deployment) if deployment else derive(functions)
-    return json.loads(to_json(derived.model))
+    return json.loads(to_json(derived(functions, deployment).model))
 
 
 def topics(functions, deployment=None):
@@ -38,8 +42,7 @@ def topics(functions, deployment=None):
 
 
 def rules(functions, deployment=None):
-    derived = derive(functions, deployment) if deployment else derive(functions)
-    return {(finding.rule, finding.path) for finding in derived.findings}
+    return {(finding.rule, finding.path) for finding in derived(functions, deployment).findings}
 
 
 def signal(name="Speed", path="Vehicle.Speed", role="Consumer", **more):

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.model import to_json as function_to_json
-from sigcat.integration.names import FIELD, MESSAGE
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_markdown
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.document import read_integration
 from sigcat.integration.ros2.model import to_json
+from sigcat.integration.ros2.names import FIELD, MESSAGE
 from tests.integration.ros2.functions import document, function, signal
 from tests.timing import is_within
 

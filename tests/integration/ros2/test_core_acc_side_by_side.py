@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 from sigcat.function.checks.validate import read_function_json
-from sigcat.integration.names import FIELD
+from sigcat.integration.ros2.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
 
 PUBLISHED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"

@@ -8,12 +8,12 @@ from pydantic import BaseModel
 
 from sigcat.errors import UsageError
 from sigcat.function.function_json import model as function_model
-from sigcat.integration.deployment import Deployment
-from sigcat.integration.names import CONSTANT, FIELD, MESSAGE
+from sigcat.integration.deployment_file import DEPLOYMENT_FILE
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.field_targets import TABLES
-from sigcat.integration.ros2.model import ros2_schema, to_json
+from sigcat.integration.ros2.model import integration_schema, to_json
+from sigcat.integration.ros2.names import CONSTANT, FIELD, MESSAGE
 from tests.integration.ros2.functions import document, example, examples, function, rules, settings, signal, topics
 
 
@@ -35,7 +35,7 @@ def conversion(end):
 
 
 def test_the_examples_are_derived_valid_under_our_schema():
-    jsonschema.Draft202012Validator(ros2_schema()).validate(document(examples()))
+    jsonschema.Draft202012Validator(integration_schema()).validate(document(examples()))
 
 
 def test_the_order_of_the_functions_does_not_matter():
@@ -60,9 +60,9 @@ def test_every_name_is_one_of_rosidl():
 
 
 def test_a_set_has_each_function_once_and_one_at_least():
-    with pytest.raises(UsageError, match="given twice: CoreAcc"):
+    with pytest.raises(UsageError, match="once, not twice: CoreAcc"):
         derive([example("core_acc"), example("core_acc")])
-    with pytest.raises(UsageError, match="no function"):
+    with pytest.raises(UsageError, match="There is no function"):
         derive([])
 
 
@@ -183,7 +183,7 @@ def test_methods_become_services_that_provider_and_user_share():
 def test_a_path_can_be_told_by_the_deployment():
     bare = function(signal("Speed", ""))
     assert ("N211", "Acc.Speed") in rules([bare])
-    told = Deployment.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
+    told = DEPLOYMENT_FILE.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
     assert ("Subscription", "/vehicle/speed") in topics([bare], told)
 
 

@@ -4,13 +4,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sigcat.integration.names import (
+from sigcat.integration.reserved_words import CPP_KEYWORDS, PYTHON_KEYWORDS
+from sigcat.integration.ros2.names import (
     CONSTANT,
-    CPP_KEYWORDS,
     FIELD,
     LONGEST,
     MESSAGE,
-    PYTHON_KEYWORDS,
     constant_name,
     field_name,
     message_name,

@@ -9,7 +9,10 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
+from pydantic import AfterValidator
 
+from sigcat.adapter.generator import Generator
+from sigcat.adapter.generators import GENERATORS
 from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
@@ -17,8 +20,10 @@ from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.findings import Finding
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, read_deployment
-from sigcat.integration.platforms import Integrated, Platform, integrate
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.integration.integrate import integrate
+from sigcat.integration.platform import Integrated
+from sigcat.integration.platforms import PLATFORMS
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
 from sigcat.integration.schemas import SCHEMAS, schema
@@ -30,6 +35,17 @@ _BODY = (
     f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
     "from the defaults."
 )
+
+
+def _known(name: str) -> str:
+    if name not in PLATFORMS:
+        raise ValueError(f"must be {' or '.join(PLATFORMS)}, not {name[:100]!r}")
+    return name
+
+
+PlatformName = Annotated[
+    str, Path(description="The platform.", json_schema_extra={"enum": list(PLATFORMS)}), AfterValidator(_known)
+]
 _ZIP = {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
 _MOMENT = (1980, 1, 1, 0, 0, 0)
 """Time of every file in an archive: the same request gives the same bytes."""
@@ -55,7 +71,7 @@ async def integrate_functions(
     hosted: NamedCatalogue,
     settings: TheSettings,
     heavy: TheHeavyWork,
-    platform: Annotated[Platform, Path(description="The platform.")],
+    platform: PlatformName,
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
     archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
 ) -> Response:
@@ -63,23 +79,34 @@ async def integrate_functions(
     return await heavy.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
 
 
-@router.post(
-    "/generate/arxml",
-    response_class=Response,
-    responses={
-        200: {"description": "The ARXML files as a zip.", "content": _ZIP},
-        **problem_documentation(413, 415, 422, 503),
-    },
-    openapi_extra=text_body("The Integration JSON of AUTOSAR adaptive.", ""),
-)
-async def generate_arxml(
-    text: PostedText,
-    settings: TheSettings,
-    heavy: TheHeavyWork,
-    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "autosar-adaptive.json",
-) -> Response:
-    """Generate the ARXML of AUTOSAR adaptive R23-11."""
-    return await heavy.run(partial(_arxml, text, name, settings.limits))
+def _add_generator(generator: Generator) -> None:
+    """The route of a generator: each has an address of its own."""
+
+    async def generate_files(
+        text: PostedText,
+        settings: TheSettings,
+        heavy: TheHeavyWork,
+        name: Annotated[
+            str, Query(max_length=300, description="What findings call the text.")
+        ] = f"{generator.platform.name}.json",
+    ) -> Response:
+        return await heavy.run(partial(_generated, generator, text, name, settings.limits))
+
+    router.post(
+        f"/generate/{generator.name}",
+        name=f"generate_{generator.name}",
+        description=f"Generate the {generator.title} of {generator.target}.",
+        response_class=Response,
+        responses={
+            200: {"description": f"The {generator.title} files as a zip.", "content": _ZIP},
+            **problem_documentation(413, 415, 422, 503),
+        },
+        openapi_extra=text_body(f"The Integration JSON of {generator.platform.title}.", ""),
+    )(generate_files)
+
+
+for each in GENERATORS.values():
+    _add_generator(each)
 
 
 @router.get("/schemas", responses=problem_documentation(404))
@@ -97,34 +124,29 @@ def get_schema(
     return schemas.JsonSchema(schema(name))
 
 
-def _integrated(
-    text: bytes, name: str, hosted: Hosted, platform: Platform, limits: Limits, *, archive: bool
-) -> Response:
+def _integrated(text: bytes, name: str, hosted: Hosted, platform: str, limits: Limits, *, archive: bool) -> Response:
     posted = posted_functions(text, name, limits, deployment=True)
     functions, findings = read_functions(posted.files, lambda: hosted.catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
-    made = integrate(platform, functions, deployment)
-    count = {"Sigcat-Warnings": str(len(findings) + len(made.findings))}
+    integrated = integrate(PLATFORMS[platform], functions, deployment)
+    count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}
     if not archive:
-        return Response(made.document, media_type="application/json", headers=count)
-    return _archive(_files(platform, made, findings), f"{platform}.zip", count)
+        return Response(integrated.document, media_type="application/json", headers=count)
+    return _archive(_files(platform, integrated, findings), f"{platform}.zip", count)
 
 
-def _arxml(text: bytes, name: str, limits: Limits) -> Response:
-    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
-    from sigcat.integration.autosar_adaptive.document import read_integration
-
-    files = generate(read_integration(text, name, limits))
-    return _archive({file.name: file.data for file in files}, "arxml.zip", {})
+def _generated(generator: Generator, text: bytes, name: str, limits: Limits) -> Response:
+    files = generator.generate(text, name, limits)
+    return _archive({file.name: file.data for file in files}, f"{generator.name}.zip", {})
 
 
-def _files(platform: Platform, made: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
-    told = [finding._asdict() for finding in (*findings, *made.findings)]
+def _files(platform: str, integrated: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
+    rows = [finding._asdict() for finding in (*findings, *integrated.findings)]
     return {
-        f"{platform}.json": made.document,
-        f"{platform}.report.json": to_json(made.report),
-        f"{platform}.report.md": to_markdown(made.report).encode(),
-        f"{platform}.findings.json": (json.dumps(told, indent=2, ensure_ascii=False) + "\n").encode(),
+        f"{platform}.json": integrated.document,
+        f"{platform}.report.json": to_json(integrated.report),
+        f"{platform}.report.md": to_markdown(integrated.report).encode(),
+        f"{platform}.findings.json": (json.dumps(rows, indent=2, ensure_ascii=False) + "\n").encode(),
     }
 
 

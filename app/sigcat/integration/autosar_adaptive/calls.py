@@ -5,10 +5,11 @@ from typing import TypeVar
 
 from sigcat import codes
 from sigcat.function.function_json.model import Parameter, Runnable
+from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_adaptive.work import Part, Work
 from sigcat.integration.autosar_names import distinct, short_name
 
 T = TypeVar("T", str, None)
@@ -22,20 +23,20 @@ _RUN_TYPES = {
 _SCHEDULING = {"preemptive": "Preemptive", "nonpreemptive": "Non-preemptive", "rr": "RR", "fifo": "FIFO"}
 
 
-def calls(part: Part, work: Work) -> tuple[model.Call, ...]:
+def calls(part: Part, context: Context) -> tuple[model.Call, ...]:
     """The calls of a component, in the order of the document."""
-    return tuple(_call(call, part, work) for call in part.component.runnables)
+    return tuple(_call(call, part, context) for call in part.component.runnables)
 
 
-def _call(call: Runnable, part: Part, work: Work) -> model.Call:
-    run_type = _run_type(call, part, work)
+def _call(call: Runnable, part: Part, context: Context) -> model.Call:
+    run_type = _run_type(call, part, context)
     modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
     return model.Call(
         name=call.name,
-        modes=(_mode(run_type, work.deployment.autosar_adaptive.modes),),
+        modes=(_mode(run_type, context.settings.modes),),
         run_type=run_type,
         cycle_time=call.cycle_time,
-        scheduling=_scheduling(call, part, work),
+        scheduling=_scheduling(call, part, context),
         function=part.function_name,
         description=call.description,
         trigger="Event" if call.run_type == "EventTriggered" else None,
@@ -55,22 +56,24 @@ def _call(call: Runnable, part: Part, work: Work) -> model.Call:
     )
 
 
-def _run_type(call: Runnable, part: Part, work: Work) -> str:
+def _run_type(call: Runnable, part: Part, context: Context) -> str:
     run_type = _RUN_TYPES.get(call.run_type)
     if call.run_type == "EventTriggered":
         message = f"{call.name} runs on events: the published schema has no word for that, and it is written as Cyclic."
-        work.report(codes.CALL_ON_EVENTS, message, call.name, "Trigger tells the difference.")
+        context.findings.report(codes.CALL_ON_EVENTS, message, call.name, "Trigger tells the difference.")
     if run_type is None:
         message = f"{call.name} of {part.function_name} has the run type {call.run_type!r}, which does not exist; it is taken as Cyclic."
-        work.report(codes.RUN_TYPE_UNKNOWN, message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown.")
+        context.findings.report(
+            codes.RUN_TYPE_UNKNOWN, message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown."
+        )
     return run_type or "Cyclic"
 
 
-def _scheduling(call: Runnable, part: Part, work: Work) -> str | None:
+def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if plain not in _SCHEDULING:
         message = f"{call.name} of {part.function_name} has the scheduling {call.scheduling!r}, which does not exist; none is written."
-        work.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Use Preemptive or Non-Preemptive.")
+        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Use Preemptive or Non-Preemptive.")
     return _SCHEDULING.get(plain)
 
 
@@ -95,7 +98,7 @@ def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
     )
 
 
-def parameters(part: Part, types: TypeTable, work: Work) -> tuple[model.ParameterEntry, ...] | None:
+def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they tell it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], Parameter] = {}
@@ -109,7 +112,7 @@ def parameters(part: Part, types: TypeTable, work: Work) -> tuple[model.Paramete
     names = distinct({f"{index:06d}": short_name(name) for index, (name, _) in enumerate(keys)})
     return (
         tuple(
-            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, work)
+            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, context)
             for index, key in enumerate(keys)
         )
         or None
@@ -117,7 +120,7 @@ def parameters(part: Part, types: TypeTable, work: Work) -> tuple[model.Paramete
 
 
 def _parameter(
-    name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, work: Work
+    name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
     where = f"{parameter.name} of {part.function_name}"
@@ -125,9 +128,11 @@ def _parameter(
         name=name,
         description=parameter.description,
         datatype=_parameter_type(parameter, part, types),
-        range_error_action=_known(parameter.range_error_action or None, ("Default", "Init"), None, where, work),
-        interface_type=_known(stored, ("Calibration", "Measurement", "PersistanceMemory"), "Calibration", where, work),
-        attribute=_known(parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", where, work),
+        range_error_action=_known(parameter.range_error_action or None, ("Default", "Init"), None, where, context),
+        interface_type=_known(
+            stored, ("Calibration", "Measurement", "PersistanceMemory"), "Calibration", where, context
+        ),
+        attribute=_known(parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", where, context),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,
@@ -141,13 +146,13 @@ def _parameter(
     )
 
 
-def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, work: Work) -> str | T:
+def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, context: Context) -> str | T:
     """The word, if the published schema has it; a word of another spelling is told, not written."""
     if word is None or word in words:
         return word or otherwise
     near = {known.lower(): known for known in words}.get(word.lower())
     message = f"{where}: {word!r} is none of {', '.join(words)}; {near or otherwise or 'nothing'} is written."
-    work.report(codes.WORD_NOT_IN_SCHEMA, message, where.split(" ", 1)[0])
+    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, where.split(" ", 1)[0])
     return near or otherwise
 
 

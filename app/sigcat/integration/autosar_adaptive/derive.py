@@ -1,24 +1,24 @@
 """From functions to the Integration JSON of AUTOSAR adaptive, without any further input."""
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import Contract, FunctionJson
+from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
-from sigcat.integration.autosar_adaptive.elements import Service, disagreements, services, view
-from sigcat.integration.autosar_adaptive.field_targets import report
+from sigcat.integration.autosar_adaptive.context import Context, items, named_parts
+from sigcat.integration.autosar_adaptive.elements import Service, report_disagreements, services, view
+from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import placed
-from sigcat.integration.autosar_adaptive.settings import ComponentSettings
+from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_adaptive.unused import tell_unused
-from sigcat.integration.autosar_adaptive.work import Part, Work, items
+from sigcat.integration.autosar_adaptive.unused import report_unused
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, Deployment
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.report import NOT_CARRIED, Entry
 
 NO_DATE = "1970-01-01"
@@ -29,61 +29,50 @@ UNKNOWN_PROVIDER = "SOME/IP"
 
 
 class Derived(NamedTuple):
-    """What was derived, what is to be said about it, and where each field went."""
+    """The document, the findings about it, and where each field of each interface went."""
 
     model: model.IntegrationModel
     findings: tuple[Finding, ...]
     report: tuple[Entry, ...]
 
 
-def derive(functions: Sequence[FunctionJson], deployment: Deployment = DEFAULT_DEPLOYMENT) -> Derived:
+def derive(
+    functions: Sequence[FunctionJson],
+    deployment: Deployment = NO_DEPLOYMENT,
+    settings: AutosarAdaptiveSettings = NO_SETTINGS,
+) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    if not functions:
-        raise UsageError("There is no function to integrate: name one at least.")
-    ordered = sorted(functions, key=lambda function: function.info.function_name)
-    _refuse_doubles(ordered)
-    work = Work(ordered, deployment)
-    types = TypeTable(work)
-    sides = placed(list(items(work.parts)), work)
-    all_services = services(sides, work)
-    disagreements(all_services, types, work)
-    components = tuple(_component(part, all_services, types, work) for part in work.parts)
-    made = model.IntegrationModel(
-        meta=_meta(ordered, work),
-        info=_info(ordered, deployment),
+    app = application(functions, deployment)
+    context = Context(app, settings, named_parts(app.functions), FindingCollector())
+    types = TypeTable(context)
+    sides = placed(list(items(context.parts)), context)
+    all_services = services(sides, context)
+    report_disagreements(all_services, types, context)
+    components = tuple(_component(part, all_services, types, context) for part in context.parts)
+    integration = model.IntegrationModel(
+        meta=_meta(context),
+        info=_info(app),
         components=components,
         datatypes=types.entries or None,
-        deployment=_deployment_names(ordered, deployment),
-        provenance=tuple(f.provenance.model_dump(mode="json") for f in ordered if f.provenance) or None,
+        deployment=_deployment_names(context),
+        provenance=tuple(f.provenance.model_dump(mode="json") for f in app.functions if f.provenance) or None,
     )
-    tell_unused(sides, all_services, work)
-    told = report(work, sides, all_services)
-    _tell_left_out(told, work)
-    return Derived(made, tuple(dict.fromkeys(work.findings)), told)
+    report_unused(sides, all_services, context)
+    targets = field_targets(context, sides, all_services)
+    _report_not_carried(targets, context)
+    return Derived(integration, context.findings.findings, targets)
 
 
-def _tell_left_out(told: Sequence[Entry], work: Work) -> None:
-    for entry in told:
+def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
+    for entry in targets:
         if entry.target == NOT_CARRIED:
             message = f"{entry.field} of {entry.interface} ({entry.function}) is not carried: {entry.note}."
-            work.report(codes.FIELD_NOT_CARRIED, message, entry.interface)
+            context.findings.report(codes.FIELD_NOT_CARRIED, message, entry.interface)
 
 
-def _refuse_doubles(functions: Sequence[FunctionJson]) -> None:
-    names = [function.info.function_name for function in functions]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise UsageError(f"A set has each function once; given twice: {', '.join(twice)}.")
-
-
-def application_name(functions: Sequence[FunctionJson], deployment: Deployment) -> str:
-    """Name of the application: as the deployment says, or the names of its functions."""
-    return deployment.name or " and ".join(function.info.function_name for function in functions)
-
-
-def _component(part: Part, all_services: Sequence[Service], types: TypeTable, work: Work) -> model.Component:
-    settings = work.deployment.autosar_adaptive.components.get(part.name) or ComponentSettings.model_validate({})
-    made = calls(part, work)
+def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
+    settings = context.settings.components.get(part.name) or ComponentSettings.model_validate({})
+    made = calls(part, context)
     modes = tuple(dict.fromkeys(mode for call in made for mode in call.modes))
     return model.Component(
         name=part.name,
@@ -91,8 +80,8 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, wo
         header_files=_header_files(part, settings),
         modes=modes,
         calls=made,
-        parameters=parameters(part, types, work),
-        services=tuple(_interfaces(part, all_services, types, work)),
+        parameters=parameters(part, types, context),
+        services=tuple(_interfaces(part, all_services, types, context)),
         function=part.function_name,
         version=part.function.info.version,
         description=part.function.info.description,
@@ -105,10 +94,10 @@ def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | 
     if settings.header_files is not None:
         return tuple(settings.header_files) or None
     contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
-    return (f"{part.name}.h",) if any(map(_tells_variables, contracts)) else None
+    return (f"{part.name}.h",) if any(map(_has_variables, contracts)) else None
 
 
-def _tells_variables(contract: Contract) -> bool:
+def _has_variables(contract: Contract) -> bool:
     return (
         any(item.variable for item in contract.signals or ())
         or any(item.variable for item in contract.queues or ())
@@ -117,23 +106,23 @@ def _tells_variables(contract: Contract) -> bool:
 
 
 def _interfaces(
-    part: Part, all_services: Sequence[Service], types: TypeTable, work: Work
+    part: Part, all_services: Sequence[Service], types: TypeTable, context: Context
 ) -> list[model.ServiceInterface]:
     """Services of a component, what it consumes first, as in the published example."""
     made = []
     for service in all_services:
-        seen = view(service, part.name, types, work)
+        seen = view(service, part.name, types, context)
         if seen is not None:
-            made.append(_interface(service, *seen, work))
+            made.append(_interface(service, *seen, context))
     return sorted(made, key=lambda interface: (interface.role, interface.name))
 
 
-def _interface(service: Service, content: model.Services, provides: bool, work: Work) -> model.ServiceInterface:
+def _interface(service: Service, content: model.Services, provides: bool, context: Context) -> model.ServiceInterface:
     used = {event.event_group for event in content.events} | {field.event_group for field in content.fields}
     providers = tuple(
         model.Provider(
             name=name, deployment="SOME/IP", instance_id=service.instance,
-            contract=work.deployment.autosar_adaptive.contract,
+            contract=context.settings.contract,
         )
         for name in _provider_names(service, content)
     )  # fmt: skip
@@ -158,42 +147,30 @@ def _provider_names(service: Service, content: model.Services) -> list[str]:
     return sorted({name for name in uses if name}) or [UNKNOWN_PROVIDER]
 
 
-def _meta(functions: Sequence[FunctionJson], work: Work) -> model.MetaInformation:
-    deployment = work.deployment
-    date = deployment.date.isoformat() if deployment.date else max(map(_date, functions))
-    if date == NO_DATE:
+def _meta(context: Context) -> model.MetaInformation:
+    app = context.application
+    if app.date is None:
         message = f"No function has a date: {NO_DATE} is written, as the published schema wants one."
-        work.report(codes.DATE_MISSING, message, fix="Give one in the deployment, or in a function.")
+        context.findings.report(codes.DATE_MISSING, message, fix="Give one in the deployment, or in a function.")
     return model.MetaInformation(
-        authority=deployment.authority or _joined(function.meta.authority for function in functions),
-        author=deployment.author or _joined(function.meta.schema_author for function in functions),
-        date=date,
-        version=deployment.version or "1.0.0",
+        authority=app.authority,
+        author=app.author,
+        date=app.date.isoformat() if app.date else NO_DATE,
+        version=app.version or DEFAULT_VERSION,
     )
 
 
-def _date(function: FunctionJson) -> str:
-    match = re.fullmatch(r"(\d{2}).(\d{2}).(\d{4})", function.meta.date or "")
-    return f"{match[3]}-{match[2]}-{match[1]}" if match else NO_DATE
-
-
-def _joined(texts: Iterable[str | None]) -> str:
-    return "; ".join(dict.fromkeys(text for text in texts if text))
-
-
-def _info(functions: Sequence[FunctionJson], deployment: Deployment) -> model.FunctionInformation:
-    descriptions = [function.info.description for function in functions]
+def _info(app: Application) -> model.FunctionInformation:
     return model.FunctionInformation(
-        name=application_name(functions, deployment),
-        responsible=deployment.responsible or _joined(function.info.function_responsible for function in functions),
-        description=deployment.description or " ".join(descriptions),
-        functions=tuple(function.info.function_name for function in functions),
+        name=app.name,
+        responsible=app.responsible,
+        description=app.description,
+        functions=tuple(function.info.function_name for function in app.functions),
     )
 
 
-def _deployment_names(functions: Sequence[FunctionJson], deployment: Deployment) -> model.DeploymentNames:
-    name = short_name(application_name(functions, deployment))
-    settings = deployment.autosar_adaptive
+def _deployment_names(context: Context) -> model.DeploymentNames:
+    name, settings = short_name(context.application.name), context.settings
     return model.DeploymentNames(
         package=settings.package or name,
         function_group=settings.function_group or short_name(f"{name}FunctionGroup"),

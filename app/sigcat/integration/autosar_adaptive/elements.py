@@ -17,6 +17,7 @@ from sigcat.function.function_json.model import (
     Signal,
 )
 from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
@@ -28,7 +29,6 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     assign,
 )
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_adaptive.work import Item, Work
 from sigcat.integration.autosar_names import distinct, event_name, short_name
 
 FIELD_GROUP = "Fields"
@@ -64,17 +64,17 @@ class Service(NamedTuple):
     event_groups: dict[str, int]
 
 
-def services(placed: Sequence[Placed], work: Work) -> tuple[Service, ...]:
+def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
     """Every service, by name."""
     by_origin: defaultdict[str, list[Placed]] = defaultdict(list)
     for side in placed:
         by_origin[_key(side.group)].append(side)
     names = distinct({key: sides[0].group.name for key, sides in by_origin.items()})
-    _tell_renamed({names[key]: sides[0].group.name for key, sides in by_origin.items()}, work)
-    numbers = _numbers(names.values(), SERVICES, work, "", "")
-    instances = _numbers(names.values(), INSTANCES, work, "", ":instance")
+    _report_renamed({names[key]: sides[0].group.name for key, sides in by_origin.items()}, context)
+    numbers = _numbers(names.values(), SERVICES, context, "", "")
+    instances = _numbers(names.values(), INSTANCES, context, "", ":instance")
     return tuple(
-        _service(by_origin[key], name, numbers[name], instances[name], work)
+        _service(by_origin[key], name, numbers[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])
     )
 
@@ -83,31 +83,32 @@ def _key(group: Group) -> str:
     return f"{'component' if group.provider else 'outside'} {group.origin}"
 
 
-def _service(sides: Sequence[Placed], name: str, number: int, instance: int, work: Work) -> Service:
-    elements = _elements(sides, name, work)
+def _service(sides: Sequence[Placed], name: str, number: int, instance: int, context: Context) -> Service:
+    elements = _elements(sides, name, context)
     events = {element.name for element in elements if element.kind is Signal}
     fields = {element.name for element in elements if element.kind is Error}
     methods = {element.name for element in elements if element.kind is Method}
     ids = {
-        **_numbers(events | fields, EVENTS, work, f"{name}.", ""),
-        **_numbers(methods | {f"Get{field}" for field in fields}, METHODS, work, f"{name}.", ""),
+        **_numbers(events | fields, EVENTS, context, f"{name}.", ""),
+        **_numbers(methods | {f"Get{field}" for field in fields}, METHODS, context, f"{name}.", ""),
     }
     groups = {group_of(element) for element in elements} - {""}
     return Service(
-        sides[0].group, name, number, instance, elements, ids, _numbers(groups, EVENT_GROUPS, work, f"{name}.", "")
+        sides[0].group, name, number, instance, elements, ids, _numbers(groups, EVENT_GROUPS, context, f"{name}.", "")
     )
 
 
-def _elements(sides: Sequence[Placed], service: str, work: Work) -> tuple[Element, ...]:
+def _elements(sides: Sequence[Placed], service: str, context: Context) -> tuple[Element, ...]:
     """Elements of a service by name. Data interfaces are events, whether queued or not; statuses are fields."""
     found: defaultdict[tuple[str, type], list[Placed]] = defaultdict(list)
     for side in sides:
         found[side.identity, _kind(side.item)].append(side)
     wanted = {
-        f"{identity} {kind.__name__}": _wanted(identity, listed[0], work) for (identity, kind), listed in found.items()
+        f"{identity} {kind.__name__}": _wanted(identity, listed[0], context)
+        for (identity, kind), listed in found.items()
     }
     names = distinct(wanted)
-    _tell_renamed({f"{service}.{names[key]}": f"{service}.{wanted[key]}" for key in wanted}, work)
+    _report_renamed({f"{service}.{names[key]}": f"{service}.{wanted[key]}" for key in wanted}, context)
     made = [
         Element(names[f"{identity} {kind.__name__}"], identity, kind, tuple(listed))
         for (identity, kind), listed in found.items()
@@ -121,22 +122,22 @@ def _kind(item: Item) -> type:
     return Method if isinstance(item.interface, Method) else Error
 
 
-def _wanted(identity: str, side: Placed, work: Work) -> str:
+def _wanted(identity: str, side: Placed, context: Context) -> str:
     is_data = isinstance(side.item.interface, Signal | DataQueue)
-    return event_name(identity) if is_data and work.path_of(side.item) else short_name(identity)
+    return event_name(identity) if is_data and context.path_of(side.item) else short_name(identity)
 
 
-def _tell_renamed(wanted: dict[str, str], work: Work) -> None:
+def _report_renamed(wanted: dict[str, str], context: Context) -> None:
     for name, plain in wanted.items():
         if name != plain:
             message = f"{plain} is already taken by another interface: this one is called {name}."
-            work.report(codes.NAME_TAKEN, message, plain)
+            context.findings.report(codes.NAME_TAKEN, message, plain)
 
 
-def _numbers(names: Iterable[str], span: Span, work: Work, scope: str, suffix: str) -> dict[str, int]:
+def _numbers(names: Iterable[str], span: Span, context: Context, scope: str, suffix: str) -> dict[str, int]:
     """Ids, those of the deployment first; what is wrong with them is told."""
     listed = sorted(set(names))
-    given = work.deployment.autosar_adaptive.identifiers
+    given = context.settings.identifiers
     fixed: dict[str, int] = {}
     for name in listed:
         number = given.get(f"{scope}{name}{suffix}")
@@ -147,18 +148,18 @@ def _numbers(names: Iterable[str], span: Span, work: Work, scope: str, suffix: s
                 "is given twice" if number in fixed.values() else f"is not from 0x{span.first:04X} to 0x{span.last:04X}"
             )
             message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment {reason}."
-            work.report(codes.ID_REFUSED, message, f"{scope}{name}", "Give another one.")
+            context.findings.report(codes.ID_REFUSED, message, f"{scope}{name}", "Give another one.")
             continue
         fixed[name] = number
     if len(listed) > span.last - span.first + 1:
         message = f"{len(listed)} names need an id and SOME/IP has {span.last - span.first + 1} of this kind."
-        work.report(codes.ID_REFUSED, message, scope.rstrip("."), "Spread them over several services.")
+        context.findings.report(codes.ID_REFUSED, message, scope.rstrip("."), "Spread them over several services.")
         return dict.fromkeys(listed, span.first)
     assigned = assign(listed, span, fixed, f"{scope}{suffix}")
     for name, other, number in assigned.collisions:
         message = f"{scope}{name} and {scope}{other} ask for the same id: 0x{number:04X} depends on both being there."
         fix = f"To keep it, write it into the deployment: identifiers: {{{scope}{name}{suffix}: {number}}}."
-        work.report(codes.ID_DEPENDS_ON_OTHERS, message, f"{scope}{name}", fix)
+        context.findings.report(codes.ID_DEPENDS_ON_OTHERS, message, f"{scope}{name}", fix)
     return assigned.ids
 
 
@@ -181,7 +182,7 @@ def cycle_of(element: Element) -> int | None:
     return side.item.call.cycle_time if side.provides and side.item.call else None
 
 
-def view(service: Service, part: str, types: TypeTable, work: Work) -> tuple[model.Services, bool] | None:
+def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
     """What a component has of a service, and whether it provides it; None if it has nothing to do with it."""
     provider = service.group.provider
     provides = provider is not None and provider.name == part
@@ -193,13 +194,15 @@ def view(service: Service, part: str, types: TypeTable, work: Work) -> tuple[mod
     if not mine:
         return None
     return model.Services(
-        events=tuple(_event(service, element, sides, types, work) for element, sides in mine if element.kind is Signal),
+        events=tuple(
+            _event(service, element, sides, types, context) for element, sides in mine if element.kind is Signal
+        ),
         methods=tuple(_method(service, element, sides, types) for element, sides in mine if element.kind is Method),
         fields=tuple(_field(service, element, sides, types) for element, sides in mine if element.kind is Error),
     ), provides
 
 
-def _event(service: Service, element: Element, sides: list[Placed], types: TypeTable, work: Work) -> model.Event:
+def _event(service: Service, element: Element, sides: list[Placed], types: TypeTable, context: Context) -> model.Event:
     leading = element.leading.item
     interface = leading.interface
     assert isinstance(interface, Signal | DataQueue)
@@ -218,7 +221,7 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
         scaling=None if is_catalogue else _text(interface.factor),
         offset=None if is_catalogue else _text(interface.offset),
         cycle_time=cycle_of(element),
-        vss_path=work.path_of(leading) or None,
+        vss_path=context.path_of(leading) or None,
         uses=tuple(_use(side, types) for side in sides),
     )
 
@@ -323,15 +326,15 @@ def _field(service: Service, element: Element, sides: list[Placed], types: TypeT
     )
 
 
-def disagreements(all_services: Iterable[Service], types: TypeTable, work: Work) -> None:
-    """Tell where the sides of an event differ in what they take to be sent."""
+def report_disagreements(all_services: Iterable[Service], types: TypeTable, context: Context) -> None:
+    """Report where the sides of an event differ in what they take to be sent."""
     for service in all_services:
         for element in service.elements:
             if element.kind is Signal:
-                _compare(element, types, work)
+                _compare(element, types, context)
 
 
-def _compare(element: Element, types: TypeTable, work: Work) -> None:
+def _compare(element: Element, types: TypeTable, context: Context) -> None:
     leading = element.leading
     wanted = _sent_as(leading, types)
     for side in element.sides:
@@ -341,7 +344,7 @@ def _compare(element: Element, types: TypeTable, work: Work) -> None:
                 f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
                 f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
             )
-            work.report(
+            context.findings.report(
                 codes.MEANINGS_DIFFER_ADAPTIVE, message, element.identity, "Build both from the same catalogue."
             )
 

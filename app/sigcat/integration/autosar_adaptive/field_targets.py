@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.function_json.model import DataQueue, Error, Method, ModeInterface, SafetyReaction, Signal
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_adaptive.work import Item, Part, Work
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
@@ -106,7 +107,7 @@ CALL_TARGETS: Mapping[str, FieldTarget | str] = _CALL
 PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
 
 
-def report(work: Work, sides: Sequence[Placed], all_services: Sequence[Service]) -> tuple[Entry, ...]:
+def field_targets(context: Context, sides: Sequence[Placed], all_services: Sequence[Service]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
     names = {
         id(side.item.interface): f"{service.name}/{element.name}"
@@ -115,7 +116,7 @@ def report(work: Work, sides: Sequence[Placed], all_services: Sequence[Service])
         for side in element.sides
     }
     made: list[Entry] = []
-    for part in work.parts:
+    for part in context.parts:
         made.extend(_of_part(part))
     for side in sides:
         made.extend(_of_interface(side.item, names[id(side.item.interface)]))
@@ -144,7 +145,7 @@ def _below(prefix: str, table: Mapping[str, FieldTarget | str], of: str = "") ->
 
 def _of_part(part: Part) -> Iterator[Entry]:
     function = part.function
-    if part.component is function.components[0]:
+    if part.is_first:
         yield from entries(part.function_name, part.function_name, "function", function.info, _FUNCTION)
         for mode in function.modes or ():
             prefix = f"{part.name}/FunctionModes/{mode.name}"

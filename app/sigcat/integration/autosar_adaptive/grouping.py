@@ -14,7 +14,8 @@ from sigcat.function.function_json.model import (
     SafetyReaction,
     Signal,
 )
-from sigcat.integration.autosar_adaptive.work import Item, Part, Work
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_names import branch_of, service_name
 
 MODES = "ModeManagement"
@@ -39,37 +40,37 @@ class Placed(NamedTuple):
     provides: bool
 
 
-def placed(items: Sequence[Item], work: Work) -> list[Placed]:
+def placed(items: Sequence[Item], context: Context) -> list[Placed]:
     """Every interface with its service."""
-    providers = _providers(items, work)
-    return [_placed(item, providers, work) for item in items]
+    providers = _providers(items, context)
+    return [_placed(item, providers, context) for item in items]
 
 
-def identity_of(item: Item, work: Work) -> str:
+def identity_of(item: Item, context: Context) -> str:
     """VSS path of a data interface, or its name where it has none; the name of any other interface."""
     data = isinstance(item.interface, Signal | DataQueue)
-    return (data and work.path_of(item)) or item.interface.name
+    return (data and context.path_of(item)) or item.interface.name
 
 
-def _providers(items: Iterable[Item], work: Work) -> dict[tuple[bool, str], list[Part]]:
+def _providers(items: Iterable[Item], context: Context) -> dict[tuple[bool, str], list[Part]]:
     """Components that provide each signal (False) and each method (True), in the order of the set."""
     found: defaultdict[tuple[bool, str], list[Part]] = defaultdict(list)
     for item in items:
         if not isinstance(item.interface, Signal | DataQueue | Method) or item.interface.role != PROVIDER:
             continue
-        parts = found[isinstance(item.interface, Method), identity_of(item, work)]
+        parts = found[isinstance(item.interface, Method), identity_of(item, context)]
         if all(part.name != item.part.name for part in parts):
             parts.append(item.part)
     for (_, identity), parts in found.items():
         if len(parts) > 1:
             names = ", ".join(part.name for part in parts)
             message = f"{identity} is provided by {names}: consumers are connected to {parts[0].name}."
-            work.report(codes.SEVERAL_PROVIDERS, message, identity, "Let one of them provide it.")
+            context.findings.report(codes.SEVERAL_PROVIDERS, message, identity, "Let one of them provide it.")
     return found
 
 
-def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], work: Work) -> Placed:
-    interface, identity = item.interface, identity_of(item, work)
+def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], context: Context) -> Placed:
+    interface, identity = item.interface, identity_of(item, context)
     if isinstance(interface, SafetyReaction):
         return Placed(_of_origin(SAFETY), identity, item, provides=False)
     if isinstance(interface, ModeInterface) and interface.direction != "Out":
@@ -79,27 +80,27 @@ def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], work: Wor
     parts = providers.get((isinstance(interface, Method), identity), [])
     if parts:
         return Placed(_of_part(parts[0]), identity, item, provides=False)
-    return Placed(_outside(item, identity, work), identity, item, provides=False)
+    return Placed(_outside(item, identity, context), identity, item, provides=False)
 
 
-def _outside(item: Item, identity: str, work: Work) -> Group:
+def _outside(item: Item, identity: str, context: Context) -> Group:
     """The service of what no function of the set provides."""
-    is_path = not isinstance(item.interface, Method) and bool(work.path_of(item))
+    is_path = not isinstance(item.interface, Method) and bool(context.path_of(item))
     if is_path:
-        return _configured(identity, work) or _of_origin(branch_of(identity))
+        return _configured(identity, context) or _of_origin(branch_of(identity))
     message = f"{identity} ({item.where}) has no VSS path, and no function of the set provides it."
     fix = f"Tell its path in the deployment, under paths: {item.part.function_name}.{item.interface.name}, or add the provider."
-    work.report(
+    context.findings.report(
         codes.PROVIDER_UNKNOWN, message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
     )
     return _of_origin(f"{item.part.name}Required")
 
 
-def _configured(path: str, work: Work) -> Group | None:
+def _configured(path: str, context: Context) -> Group | None:
     """The service of the deployment with the longest path that the signal stands below."""
     found = [
         (len(above), service.name, above)
-        for service in work.deployment.autosar_adaptive.services
+        for service in context.settings.services
         for above in service.paths
         if path == above or path.startswith(f"{above}.")
     ]

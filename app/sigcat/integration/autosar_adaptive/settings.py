@@ -53,3 +53,7 @@ class AutosarAdaptiveSettings(DeclarationModel):
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
         "method, field or eventgroup); the others follow the rule.",
     )
+
+
+NO_SETTINGS = AutosarAdaptiveSettings.model_validate({})
+"""Everything by default."""

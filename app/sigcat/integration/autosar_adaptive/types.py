@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from sigcat import codes
 from sigcat.function.function_json.model import Datatype, FunctionJson
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
-from sigcat.integration.autosar_adaptive.work import Work
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference
 
@@ -15,8 +15,8 @@ _STORAGE = "uint8"
 class TypeTable:
     """Datatypes that were referred to, in the order in which they first were."""
 
-    def __init__(self, work: Work) -> None:
-        self._work = work
+    def __init__(self, context: Context) -> None:
+        self._context = context
         self._documents: dict[int, dict[str, Datatype]] = {}
         self._entries: dict[str, TypeEntry] = {}
         self._known: dict[tuple[int, str], str] = {}
@@ -103,7 +103,7 @@ class TypeTable:
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} has {what}: its content is not known."
         fix = "Give it a Kind with members, symbols or elements; until then it is an empty structure."
-        self._work.report(codes.DATATYPE_WITHOUT_CONTENT, message, fix=fix)
+        self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, fix=fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
 
@@ -117,7 +117,7 @@ class TypeTable:
 
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
         message = f"Datatype {datatype.reference} of {function.info.function_name} contains itself."
-        self._work.report(
+        self._context.findings.report(
             codes.DATATYPE_CONTAINS_ITSELF,
             message,
             fix="SOME/IP cannot send it: cut the cycle, for instance by an index.",

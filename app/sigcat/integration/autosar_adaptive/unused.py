@@ -4,33 +4,35 @@ from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
 from sigcat.function.function_json.model import DataQueue, Signal
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_adaptive.work import Work
 from sigcat.names import did_you_mean
 
 
-def tell_unused(sides: Sequence[Placed], services: Sequence[Service], work: Work) -> None:
+def report_unused(sides: Sequence[Placed], services: Sequence[Service], context: Context) -> None:
     """A finding for each key of the deployment that names nothing of the set."""
-    settings = work.deployment.autosar_adaptive
+    settings = context.settings
     signals = [side.item for side in sides if isinstance(side.item.interface, Signal | DataQueue)]
     names = {f"{item.part.function_name}.{item.interface.name}" for item in signals}
-    _tell("paths", work.deployment.paths, names, work)
-    _tell("autosarAdaptive: components", settings.components, {part.name for part in work.parts}, work)
-    _tell("autosarAdaptive: identifiers", settings.identifiers, set(_identified(services)), work)
-    paths = {work.path_of(item) for item in signals}
+    _report_unknown("paths", context.application.paths, names, context)
+    _report_unknown("autosarAdaptive: components", settings.components, {part.name for part in context.parts}, context)
+    _report_unknown("autosarAdaptive: identifiers", settings.identifiers, set(_identified(services)), context)
+    paths = {context.path_of(item) for item in signals}
     for service in settings.services:
         for above in service.paths:
             if not any(path == above or path.startswith(f"{above}.") for path in paths):
                 message = f"The deployment puts {above} into service {service.name}: no signal of the set stands there."
-                work.report(codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths)))
+                context.findings.report(
+                    codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths))
+                )
 
 
-def _tell(section: str, keys: Collection[str], known: Collection[str], work: Work) -> None:
+def _report_unknown(section: str, keys: Collection[str], known: Collection[str], context: Context) -> None:
     for key in keys:
         if key not in known:
             message = f"The deployment names {key!r} under {section}: there is none in the set."
-            work.report(codes.DEPLOYMENT_NAMES_NOTHING, message, key, did_you_mean(key, known))
+            context.findings.report(codes.DEPLOYMENT_NAMES_NOTHING, message, key, did_you_mean(key, known))
 
 
 def _identified(services: Sequence[Service]) -> Iterator[str]:

@@ -9,22 +9,22 @@ from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number
 from sigcat.function.function_json.datatypes import value_range
 from sigcat.function.function_json.model import DataQueue, Datatype, Parameter, Signal
 from sigcat.integration.datatypes import Spelling
-from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.model import Conversion, SymbolMap
 from sigcat.integration.ros2.types import FieldType, c_definition, code_type
 
 _FLOATING = ("float", "double")
 
 
-def to_catalogue(item: Signal | DataQueue | Parameter, interface: str, limits: Limits) -> Linear:
+def to_catalogue(item: Signal | DataQueue | Parameter, interface: str, findings: FindingCollector) -> Linear:
     """From the number in the code to the value in the catalogue's unit."""
-    scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, limits)
-    return scale.then(physical(item, interface, limits))
+    scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, findings)
+    return scale.then(physical(item, interface, findings))
 
 
-def physical(item: Signal | DataQueue | Parameter, interface: str, limits: Limits) -> Linear:
+def physical(item: Signal | DataQueue | Parameter, interface: str, findings: FindingCollector) -> Linear:
     """From the value in the code's unit to the value in the catalogue's."""
-    return _linear(item.conversion_factor, item.conversion_offset, interface, limits)
+    return _linear(item.conversion_factor, item.conversion_offset, interface, findings)
 
 
 def conversion(
@@ -77,13 +77,13 @@ def _narrows(source: Spelling, target: Spelling, way: Linear) -> bool:
     return ends[0] < Fraction(held[0]) or ends[1] > Fraction(held[1])
 
 
-def _linear(factor: object, offset: object, interface: str, limits: Limits) -> Linear:
+def _linear(factor: object, offset: object, interface: str, findings: FindingCollector) -> Linear:
     if factor is None and offset is None:
         return IDENTITY
     numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
     if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
         message = f"{interface}: factor {factor!r} and offset {offset!r} are no conversion."
-        limits.report(codes.CONVERSION_NOT_A_NUMBER, interface, message, "Give a factor other than 0, and numbers.")
+        findings.report(codes.CONVERSION_NOT_A_NUMBER, message, interface, "Give a factor other than 0, and numbers.")
         return IDENTITY
     return Linear(numbers[0], numbers[1])
 

@@ -1,24 +1,25 @@
 """From functions to the Integration JSON of ROS 2, without any further input."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT, Deployment
-from sigcat.integration.function_set import FunctionSet, function_set
-from sigcat.integration.names import package_name
+from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application, joined
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.report import Entry
-from sigcat.integration.ros2.field_targets import report
-from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.ros2.field_targets import field_targets
+from sigcat.integration.ros2.function_set import function_set
 from sigcat.integration.ros2.messages import MessageBook
 from sigcat.integration.ros2.model import InterfacePackage, NodePackage, Ros2Integration, RosNode, SourceFunction
+from sigcat.integration.ros2.names import package_name
 from sigcat.integration.ros2.nodes import node_of, report_calls, status_names
 from sigcat.integration.ros2.services import with_services
-from sigcat.integration.ros2.signal_uses import Place, asil_of, data_of, places, uses_of
+from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
+from sigcat.integration.ros2.signal_uses import asil_of, data_of, node_parts, signal_uses
 from sigcat.integration.ros2.topics import communications, topics_of
 
 _VERSION = re.compile(r"\d+\.\d+\.\d+")
@@ -26,111 +27,92 @@ _NODE_DEPENDENCIES = ("builtin_interfaces", "diagnostic_msgs", "lifecycle_msgs",
 
 
 class Derived(NamedTuple):
-    """What was derived, what is to be said about it, and where each field went."""
+    """The document, the findings about it, and where each field of each interface went."""
 
     model: Ros2Integration
     findings: tuple[Finding, ...]
     report: tuple[Entry, ...]
 
 
-def derive(functions: Sequence[FunctionJson], deployment: Deployment = DEFAULT_DEPLOYMENT) -> Derived:
+def derive(
+    functions: Sequence[FunctionJson], deployment: Deployment = NO_DEPLOYMENT, settings: Ros2Settings = NO_SETTINGS
+) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    if not functions:
-        raise UsageError("There is no function to integrate: name one at least.")
-    ordered = function_set(sorted(functions, key=lambda function: function.info.function_name))
-    _refuse_doubles(ordered.functions)
-    settings, limits = deployment.ros2, Limits()
-    book = MessageBook(settings.message_package, {each.reference: each for each in ordered.datatypes}, limits)
-    parts = places(ordered.functions, limits)
-    uses = uses_of(parts, deployment.paths)
-    exchanged = communications(topics_of(uses, settings, book, limits), uses, settings, book, limits)
-    exchanged = with_services(exchanged, parts, settings, book, limits)
+    app = application(functions, deployment)
+    merged = function_set(app.functions)
+    findings = FindingCollector()
+    book = MessageBook(settings.message_package, {each.reference: each for each in merged.datatypes}, findings)
+    parts = node_parts(merged.functions, findings)
+    uses = signal_uses(parts, app.paths)
+    exchanged = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
+    exchanged = with_services(exchanged, parts, settings, book, findings)
     statuses = status_names(parts)
-    nodes = {part.node: node_of(part, exchanged, statuses, settings, book, limits) for part in parts}
-    _report_asil(parts, limits)
+    nodes = {part.name: node_of(part, exchanged, statuses, settings, book, findings) for part in parts}
+    _report_asil(parts, findings)
     for part in parts:
-        report_calls(part, limits)
+        report_calls(part, findings)
     model = Ros2Integration(
-        meta=_meta(ordered.functions, deployment),
-        info=_info(ordered.functions, deployment),
+        meta=_meta(app),
+        info=_info(app),
         components=tuple(part.component for part in parts),
-        modes=_modes(ordered.functions),
-        datatypes=ordered.datatypes,
-        mode_interfaces=tuple(each for f in ordered.functions for each in f.mode_interfaces or ()) or None,
+        modes=_modes(merged.functions),
+        datatypes=merged.datatypes,
+        mode_interfaces=tuple(each for f in merged.functions for each in f.mode_interfaces or ()) or None,
         communications=exchanged,
-        interface_packages=_interface_packages(book, ordered, deployment),
-        node_packages=tuple(_node_package(part, nodes[part.node], book, deployment) for part in parts),
-        functions=tuple(_source(function) for function in ordered.functions),
+        interface_packages=_interface_packages(book, app, settings),
+        node_packages=tuple(_node_package(part, nodes[part.name], book, app, settings) for part in parts),
+        functions=tuple(_source(function) for function in merged.functions),
     )
-    return Derived(model, limits.findings, report(parts, nodes, exchanged))
+    return Derived(model, findings.findings, field_targets(parts, nodes, exchanged))
 
 
-def _refuse_doubles(functions: Sequence[FunctionJson]) -> None:
-    names = [function.info.function_name for function in functions]
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise UsageError(f"A set has each function once; given twice: {', '.join(twice)}.")
-
-
-def _report_asil(parts: Sequence[Place], limits: Limits) -> None:
+def _report_asil(parts: Sequence[Part], findings: FindingCollector) -> None:
     """ROS 2 protects no message end to end and isolates no call: one finding for each call and interface above QM."""
     for part in parts:
         for call in part.component.runnables:
-            _above_qm(call.name, call.asil_level, "the call shares process and executor with others", limits)
+            _above_qm(call.name, call.asil_level, "the call shares process and executor with others", findings)
             for contract in call.contracts or ():
                 for item in data_of(contract):
-                    name = item.vss_path or f"{part.name}.{item.name}"
-                    _above_qm(name, item.asil_level, "messages have no end-to-end protection", limits)
+                    name = item.vss_path or f"{part.function_name}.{item.name}"
+                    _above_qm(name, item.asil_level, "messages have no end-to-end protection", findings)
                 for parameter in contract.parameters or ():
-                    name = parameter.vss_path or f"{part.name}.{parameter.name}"
-                    _above_qm(name, parameter.asil_level, "parameters are not protected", limits)
+                    name = parameter.vss_path or f"{part.function_name}.{parameter.name}"
+                    _above_qm(name, parameter.asil_level, "parameters are not protected", findings)
                 for error in contract.errors or ():
-                    _above_qm(error.name, error.asil_level, "diagnostics are not protected", limits)
+                    _above_qm(error.name, error.asil_level, "diagnostics are not protected", findings)
                 for reaction in contract.safety_reactions or ():
-                    _above_qm(reaction.name, reaction.asil_level, "diagnostics are not protected", limits)
+                    _above_qm(reaction.name, reaction.asil_level, "diagnostics are not protected", findings)
 
 
-def _above_qm(name: str, asil: str | None, why: str, limits: Limits) -> None:
+def _above_qm(name: str, asil: str | None, why: str, findings: FindingCollector) -> None:
     level = asil_of(asil)
     if level != "QM":
         message = f"{name}: ROS 2 does not support ASIL {level}: {why}."
-        limits.report(
-            codes.ASIL_NOT_SUPPORTED, name, message, "Protect it in the code, or use a platform that is qualified."
+        findings.report(
+            codes.ASIL_NOT_SUPPORTED, message, name, "Protect it in the code, or use a platform that is qualified."
         )
 
 
 # -- the parts of the document ------------------------------------------------------------------------------------
 
 
-def _meta(functions: Sequence[FunctionJson], deployment: Deployment) -> MetaInfo:
-    dates = [function.meta.date for function in functions if function.meta.date]
-    latest = max(dates, key=lambda date: (date[6:], date[3:5], date[:2]), default=None)
+def _meta(app: Application) -> MetaInfo:
     return MetaInfo(
-        authority=deployment.authority or _joined(function.meta.authority for function in functions),
-        schema_author=deployment.author or _joined(function.meta.schema_author for function in functions),
-        date=deployment.date.strftime("%d.%m.%Y") if deployment.date else latest,
+        authority=app.authority or None,
+        schema_author=app.author or None,
+        date=app.date.strftime("%d.%m.%Y") if app.date else None,
         schema_version="1.0.0",
-        schema_description=f"Integration of {application_name(functions, deployment)} with ROS 2",
+        schema_description=f"Integration of {app.name} with ROS 2",
     )
 
 
-def application_name(functions: Sequence[FunctionJson], deployment: Deployment) -> str:
-    """Name of the application: as the deployment says, or the names of its functions."""
-    return deployment.name or " and ".join(function.info.function_name for function in functions)
-
-
-def _info(functions: Sequence[FunctionJson], deployment: Deployment) -> FunctionInfo:
-    infos = [function.info for function in functions]
+def _info(app: Application) -> FunctionInfo:
     return FunctionInfo(
-        function_name=application_name(functions, deployment),
-        function_responsible=deployment.responsible or _joined(info.function_responsible for info in infos) or "",
-        description=deployment.description or " ".join(dict.fromkeys(info.description for info in infos)),
-        version=deployment.version or _joined(info.version for info in infos),
+        function_name=app.name,
+        function_responsible=app.responsible,
+        description=app.description,
+        version=app.version or joined(function.info.version for function in app.functions) or None,
     )
-
-
-def _joined(texts: Iterable[str | None]) -> str | None:
-    return ", ".join(dict.fromkeys(text for text in texts if text)) or None
 
 
 def _modes(functions: Sequence[FunctionJson]) -> tuple[Mode, ...] | None:
@@ -147,17 +129,17 @@ def _modes(functions: Sequence[FunctionJson]) -> tuple[Mode, ...] | None:
     )
 
 
-def _interface_packages(book: MessageBook, merged: FunctionSet, deployment: Deployment) -> tuple[InterfacePackage, ...]:
+def _interface_packages(book: MessageBook, app: Application, settings: Ros2Settings) -> tuple[InterfacePackage, ...]:
     if not (book.messages or book.services):
         return ()
-    infos = [function.info for function in merged.functions]
+    functions = joined(function.info.function_responsible for function in app.functions)
     package = InterfacePackage(
         name=book.package,
-        version=deployment.version or "1.0.0",
-        description=f"Messages and services of {application_name(merged.functions, deployment)}.",
-        maintainer=deployment.ros2.maintainer or _joined(info.function_responsible for info in infos) or "unknown",
-        email=deployment.ros2.email,
-        license=deployment.ros2.license,
+        version=app.version or DEFAULT_VERSION,
+        description=f"Messages and services of {app.name}.",
+        maintainer=settings.maintainer or functions or "unknown",
+        email=settings.email,
+        license=settings.license,
         dependencies=("builtin_interfaces",),
         messages=book.messages,
         services=book.services,
@@ -165,17 +147,19 @@ def _interface_packages(book: MessageBook, merged: FunctionSet, deployment: Depl
     return (package,)
 
 
-def _node_package(part: Place, node: RosNode, book: MessageBook, deployment: Deployment) -> NodePackage:
+def _node_package(
+    part: Part, node: RosNode, book: MessageBook, app: Application, settings: Ros2Settings
+) -> NodePackage:
     info = part.function.info
-    name = package_name(part.node, {book.package}).text
-    version = deployment.version or info.version or ""
+    name = package_name(part.name, {book.package}).text
+    version = app.version or info.version or ""
     return NodePackage(
         name=name,
-        version=version if _VERSION.fullmatch(version) else "1.0.0",
+        version=version if _VERSION.fullmatch(version) else DEFAULT_VERSION,
         description=info.description,
-        maintainer=deployment.ros2.maintainer or info.function_responsible or "unknown",
-        email=deployment.ros2.email,
-        license=deployment.ros2.license,
+        maintainer=settings.maintainer or info.function_responsible or "unknown",
+        email=settings.email,
+        license=settings.license,
         dependencies=tuple(sorted((*_NODE_DEPENDENCIES, *((book.package,) if book.messages or book.services else ())))),
         executable=f"{name}_node",
         nodes=(node,),

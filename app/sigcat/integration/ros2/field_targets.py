@@ -1,13 +1,17 @@
 """For every field of every interface of a function: where it stands in the Integration JSON."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from pydantic import BaseModel
 
-from sigcat.function.function_json.model import FunctionJson, Runnable
+from sigcat.function.function_json.model import CONSUMER, PROVIDER, Runnable
+from sigcat.integration.application import Part
 from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
-from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, Place, run_kind
+from sigcat.integration.ros2.services import SERVER
+from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, run_kind
+from sigcat.integration.ros2.topics import PUBLISHER
 
 Targets = Mapping[str, FieldTarget | str]
 
@@ -151,47 +155,55 @@ TABLES: Mapping[str, Targets] = {
 }  # fmt: skip
 
 
-def report(
-    places: Sequence[Place], nodes: Mapping[str, RosNode], exchanged: Sequence[Communication]
+def field_targets(
+    parts: Sequence[Part], nodes: Mapping[str, RosNode], communications: Sequence[Communication]
 ) -> tuple[Entry, ...]:
     """Every field that has a value, in the order of the functions."""
-    told = _Told(exchanged)
+    exchanged = _exchanged(communications)
     made: list[Entry] = []
-    functions: dict[str, FunctionJson] = {}
-    for place in places:
-        if functions.setdefault(place.name, place.function) and place.component == place.function.components[0]:
-            made.extend(_of_function(place, nodes[place.node]))
-        for call in place.component.runnables:
-            made.extend(_of_call(call, place))
-            made.extend(_of_contracts(call, place, nodes[place.node], told))
+    for part in parts:
+        if part.is_first:
+            made.extend(_of_function(part, nodes[part.name]))
+        for call in part.component.runnables:
+            made.extend(_of_call(call, part))
+            made.extend(_of_contracts(call, part, nodes[part.name], exchanged))
     return tuple(made)
 
 
-class _Told:
-    """What the communications say, by node, call and name."""
-
-    def __init__(self, exchanged: Iterable[Communication]) -> None:
-        self.fields: dict[tuple[str, str, str, str], tuple[RosTopic, FieldMapping]] = {}
-        self.services: dict[tuple[str, str, str, str], RosService] = {}
-        for communication in exchanged:
-            for topic in communication.topics:
-                for mapping in (field for data_map in topic.data_maps for field in data_map.mappings or ()):
-                    role = "Provider" if topic.role == "Publisher" else "Consumer"
-                    self.fields[(topic.node or "", communication.runnable, mapping.signal, role)] = topic, mapping
-            for service in communication.services or ():
-                role = "Provider" if service.role == "Server" else "Consumer"
-                self.services[(service.node, communication.runnable, service.method, role)] = service
+_Key = tuple[str, str, str, str]
+"""Node, call, name of the interface, and its role in Function JSON."""
 
 
-def _entries(place: Place, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
+class _Exchanged(NamedTuple):
+    """What the communications have for each interface."""
+
+    fields: Mapping[_Key, tuple[RosTopic, FieldMapping]]
+    services: Mapping[_Key, RosService]
+
+
+def _exchanged(communications: Iterable[Communication]) -> _Exchanged:
+    fields: dict[_Key, tuple[RosTopic, FieldMapping]] = {}
+    services: dict[_Key, RosService] = {}
+    for communication in communications:
+        for topic in communication.topics:
+            role = PROVIDER if topic.role == PUBLISHER else CONSUMER
+            for mapping in (field for data_map in topic.data_maps for field in data_map.mappings or ()):
+                fields[(topic.node or "", communication.runnable, mapping.signal, role)] = topic, mapping
+        for service in communication.services or ():
+            role = PROVIDER if service.role == SERVER else CONSUMER
+            services[(service.node, communication.runnable, service.method, role)] = service
+    return _Exchanged(fields, services)
+
+
+def _entries(part: Part, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
     table = TABLES[kind]
     fields = {field.alias: name for name, field in type(model).model_fields.items()}
-    told = {
+    targets = {
         alias: _filled(target, names)
         for alias, target in table.items()
         if alias in fields and getattr(model, fields[alias]) is not None
     }
-    return entries(place.name, interface, "call" if kind == "transition" else kind, model, told)
+    return entries(part.function_name, interface, "call" if kind == "transition" else kind, model, targets)
 
 
 def _filled(target: FieldTarget | str, names: Mapping[str, str]) -> FieldTarget | str:
@@ -202,70 +214,68 @@ def _filled(target: FieldTarget | str, names: Mapping[str, str]) -> FieldTarget 
     return FieldTarget(text, note)
 
 
-def _left_out(place: Place, interface: str, kind: str, model: BaseModel) -> list[Entry]:
+def _left_out(part: Part, interface: str, kind: str, model: BaseModel) -> list[Entry]:
     gone = FieldTarget(NOT_CARRIED, "left out: see the findings")
-    return entries(place.name, interface, kind, model, dict.fromkeys(TABLES[kind], gone))
+    return entries(part.function_name, interface, kind, model, dict.fromkeys(TABLES[kind], gone))
 
 
-def _of_function(place: Place, node: RosNode) -> Iterator[Entry]:
-    function = place.function
-    yield from _entries(place, place.name, "function", function.info)
+def _of_function(part: Part, node: RosNode) -> Iterator[Entry]:
+    function = part.function
+    yield from _entries(part, part.function_name, "function", function.info)
     for datatype in function.datatypes:
-        yield from _entries(place, datatype.reference, "datatype", datatype)
+        yield from _entries(part, datatype.reference, "datatype", datatype)
     for mode in function.modes or ():
-        yield from _entries(place, mode.name, "mode", mode)
+        yield from _entries(part, mode.name, "mode", mode)
     topics = {topic.interface: topic for topic in node.modes}
     for interface in function.mode_interfaces or ():
         topic = topics.get(interface.name)
         if topic is None:
-            yield from _left_out(place, interface.name, "mode interface", interface)
+            yield from _left_out(part, interface.name, "mode interface", interface)
         else:
             names = {"topic": f"topic {topic.topic}", "message": topic.message}
-            yield from _entries(place, interface.name, "mode interface", interface, **names)
+            yield from _entries(part, interface.name, "mode interface", interface, **names)
 
 
-def _of_call(call: Runnable, place: Place) -> list[Entry]:
+def _of_call(call: Runnable, part: Part) -> list[Entry]:
     kind = run_kind(call)
     if kind in (INIT, SHUTDOWN):
         callback = "on_configure" if kind == INIT else "on_cleanup, on_shutdown, on_error"
-        return _entries(place, call.name, "transition", call, schedule=f"node {place.node}, {callback}")
-    return _entries(place, call.name, "call", call, schedule=f"node {place.node}, Schedules")
+        return _entries(part, call.name, "transition", call, schedule=f"node {part.name}, {callback}")
+    return _entries(part, call.name, "call", call, schedule=f"node {part.name}, Schedules")
 
 
-def _of_contracts(call: Runnable, place: Place, node: RosNode, told: _Told) -> Iterator[Entry]:
+def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchanged) -> Iterator[Entry]:
     parameters = {parameter.parameter: parameter.name for parameter in node.parameters}
     for contract in call.contracts or ():
         for kind, items in (("signal", contract.signals), ("queue", contract.queues)):
             for item in items or ():
-                found = told.fields.get((place.node, call.name, item.name, item.role))
-                yield from _of_data(item, kind, place, found)
+                found = exchanged.fields.get((part.name, call.name, item.name, item.role))
+                yield from _of_data(item, kind, part, found)
         for method in contract.methods or ():
-            service = told.services.get((place.node, call.name, method.name, method.role))
+            service = exchanged.services.get((part.name, call.name, method.name, method.role))
             if service is None:
-                yield from _left_out(place, method.name, "method", method)
+                yield from _left_out(part, method.name, "method", method)
             else:
                 names = {"service": f"service {service.name}", "type": service.service}
-                yield from _entries(place, method.name, "method", method, **names)
+                yield from _entries(part, method.name, "method", method, **names)
         for parameter in contract.parameters or ():
             name = parameters.get(parameter.name)
             if name is None:
-                yield from _left_out(place, parameter.name, "parameter", parameter)
+                yield from _left_out(part, parameter.name, "parameter", parameter)
             else:
                 names = {"parameter": f"node {node.name}, parameter {name}"}
-                yield from _entries(place, parameter.name, "parameter", parameter, **names)
+                yield from _entries(part, parameter.name, "parameter", parameter, **names)
         for error in contract.errors or ():
-            yield from _entries(
-                place, error.name, "error", error, status=f"diagnostic status {place.node}: {error.name}"
-            )
+            yield from _entries(part, error.name, "error", error, status=f"diagnostic status {part.name}: {error.name}")
         for reaction in contract.safety_reactions or ():
             where = f"node {node.name}, SafetyReactions"
-            yield from _entries(place, reaction.name, "safety reaction", reaction, condition=where)
+            yield from _entries(part, reaction.name, "safety reaction", reaction, condition=where)
 
 
-def _of_data(item: BaseModel, kind: str, place: Place, found: tuple[RosTopic, FieldMapping] | None) -> list[Entry]:
+def _of_data(item: BaseModel, kind: str, part: Part, found: tuple[RosTopic, FieldMapping] | None) -> list[Entry]:
     name = str(getattr(item, "vss_path", None) or getattr(item, "name", ""))
     if found is None:
-        return _left_out(place, name, kind, item)
+        return _left_out(part, name, kind, item)
     topic, mapping = found
     names = {
         "topic": f"topic {topic.name}",
@@ -273,4 +283,4 @@ def _of_data(item: BaseModel, kind: str, place: Place, found: tuple[RosTopic, Fi
         "message": topic.message or "",
         "conversion": f"conversion {mapping.conversion}" if mapping.conversion else "no conversion: nothing changes",
     }
-    return _entries(place, name, kind, item, **names)
+    return _entries(part, name, kind, item, **names)

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Mapping
 
 from sigcat import codes
 from sigcat.function.function_json.model import Datatype, Symbol
-from sigcat.integration.names import constant_name, field_name, message_name
-from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
+from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed
 from sigcat.integration.ros2.types import FieldType, field_type
 
 STAMP = MessageField(
@@ -17,10 +17,10 @@ STAMP = MessageField(
 class MessageBook:
     """The messages and services of one package."""
 
-    def __init__(self, package: str, table: Mapping[str, Datatype], limits: Limits) -> None:
+    def __init__(self, package: str, table: Mapping[str, Datatype], findings: FindingCollector) -> None:
         self.package = package
         self.table = table
-        self._limits = limits
+        self._findings = findings
         self._messages: dict[str, Message] = {}
         self._services: dict[str, Service] = {}
         self._taken: set[str] = set()
@@ -67,7 +67,7 @@ class MessageBook:
 
     def _name(self, source: str, interface: str) -> str:
         name = message_name(source, self._taken)
-        self._limits.renamed(interface, source, name.text, name.reason)
+        report_renamed(name, source, interface, self._findings)
         self._taken.add(name.text.lower())
         return name.text
 
@@ -76,7 +76,9 @@ class MessageBook:
             return self._structs[reference]
         if reference in self._open:
             message = f"{interface}: {reference} contains itself, which no message of ROS 2 can."
-            self._limits.report(codes.DATATYPE_UNRESOLVED, interface, message, "Refer to the other value by a number.")
+            self._findings.report(
+                codes.DATATYPE_UNRESOLVED, message, interface, "Refer to the other value by a number."
+            )
             return None
         self._open.append(reference)
         fields = self._members(self.table[reference], interface)
@@ -94,35 +96,35 @@ class MessageBook:
         for member in datatype.fields or ():
             kind = field_type(member.datatype, None, self.table)
             if kind is None:
-                unresolved(self._limits, interface, member.datatype)
+                unresolved(self._findings, interface, member.datatype)
                 return None
             written = self.written(kind, interface)
             if written is None:
                 return None
             name = field_name(member.name, {field.name for field in made})
-            self._limits.renamed(interface, member.name, name.text, name.reason)
+            report_renamed(name, member.name, interface, self._findings)
             meaning = member.description or member.name
             made.append(MessageField(name=name.text, datatype=written, description=meaning, units=member.units))
         return made
 
 
-def unresolved(limits: Limits, interface: str, reference: str) -> None:
+def unresolved(findings: FindingCollector, interface: str, reference: str) -> None:
     """Note that a datatype cannot be resolved."""
     message = f"{interface}: the datatype {reference} is not defined, or C has no such type; the field is left out."
-    limits.report(
-        codes.DATATYPE_UNRESOLVED, interface, message, f"Define {reference} under `Datatypes`, with a C definition."
+    findings.report(
+        codes.DATATYPE_UNRESOLVED, message, interface, f"Define {reference} under `Datatypes`, with a C definition."
     )
 
 
 def constants(
-    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: str, limits: Limits
+    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: str, findings: FindingCollector
 ) -> tuple[MessageConstant, ...]:
     """The values of an enumeration. Where the catalogue has texts, so has the message: numbers differ between codes."""
     made: dict[str, MessageConstant] = {}
     datatype = kind.element.ros2 if kind.element else "string"
     for symbol in symbols:
         name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, made)
-        limits.renamed(interface, symbol.symbol, name.text, name.reason)
+        report_renamed(name, symbol.symbol, interface, findings)
         value = symbol.symbol if kind.is_text else str(symbol.value)
         made[name.text] = MessageConstant(name=name.text, datatype=datatype, value=value)
     return tuple(made.values())

@@ -369,7 +369,7 @@ def to_json(model: Ros2Integration) -> bytes:
     return written(model)
 
 
-def ros2_schema() -> dict[str, Any]:
+def integration_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of Integration JSON for ROS 2."""
     schema = Ros2Integration.model_json_schema(by_alias=True)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

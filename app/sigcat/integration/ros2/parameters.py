@@ -10,12 +10,12 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.datatypes import value_range
 from sigcat.function.function_json.model import Contract, Datatype, Parameter
-from sigcat.integration.names import field_name, package_name
+from sigcat.integration.application import Part
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.conversions import conversion, converted, physical
-from sigcat.integration.ros2.limits import Limits
 from sigcat.integration.ros2.messages import unresolved
 from sigcat.integration.ros2.model import RosParameter
-from sigcat.integration.ros2.signal_uses import Place
+from sigcat.integration.ros2.names import field_name, package_name, report_renamed
 from sigcat.integration.ros2.types import FieldType, c_definition, field_type
 
 _LARGEST = 2**63 - 1
@@ -25,42 +25,42 @@ _LONGEST = 10_000
 
 
 def parameters_of(
-    contracts: Iterable[Contract], place: Place, table: Mapping[str, Datatype], limits: Limits
+    contracts: Iterable[Contract], part: Part, table: Mapping[str, Datatype], findings: FindingCollector
 ) -> tuple[RosParameter, ...]:
     """The parameters of a component's calls, each once."""
     made: dict[str, RosParameter] = {}
     for contract in contracts:
         for parameter in contract.parameters or ():
             if parameter.name not in {known.parameter for known in made.values()}:
-                resolved = _parameter(parameter, place, set(made), table, limits)
+                resolved = _parameter(parameter, part, set(made), table, findings)
                 if resolved is not None:
                     made[resolved.name] = resolved
     return tuple(made.values())
 
 
 def _parameter(
-    item: Parameter, place: Place, taken: set[str], table: Mapping[str, Datatype], limits: Limits
+    item: Parameter, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
 ) -> RosParameter | None:
-    interface = item.vss_path or f"{place.name}.{item.name}"
+    interface = item.vss_path or f"{part.function_name}.{item.name}"
     kind = field_type(item.datatype, item.vss_datatype, table)
     if kind is None:
-        unresolved(limits, interface, item.datatype)
+        unresolved(findings, interface, item.datatype)
         return None
     if kind.element is None:
         message = f"{interface}: nodes have no parameters that are structs; it is left out."
-        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Declare a parameter for each member.")
+        findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Declare a parameter for each member.")
         return None
-    _unexpressed(item, kind, interface, limits)
+    _unexpressed(item, kind, interface, findings)
     name = field_name(item.name, taken)
-    limits.renamed(interface, item.name, name.text, name.reason)
-    return _resolved(item, kind, name.text, place, table, physical(item, interface, limits))
+    report_renamed(name, item.name, interface, findings)
+    return _resolved(item, kind, name.text, part, table, physical(item, interface, findings))
 
 
 def _resolved(
-    item: Parameter, kind: FieldType, name: str, place: Place, table: Mapping[str, Datatype], linear: Linear
+    item: Parameter, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], linear: Linear
 ) -> RosParameter:
     low, high = _limits(item, kind, linear)
-    api = package_name(f"{place.name}_{item.name}_from_parameter").text
+    api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
     return RosParameter(
         name=name,
         parameter=item.name,
@@ -141,13 +141,13 @@ def _constraints(kind: FieldType) -> str | None:
     return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
 
 
-def _unexpressed(item: Parameter, kind: FieldType, interface: str, limits: Limits) -> None:
+def _unexpressed(item: Parameter, kind: FieldType, interface: str, findings: FindingCollector) -> None:
     if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
         message = f"{interface} is kept over a restart; parameters of nodes are not."
-        limits.report(codes.VALUE_NOT_KEPT, interface, message, "Write it to a file when the node is cleaned up.")
+        findings.report(codes.VALUE_NOT_KEPT, message, interface, "Write it to a file when the node is cleaned up.")
     if item.interface_type == "Measurement":
         message = f"{interface} is a measurement; as a parameter it is read, and nobody is told when it changes."
-        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Provide it as a signal.")
+        findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Provide it as a signal.")
     if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
         message = f"{interface}: integers of parameters end at {_LARGEST}."
-        limits.report(codes.NOT_A_NODE_PARAMETER, interface, message, "Narrow the range with `max`.")
+        findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Narrow the range with `max`.")

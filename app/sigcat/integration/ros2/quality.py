@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from sigcat.asil import rank
 from sigcat.integration.ros2.model import QualityOfService
 from sigcat.integration.ros2.settings import QualitySettings
-from sigcat.integration.ros2.signal_uses import Use
+from sigcat.integration.ros2.signal_uses import SignalUse
 
 MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
@@ -23,7 +23,7 @@ MODE = QualityOfService(
 
 
 def quality(
-    mine: Sequence[Use], everyone: Sequence[Use], topic: str, settings: Mapping[str, QualitySettings]
+    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Mapping[str, QualitySettings]
 ) -> QualityOfService:
     """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
@@ -43,7 +43,7 @@ def quality(
     return _overridden(derived, [settings[key] for key in (topic, *(use.path for use in mine)) if key in settings])
 
 
-def _reliability(everyone: Sequence[Use], asil: str, reasons: list[str]) -> str:
+def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -> str:
     causes = (
         (asil != "QM", f"reliable: ASIL {asil}"),
         (any(use.queue_length for use in everyone), "reliable: queued, no value may be lost"),
@@ -58,21 +58,21 @@ def _reliability(everyone: Sequence[Use], asil: str, reasons: list[str]) -> str:
     return "best_effort"
 
 
-def _durability(everyone: Sequence[Use], reasons: list[str]) -> str:
+def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> str:
     if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
         reasons.append("transient local: whoever starts late needs the last value")
         return "transient_local"
     return "volatile"
 
 
-def _depth(mine: Sequence[Use], everyone: Sequence[Use], reasons: list[str]) -> int:
+def _depth(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: list[str]) -> int:
     relevant = everyone if any(use.is_provider for use in mine) else mine
     depth = max((use.queue_length or 1 for use in relevant), default=1)
     reasons.append(f"depth {depth}: length of the queue" if depth > 1 else "depth 1: only the latest value counts")
     return depth
 
 
-def _deadline(mine: Sequence[Use], everyone: Sequence[Use], reasons: list[str]) -> float | None:
+def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: list[str]) -> float | None:
     timeouts = [use.timeout for use in everyone if not use.is_provider and use.timeout]
     if not any(use.is_provider for use in mine):
         own = [use.timeout for use in mine if use.timeout]

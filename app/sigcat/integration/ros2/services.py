@@ -5,18 +5,21 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.function_json.model import PROVIDER, Argument, Method, Runnable
-from sigcat.integration.names import field_name, topic_name
-from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.application import Part
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
+from sigcat.integration.ros2.names import field_name, report_renamed, topic_name
 from sigcat.integration.ros2.settings import Ros2Settings
-from sigcat.integration.ros2.signal_uses import Place
 from sigcat.integration.ros2.types import c_definition, field_type
 from sigcat.names import camel_case
 
+SERVER = "Server"
+CLIENT = "Client"
+
 
 class _Call(NamedTuple):
-    place: Place
+    part: Part
     runnable: Runnable
     method: Method
 
@@ -29,16 +32,16 @@ class _Side(NamedTuple):
 
 
 def with_services(
-    exchanged: Sequence[Communication], places: Sequence[Place], settings: Ros2Settings, book: MessageBook,
-    limits: Limits,
+    exchanged: Sequence[Communication], parts: Sequence[Part], settings: Ros2Settings, book: MessageBook,
+    findings: FindingCollector,
 ) -> tuple[Communication, ...]:  # fmt: skip
     """The communications with the services of every call. Calls that exchange nothing else are added."""
     services: dict[tuple[str, str], list[RosService]] = {}
     types: dict[str, tuple[str, _Side, _Side]] = {}
-    for call in _calls(places):
-        service = _service(call, types, settings, book, limits)
+    for call in _calls(parts):
+        service = _service(call, types, settings, book, findings)
         if service is not None:
-            services.setdefault((call.place.node, call.runnable.name), []).append(service)
+            services.setdefault((call.part.name, call.runnable.name), []).append(service)
     made = []
     for communication in exchanged:
         node = next((topic.node for topic in communication.topics), "") or ""
@@ -48,20 +51,24 @@ def with_services(
     return tuple(made)
 
 
-def _calls(places: Sequence[Place]) -> Iterator[_Call]:
-    for place in places:
-        for runnable in place.component.runnables:
+def _calls(parts: Sequence[Part]) -> Iterator[_Call]:
+    for part in parts:
+        for runnable in part.component.runnables:
             for contract in runnable.contracts or ():
-                yield from (_Call(place, runnable, method) for method in contract.methods or ())
+                yield from (_Call(part, runnable, method) for method in contract.methods or ())
 
 
 def _service(
-    call: _Call, types: dict[str, tuple[str, _Side, _Side]], settings: Ros2Settings, book: MessageBook, limits: Limits
+    call: _Call,
+    types: dict[str, tuple[str, _Side, _Side]],
+    settings: Ros2Settings,
+    book: MessageBook,
+    findings: FindingCollector,
 ) -> RosService | None:
     """Server or client of a method. Providers and users of one name have one service."""
     method = call.method
-    request = _side(method.inputs, method.name, book, limits)
-    response = _side(method.outputs, method.name, book, limits)
+    request = _side(method.inputs, method.name, book, findings)
+    response = _side(method.outputs, method.name, book, findings)
     if request is None or response is None:
         return None
     if method.name not in types:
@@ -72,14 +79,14 @@ def _service(
         )
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
-        message = f"{call.place.name} and another function mean the method {method.name} with other arguments."
-        limits.report(codes.MEANINGS_DIFFER, method.name, message, "Give one of them another name.")
+        message = f"{call.part.function_name} and another function mean the method {method.name} with other arguments."
+        findings.report(codes.MEANINGS_DIFFER, message, method.name, "Give one of them another name.")
     return RosService(
         name=settings.namespace + topic_name(method.name),
         method=method.name,
-        role="Server" if method.role == PROVIDER else "Client",
+        role=SERVER if method.role == PROVIDER else CLIENT,
         service=f"{book.package}/srv/{name}",
-        node=call.place.node,
+        node=call.part.name,
         request=request.arguments,
         response=response.arguments,
     )
@@ -89,18 +96,18 @@ def _shape(side: _Side) -> list[tuple[str, str]]:
     return [(field.name, field.datatype) for field in side.fields]
 
 
-def _side(arguments: Sequence[Argument], interface: str, book: MessageBook, limits: Limits) -> _Side | None:
+def _side(arguments: Sequence[Argument], interface: str, book: MessageBook, findings: FindingCollector) -> _Side | None:
     fields: list[MessageField] = []
     maps: list[ArgumentMap] = []
     for argument in arguments:
         kind = field_type(argument.datatype, None, book.table)
         written = book.written(kind, interface) if kind else None
         if kind is None:
-            unresolved(limits, interface, argument.datatype)
+            unresolved(findings, interface, argument.datatype)
         if written is None:
             return None
         name = field_name(argument.name, {field.name for field in fields})
-        limits.renamed(interface, argument.name, name.text, name.reason)
+        report_renamed(name, argument.name, interface, findings)
         fields.append(
             MessageField(name=name.text, datatype=written, description=argument.name, units=argument.units or None)
         )

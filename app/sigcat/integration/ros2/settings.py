@@ -41,3 +41,7 @@ class Ros2Settings(DeclarationModel):
     quality: dict[Text, QualitySettings] = Field(
         {}, description="Quality of service by VSS path or name of a topic, where it differs from the derived one."
     )
+
+
+NO_SETTINGS = Ros2Settings.model_validate({})
+"""Everything by default."""

@@ -6,7 +6,6 @@ from typing import NamedTuple
 from sigcat.asil import Level, level_of
 from sigcat.function.function_json.model import (
     PROVIDER,
-    Component,
     Contract,
     DataQueue,
     FunctionJson,
@@ -14,30 +13,18 @@ from sigcat.function.function_json.model import (
     Signal,
     milliseconds,
 )
-from sigcat.integration.names import package_name
-from sigcat.integration.ros2.limits import Limits
+from sigcat.integration.application import Part
+from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.ros2.names import package_name, report_renamed
 
 Kind = str
 INIT, CYCLIC, SHUTDOWN, EVENT = "init", "cyclic", "shutdown", "event"
 
 
-class Place(NamedTuple):
-    """A component of a function, and the node that it becomes."""
-
-    function: FunctionJson
-    component: Component
-    node: str
-
-    @property
-    def name(self) -> str:
-        """Name of the function."""
-        return self.function.info.function_name
-
-
-class Use(NamedTuple):
+class SignalUse(NamedTuple):
     """One call reads or writes one signal."""
 
-    place: Place
+    part: Part
     runnable: Runnable
     data: Signal | DataQueue
     path: str
@@ -51,12 +38,12 @@ class Use(NamedTuple):
     @property
     def key(self) -> str:
         """What the signal is known by in the set: its path, or its name in the function."""
-        return self.path or f"{self.place.name}.{self.data.name}"
+        return self.path or f"{self.part.function_name}.{self.data.name}"
 
     @property
     def interface(self) -> str:
         """What findings call it."""
-        return self.path or f"{self.place.name}.{self.data.name}"
+        return self.path or f"{self.part.function_name}.{self.data.name}"
 
     @property
     def queue_length(self) -> int | None:
@@ -79,32 +66,34 @@ class Use(NamedTuple):
         return self.runnable.cycle_time if run_kind(self.runnable) == CYCLIC else None
 
 
-def places(functions: Sequence[FunctionJson], limits: Limits) -> tuple[Place, ...]:
-    """Every component with a node name of its own. Two components of one name bear their function's name too."""
+def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) -> tuple[Part, ...]:
+    """Every component under the name of the node that it becomes. Two components of one name bear their function's name too."""
     names = [component.name for function in functions for component in function.components]
-    made: list[Place] = []
+    made: list[Part] = []
     taken: set[str] = set()
     for function in functions:
         for component in function.components:
             is_shared = names.count(component.name) > 1 and component.name != function.info.function_name
             source = f"{function.info.function_name}_{component.name}" if is_shared else component.name
             name = package_name(source, taken)
-            limits.renamed(component.name, component.name, name.text, name.reason)
+            report_renamed(name, component.name, component.name, findings)
             taken.add(name.text)
-            made.append(Place(function, component, name.text))
+            made.append(Part(name.text, function, component))
     return tuple(made)
 
 
-def uses_of(all_places: Sequence[Place], paths: Mapping[str, str]) -> tuple[Use, ...]:
+def signal_uses(parts: Sequence[Part], paths: Mapping[str, str]) -> tuple[SignalUse, ...]:
     """Every use of every signal and queue. `paths` are those of signals that name none, by `Function.Signal`."""
-    return tuple(use for place in all_places for use in _uses(place, paths))
+    return tuple(use for part in parts for use in _uses(part, paths))
 
 
-def _uses(place: Place, paths: Mapping[str, str]) -> Iterator[Use]:
-    for runnable in place.component.runnables:
+def _uses(part: Part, paths: Mapping[str, str]) -> Iterator[SignalUse]:
+    for runnable in part.component.runnables:
         for contract in runnable.contracts or ():
             for data in data_of(contract):
-                yield Use(place, runnable, data, data.vss_path or paths.get(f"{place.name}.{data.name}", ""))
+                yield SignalUse(
+                    part, runnable, data, data.vss_path or paths.get(f"{part.function_name}.{data.name}", "")
+                )
 
 
 def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:

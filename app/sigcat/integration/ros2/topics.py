@@ -4,9 +4,8 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.integration.names import field_name, package_name, topic_name
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
-from sigcat.integration.ros2.limits import Limits
 from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
@@ -17,9 +16,10 @@ from sigcat.integration.ros2.model import (
     MessageField,
     RosTopic,
 )
+from sigcat.integration.ros2.names import Name, field_name, package_name, report_renamed, topic_name
 from sigcat.integration.ros2.quality import quality
 from sigcat.integration.ros2.settings import Ros2Settings
-from sigcat.integration.ros2.signal_uses import Use
+from sigcat.integration.ros2.signal_uses import SignalUse
 from sigcat.integration.ros2.types import FieldType, c_definition, field_type
 from sigcat.names import camel_case, last_name, parent_path
 
@@ -43,7 +43,7 @@ class Topic(NamedTuple):
     message: str
     members: dict[str, Member]
     """By the key of the signal."""
-    uses: tuple[Use, ...]
+    uses: tuple[SignalUse, ...]
 
 
 class _Group(NamedTuple):
@@ -51,30 +51,36 @@ class _Group(NamedTuple):
     message: str
 
 
-def topics_of(uses: Sequence[Use], settings: Ros2Settings, book: MessageBook, limits: Limits) -> tuple[Topic, ...]:
+def topics_of(
+    uses: Sequence[SignalUse], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
+) -> tuple[Topic, ...]:
     """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
-    providers = _providers(uses, limits)
-    groups: dict[_Group, list[Use]] = {}
+    providers = _providers(uses, findings)
+    groups: dict[_Group, list[SignalUse]] = {}
     for use in uses:
         groups.setdefault(_group(use, providers.get(use.key, ""), settings), []).append(use)
     taken: dict[str, str] = {}
     made = []
     for group in sorted(groups):
-        name = _free(settings.namespace + topic_name(*group.segments), taken, groups[group][0], limits)
-        made.append(_topic(name, group, groups[group], book, limits))
+        name = _free(settings.namespace + topic_name(*group.segments), taken, groups[group][0], findings)
+        made.append(_topic(name, group, groups[group], book, findings))
     return tuple(made)
 
 
 def communications(
-    topics: Sequence[Topic], uses: Sequence[Use], settings: Ros2Settings, book: MessageBook, limits: Limits
+    topics: Sequence[Topic],
+    uses: Sequence[SignalUse],
+    settings: Ros2Settings,
+    book: MessageBook,
+    findings: FindingCollector,
 ) -> tuple[Communication, ...]:
     """What each call exchanges, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
-    calls: dict[tuple[str, str], list[Use]] = {}
+    calls: dict[tuple[str, str], list[SignalUse]] = {}
     for use in uses:
-        calls.setdefault((use.place.node, use.runnable.name), []).append(use)
+        calls.setdefault((use.part.name, use.runnable.name), []).append(use)
     return tuple(
-        Communication(runnable=runnable, topics=tuple(_ends(own, by_key, settings, book, limits)))
+        Communication(runnable=runnable, topics=tuple(_ends(own, by_key, settings, book, findings)))
         for (_, runnable), own in calls.items()
     )
 
@@ -82,28 +88,34 @@ def communications(
 # -- which signals travel together --------------------------------------------------------------------------------
 
 
-def _providers(uses: Iterable[Use], limits: Limits) -> dict[str, str]:
+def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[str, str]:
     providers: dict[str, str] = {}
     for use in uses:
         if not use.path:
-            message = f"{use.interface} names no path of the catalogue; only {use.place.name} can know its topic."
-            limits.report(
-                codes.SIGNAL_WITHOUT_PATH, use.interface, message, "Give its path under `paths` in the deployment file."
+            message = (
+                f"{use.interface} names no path of the catalogue; only {use.part.function_name} can know its topic."
+            )
+            findings.report(
+                codes.SIGNAL_WITHOUT_PATH, message, use.interface, "Give its path under `paths` in the deployment file."
             )
         if use.is_provider:
-            first = providers.setdefault(use.key, use.place.name)
-            if first != use.place.name:
-                message = f"{first} and {use.place.name} both publish {use.interface}; subscribers get a mixture."
-                limits.report(codes.SEVERAL_PUBLISHERS, use.interface, message, "Let one function provide it.")
+            first = providers.setdefault(use.key, use.part.function_name)
+            if first != use.part.function_name:
+                message = (
+                    f"{first} and {use.part.function_name} both publish {use.interface}; subscribers get a mixture."
+                )
+                findings.report(codes.SEVERAL_PUBLISHERS, message, use.interface, "Let one function provide it.")
     return providers
 
 
-def _group(use: Use, provider: str, settings: Ros2Settings) -> _Group:
+def _group(use: SignalUse, provider: str, settings: Ros2Settings) -> _Group:
     if settings.topics == "function":
-        source, way = (provider, "out") if provider else (use.place.name, "in")
+        source, way = (provider, "out") if provider else (use.part.function_name, "in")
         return _Group((source, way), camel_case(source) + camel_case(way))
     if not use.path:
-        return _Group((use.place.name, use.data.name), camel_case(use.place.name) + camel_case(use.data.name))
+        return _Group(
+            (use.part.function_name, use.data.name), camel_case(use.part.function_name) + camel_case(use.data.name)
+        )
     path = parent_path(use.path) if settings.topics == "branch" else use.path
     names = path.split(".")
     source = camel_case(provider) if settings.topics == "branch" else ""
@@ -111,12 +123,13 @@ def _group(use: Use, provider: str, settings: Ros2Settings) -> _Group:
     return _Group(segments, "".join(map(camel_case, names[1:] or names)) + source)
 
 
-def _free(name: str, taken: dict[str, str], use: Use, limits: Limits) -> str:
+def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCollector) -> str:
     free, number = name, 1
     while free in taken:
         number += 1
         free = f"{name}_{number}"
-    limits.renamed(use.interface, name, free, f"{name!r} is taken by {taken[name]}" if free != name else "")
+    reason = f"{name!r} is taken by {taken[name]}" if free != name else ""
+    report_renamed(Name(free, reason), name, use.interface, findings)
     taken[free] = use.interface
     return free
 
@@ -124,16 +137,16 @@ def _free(name: str, taken: dict[str, str], use: Use, limits: Limits) -> str:
 # -- messages -----------------------------------------------------------------------------------------------------
 
 
-def _topic(name: str, group: _Group, uses: list[Use], book: MessageBook, limits: Limits) -> Topic:
+def _topic(name: str, group: _Group, uses: list[SignalUse], book: MessageBook, findings: FindingCollector) -> Topic:
     members: dict[str, Member] = {}
     fields: list[MessageField] = [STAMP]
     values: list[MessageConstant] = []
-    of_key: dict[str, list[Use]] = {}
+    of_key: dict[str, list[SignalUse]] = {}
     for use in uses:
         of_key.setdefault(use.key, []).append(use)
     for key, own in of_key.items():
         own.sort(key=lambda use: not use.is_provider)
-        member = _member(own, {field.name for field in fields}, book, limits)
+        member = _member(own, {field.name for field in fields}, book, findings)
         if member is None:
             continue
         members[key] = member
@@ -147,34 +160,34 @@ def _topic(name: str, group: _Group, uses: list[Use], book: MessageBook, limits:
                 vss_path=first.path or None,
             )
         )
-        values.extend(constants(member.kind.symbols, member.kind, _prefix(member, of_key), first.interface, limits))
+        values.extend(constants(member.kind.symbols, member.kind, _prefix(member, of_key), first.interface, findings))
     what = uses[0].data.description if len(of_key) == 1 else f"Signals of {' '.join(group.segments)}."
     message = book.add(group.message, uses[0].interface, what, fields, values)
     return Topic(name, message, members, tuple(uses))
 
 
-def _prefix(member: Member, of_key: dict[str, list[Use]]) -> str:
+def _prefix(member: Member, of_key: dict[str, list[SignalUse]]) -> str:
     return member.field.upper() if len(of_key) > 1 else ""
 
 
-def _member(own: list[Use], taken: set[str], book: MessageBook, limits: Limits) -> Member | None:
+def _member(own: list[SignalUse], taken: set[str], book: MessageBook, findings: FindingCollector) -> Member | None:
     """The field of a signal. All who use it have to mean the same."""
     first = own[0]
     resolved = [field_type(use.data.datatype, use.data.vss_datatype, book.table) for use in own]
     kind = resolved[0]
     if kind is None:
-        unresolved(limits, first.interface, first.data.datatype)
+        unresolved(findings, first.interface, first.data.datatype)
         return None
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
-            message = f"{first.place.name} and {use.place.name} mean {first.interface} in two datatypes or units."
-            limits.report(codes.MEANINGS_DIFFER, first.interface, message, "Build both functions from one catalogue.")
+            message = f"{first.part.function_name} and {use.part.function_name} mean {first.interface} in two datatypes or units."
+            findings.report(codes.MEANINGS_DIFFER, message, first.interface, "Build both functions from one catalogue.")
     written = book.written(kind, first.interface)
     if written is None:
         return None
     source = last_name(first.path) if first.path else first.data.name
     name = field_name(source, taken)
-    limits.renamed(first.interface, source, name.text, name.reason)
+    report_renamed(name, source, first.interface, findings)
     return Member(name.text, written, kind)
 
 
@@ -190,10 +203,14 @@ def _disagree(one: FieldType, other: FieldType | None) -> bool:
 
 
 def _ends(
-    own: Sequence[Use], by_key: dict[str, Topic], settings: Ros2Settings, book: MessageBook, limits: Limits
+    own: Sequence[SignalUse],
+    by_key: dict[str, Topic],
+    settings: Ros2Settings,
+    book: MessageBook,
+    findings: FindingCollector,
 ) -> Iterable[RosTopic]:
     """The publishers and subscriptions of one call."""
-    ends: dict[tuple[str, bool], list[Use]] = {}
+    ends: dict[tuple[str, bool], list[SignalUse]] = {}
     for use in own:
         topic = by_key.get(use.key)
         if topic is not None:
@@ -201,21 +218,21 @@ def _ends(
     taken: set[str] = set()
     for (_, is_provider), mine in ends.items():
         topic = by_key[mine[0].key]
-        _check_timeouts(mine, topic, limits)
+        _check_timeouts(mine, topic, findings)
         yield RosTopic(
             name=topic.name,
             interface=_interface(mine),
-            data_maps=(_data_map(mine, topic, taken, book, limits),),
+            data_maps=(_data_map(mine, topic, taken, book, findings),),
             role=PUBLISHER if is_provider else SUBSCRIPTION,
             message=f"{book.package}/msg/{topic.message}",
             stamp=STAMP.name,
-            node=mine[0].place.node,
-            providers=tuple(dict.fromkeys(use.place.name for use in topic.uses if use.is_provider)),
+            node=mine[0].part.name,
+            providers=tuple(dict.fromkeys(use.part.function_name for use in topic.uses if use.is_provider)),
             quality=quality(mine, topic.uses, topic.name, settings.quality),
         )
 
 
-def _interface(mine: Sequence[Use]) -> str:
+def _interface(mine: Sequence[SignalUse]) -> str:
     """The signal's name, or for several the structure of the code that holds their variables."""
     if len(mine) == 1:
         return mine[0].data.name
@@ -228,7 +245,7 @@ def _interface(mine: Sequence[Use]) -> str:
     return ".".join(common) or mine[0].runnable.name
 
 
-def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
+def _check_timeouts(mine: Sequence[SignalUse], topic: Topic, findings: FindingCollector) -> None:
     slowest: dict[str, int] = {}
     for use in topic.uses:
         if use.is_provider and use.cycle:
@@ -237,13 +254,15 @@ def _check_timeouts(mine: Sequence[Use], topic: Topic, limits: Limits) -> None:
         cycle = slowest.get(use.key)
         if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
             message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {cycle} ms."
-            limits.report(
-                codes.TIMEOUT_BELOW_TWO_CYCLES, use.interface, message, "One late value sets it: allow twice the cycle."
+            findings.report(
+                codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, "One late value sets it: allow twice the cycle."
             )
 
 
-def _data_map(mine: Sequence[Use], topic: Topic, taken: set[str], book: MessageBook, limits: Limits) -> DataMap:
-    rows = [_row(use, topic.members[use.key], taken, book, limits) for use in mine]
+def _data_map(
+    mine: Sequence[SignalUse], topic: Topic, taken: set[str], book: MessageBook, findings: FindingCollector
+) -> DataMap:
+    rows = [_row(use, topic.members[use.key], taken, book, findings) for use in mine]
     mappings = [mapping for mapping, _ in rows]
     conversions = tuple(made for _, made in rows if made is not None)
     return DataMap(
@@ -257,16 +276,16 @@ def _data_map(mine: Sequence[Use], topic: Topic, taken: set[str], book: MessageB
 
 
 def _row(
-    use: Use, member: Member, taken: set[str], book: MessageBook, limits: Limits
+    use: SignalUse, member: Member, taken: set[str], book: MessageBook, findings: FindingCollector
 ) -> tuple[FieldMapping, Conversion | None]:
     data = use.data
     if not data.variable:
         message = f"{use.interface} names no variable; its name {data.name!r} is taken for one."
-        limits.report(codes.VARIABLE_ASSUMED, use.interface, message, "Give `variable` in the declaration.")
+        findings.report(codes.VARIABLE_ASSUMED, message, use.interface, "Give `variable` in the declaration.")
     way = "to_topic" if use.is_provider else "from_topic"
-    name = package_name(f"{use.place.name}_{data.name}_{way}", taken).text
+    name = package_name(f"{use.part.function_name}_{data.name}_{way}", taken).text
     made = conversion(
-        name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, limits), book.table,
+        name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, findings), book.table,
         member.written, is_outgoing=use.is_provider,
     )  # fmt: skip
     if made is not None:
@@ -274,7 +293,7 @@ def _row(
     return _mapping(use, member, book, made), made
 
 
-def _mapping(use: Use, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
+def _mapping(use: SignalUse, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
     data = use.data
     return FieldMapping(
         signal=data.name,

@@ -1,18 +1,20 @@
 """The documents that are made from functions, each to be read, copied and downloaded."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
 from starlette.responses import Response
 
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.generator import Generator
+from sigcat.adapter.generators import GENERATORS
 from sigcat.errors import InputRefused, NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionJson, to_json
-from sigcat.integration.autosar_adaptive.derive import derive
-from sigcat.integration.deployment import DEFAULT_DEPLOYMENT
-from sigcat.integration.platforms import Platform, integrate
+from sigcat.integration.integrate import integrate
+from sigcat.integration.platform import Platform
+from sigcat.integration.platforms import PLATFORMS
+from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
 
 
@@ -31,12 +33,14 @@ class MadeDocument(NamedTuple):
 
 
 JSON = "application/json"
-VIEWS = {
-    "function-json": "Function JSON", "autosar-adaptive": "AUTOSAR adaptive", "ros2": "ROS 2", "arxml": "ARXML",
-}  # fmt: skip
-"""The views, with what each is called."""
-SET_VIEWS = {view: title for view, title in VIEWS.items() if view != "function-json"}
-"""Those of a set of functions."""
+FUNCTION_JSON = "function-json"
+SET_VIEWS = {
+    **{platform.name: platform.title for platform in PLATFORMS.values()},
+    **{generator.name: generator.title for generator in GENERATORS.values()},
+}
+"""The views of a set of functions, with what each is called."""
+VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
+"""Those of one function."""
 
 
 def chosen_view(given: str, views: Iterable[str]) -> str:
@@ -48,20 +52,18 @@ def chosen_view(given: str, views: Iterable[str]) -> str:
 
 def documents_of(function: FunctionJson, view: str = "") -> tuple[MadeDocument, ...]:
     """The documents of a function: those of one view, or all."""
-    name = function.info.function_name
-    return ((_function_json(function),) if view in ("", "function-json") else ()) + integrations_of(
-        (function,), name, view
-    )
+    own = (_function_json(function),) if view in ("", FUNCTION_JSON) else ()
+    return (*own, *integrations_of((function,), function.info.function_name, view))
 
 
 def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[MadeDocument, ...]:
     """What is made from functions for each platform, as it is without a deployment file."""
-    makers: Mapping[str, Callable[[], tuple[MadeDocument, ...]]] = {
-        "autosar-adaptive": lambda: (_integration("autosar-adaptive", functions, name),),
-        "ros2": lambda: (_integration("ros2", functions, name),),
-        "arxml": lambda: _arxml(functions),
-    }
-    return tuple(document for each, make in makers.items() if view in ("", each) for document in make())
+    platforms = [platform for platform in PLATFORMS.values() if view in ("", platform.name)]
+    generators = [generator for generator in GENERATORS.values() if view in ("", generator.name)]
+    return (
+        *(_integration(platform, functions, name) for platform in platforms),
+        *(document for generator in generators for document in _generated(generator, functions, name)),
+    )
 
 
 def attached(document: MadeDocument) -> Response:
@@ -73,24 +75,27 @@ def attached(document: MadeDocument) -> Response:
 
 def _function_json(function: FunctionJson) -> MadeDocument:
     name = f"{function.info.function_name}.json"
-    return MadeDocument("function-json", "function-json", name, JSON, _text(to_json(function)))
+    return MadeDocument(FUNCTION_JSON, FUNCTION_JSON, name, JSON, _text(to_json(function)))
 
 
 def _integration(platform: Platform, functions: Sequence[FunctionJson], name: str) -> MadeDocument:
-    document = MadeDocument(platform, platform, f"{name}.{platform}.json", JSON, "")
+    document = MadeDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
     try:
-        made = integrate(platform, functions, DEFAULT_DEPLOYMENT)
+        integrated = integrate(platform, functions)
     except InputRefused as refused:
         return document._replace(findings=tuple(refused.findings))
-    return document._replace(text=_text(made.document), findings=made.findings)
+    return document._replace(text=_text(integrated.document), findings=integrated.findings)
 
 
-def _arxml(functions: Sequence[FunctionJson]) -> tuple[MadeDocument, ...]:
+def _generated(generator: Generator, functions: Sequence[FunctionJson], name: str) -> tuple[MadeDocument, ...]:
     try:
-        files = generate(derive(functions, DEFAULT_DEPLOYMENT).model)
+        integrated = integrate(generator.platform, functions)
+        files = generator.generate(integrated.document, f"{name}.{generator.platform.name}.json", DEFAULT_LIMITS)
     except InputRefused as refused:
-        return (MadeDocument("arxml", "arxml", "", "", "", tuple(refused.findings)),)
-    return tuple(MadeDocument(file.name, "arxml", file.name, "application/xml", _text(file.data)) for file in files)
+        return (MadeDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
+    return tuple(
+        MadeDocument(file.name, generator.name, file.name, generator.media_type, _text(file.data)) for file in files
+    )
 
 
 def _text(data: bytes) -> str:

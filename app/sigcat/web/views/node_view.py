@@ -9,7 +9,7 @@ from sigcat.catalogue.exporting.static_id import static_id
 from sigcat.catalogue.hosting.variants import instance_counts
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.integration.autosar_names import branch_of, event_name, service_name, short_name
-from sigcat.integration.names import field_name, message_name, topic_name
+from sigcat.integration.ros2.names import field_name, message_name, topic_name
 from sigcat.names import last_name
 from sigcat.rules.record import Rule
 from sigcat.web.pictures.range_bar import RangeBar, range_bar

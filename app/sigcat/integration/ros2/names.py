@@ -5,12 +5,14 @@ rule: words as lower_snake_case; nothing left or a digit first: a word in front;
 macro of the C library: a word behind; taken already: a number behind.
 """
 
-import keyword
 import re
 from collections.abc import Container
 from hashlib import sha256
 from typing import NamedTuple
 
+from sigcat import codes
+from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.reserved_words import C_MACROS, CPP_KEYWORDS, IDL_KEYWORDS, PYTHON_KEYWORDS
 from sigcat.names import camel_case, screaming_snake_case, snake_case
 
 FIELD = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
@@ -20,35 +22,6 @@ CONSTANT = re.compile(r"[A-Z](?:[A-Z0-9_]?[A-Z0-9]+)*")
 LONGEST = 100
 """Longest name in characters: names of generated files and of DDS types are made of several."""
 
-CPP_KEYWORDS = frozenset(
-    (
-        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
-        "char", "char8_t", "char16_t", "char32_t", "class", "co_await", "co_return", "co_yield", "compl", "concept",
-        "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do",
-        "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend",
-        "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr",
-        "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
-        "restrict", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch",
-        "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
-        "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
-    )
-)  # fmt: skip
-PYTHON_KEYWORDS = frozenset((*keyword.kwlist, *keyword.softkwlist))
-C_MACROS = frozenset(
-    (
-        "BUFSIZ", "EOF", "ERROR", "FALSE", "INFINITY", "INT_MAX", "INT_MIN", "NAN", "NULL", "TRUE", "assert", "errno",
-        "stderr", "stdin", "stdout",
-    )
-)  # fmt: skip
-IDL_KEYWORDS = frozenset(
-    (
-        "abstract", "any", "attribute", "boolean", "component", "const", "context", "custom", "exception", "factory",
-        "fixed", "home", "import", "in", "inout", "interface", "local", "map", "module", "multiple", "native", "octet",
-        "oneway", "out", "port", "primarykey", "provides", "publishes", "raises", "readonly", "sequence", "string",
-        "supports", "switch", "truncatable", "typeprefix", "union", "unsigned", "uses", "valuebase", "valuetype",
-        "wchar", "wstring",
-    )
-)  # fmt: skip
 GENERATED = frozenset(("structure_needs_at_least_one_member", "check_fields", "slots", "structure"))
 """Members that the generated code has already."""
 
@@ -58,6 +31,12 @@ class Name(NamedTuple):
 
     text: str
     reason: str = ""
+
+
+def report_renamed(name: Name, source: str, interface: str, findings: FindingCollector) -> None:
+    """Report the name of an interface, or of a part of it, if there is a reason why it is not as in the source."""
+    if name.reason:
+        findings.report(codes.NAME_CHANGED, f"{source!r} is called {name.text!r} in ROS 2: {name.reason}.", interface)
 
 
 def field_name(source: str, taken: Container[str] = ()) -> Name:

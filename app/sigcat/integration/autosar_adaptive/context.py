@@ -1,11 +1,10 @@
-"""What `derive` has before it: the functions of the set with their components, and a place for what is to be said."""
+"""What every step of `derive` needs: the functions of the set with their components, the settings, the findings."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
-from sigcat.findings import Finding, RuleCode
 from sigcat.function.function_json.model import (
-    Component,
     DataQueue,
     Error,
     FunctionJson,
@@ -15,23 +14,12 @@ from sigcat.function.function_json.model import (
     Signal,
 )
 from sigcat.function.function_json.model import Runnable as Call
+from sigcat.integration.application import Application, Part
+from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.deployment import Deployment
+from sigcat.integration.finding_collector import FindingCollector
 
 Interface = Signal | DataQueue | Method | Error | SafetyReaction | ModeInterface
-
-
-class Part(NamedTuple):
-    """A component of a function, under the name that it has in the set."""
-
-    name: str
-    function: FunctionJson
-    component: Component
-
-    @property
-    def function_name(self) -> str:
-        """Name of the function."""
-        return self.function.info.function_name
 
 
 class Item(NamedTuple):
@@ -47,26 +35,24 @@ class Item(NamedTuple):
         return self.part.function_name + (f", {self.call.name}" if self.call else "")
 
 
-class Work:
-    """Inputs of one derivation, and its findings."""
+@dataclass(frozen=True)
+class Context:
+    """What one derivation starts from, and the findings that it comes across."""
 
-    def __init__(self, functions: Sequence[FunctionJson], deployment: Deployment) -> None:
-        self.deployment = deployment
-        self.findings: list[Finding] = []
-        self.parts = _parts(functions)
-
-    def report(self, rule: RuleCode, message: str, path: str = "", fix: str = "") -> None:
-        """Note a finding about an interface."""
-        self.findings.append(rule.finding(message, path=path, fix=fix))
+    application: Application
+    settings: AutosarAdaptiveSettings
+    parts: tuple[Part, ...]
+    findings: FindingCollector
 
     def path_of(self, item: Item) -> str:
-        """VSS path of a data interface, its own or the one that the deployment tells; empty if there is none."""
+        """VSS path of a data interface, its own or the one that the deployment gives; empty if there is none."""
         interface = item.interface
         assert isinstance(interface, Signal | DataQueue)
-        return interface.vss_path or self.deployment.paths.get(f"{item.part.function_name}.{interface.name}", "")
+        return interface.vss_path or self.application.paths.get(f"{item.part.function_name}.{interface.name}", "")
 
 
-def _parts(functions: Sequence[FunctionJson]) -> tuple[Part, ...]:
+def named_parts(functions: Sequence[FunctionJson]) -> tuple[Part, ...]:
+    """Every component under a short name of its own. Two components of one name bear their function's name too."""
     pairs = [(function, component) for function in functions for component in function.components]
     names = [short_name(component.name) for _, component in pairs]
     lowered = [name.lower() for name in names]
@@ -92,5 +78,5 @@ def items(parts: Sequence[Part]) -> Iterator[Item]:
                     contract.signals, contract.queues, contract.methods, contract.errors, contract.safety_reactions
                 ):  # fmt: skip
                     yield from (Item(part, call, interface) for interface in listed or ())
-        if part.component is part.function.components[0]:
+        if part.is_first:
             yield from (Item(part, None, interface) for interface in part.function.mode_interfaces or ())

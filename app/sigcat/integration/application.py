@@ -1,0 +1,89 @@
+"""What every platform derives alike from a set of functions: who answers for it, its name, its date, its components."""
+
+import datetime as dt
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.errors import UsageError
+from sigcat.function.function_json.model import Component, FunctionJson
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+
+DEFAULT_VERSION = "1.0.0"
+"""Version of a document whose deployment states none."""
+
+
+class Application(NamedTuple):
+    """A set of functions, and what their documents say of it: as the deployment has it, or else as they say."""
+
+    functions: tuple[FunctionJson, ...]
+    """By name."""
+    name: str
+    description: str
+    responsible: str
+    authority: str
+    author: str
+    date: dt.date | None
+    """The latest of the functions' dates."""
+    version: str | None
+    """As the deployment states it: functions have versions of their own."""
+    paths: Mapping[str, str]
+    """VSS paths of signals that name none, by `Function.Signal`."""
+
+
+class Part(NamedTuple):
+    """A component of a function, under the name that it has in the set."""
+
+    name: str
+    function: FunctionJson
+    component: Component
+
+    @property
+    def function_name(self) -> str:
+        """Name of the function."""
+        return self.function.info.function_name
+
+    @property
+    def is_first(self) -> bool:
+        """Whether it is the component of the function that has what belongs to none."""
+        return self.component is self.function.components[0]
+
+
+def application(functions: Sequence[FunctionJson], deployment: Deployment = NO_DEPLOYMENT) -> Application:
+    """The application of a function or a set. Raises UsageError if there is none, or one twice."""
+    if not functions:
+        raise UsageError("There is no function to integrate. Name at least one.")
+    ordered = tuple(sorted(functions, key=lambda function: function.info.function_name))
+    infos = [function.info for function in ordered]
+    _refuse_doubles([info.function_name for info in infos])
+    return Application(
+        functions=ordered,
+        name=deployment.name or " and ".join(info.function_name for info in infos),
+        description=deployment.description or joined((info.description for info in infos), " "),
+        responsible=deployment.responsible or joined(info.function_responsible for info in infos),
+        authority=deployment.authority or joined(function.meta.authority for function in ordered),
+        author=deployment.author or joined(function.meta.schema_author for function in ordered),
+        date=deployment.date or max(filter(None, map(_date, ordered)), default=None),
+        version=deployment.version,
+        paths=deployment.paths,
+    )
+
+
+def joined(texts: Iterable[str | None], separator: str = "; ") -> str:
+    """Texts that are there, each once. Names of organizations have commas, so that these do not separate them."""
+    return separator.join(dict.fromkeys(text for text in texts if text))
+
+
+def _refuse_doubles(names: Sequence[str]) -> None:
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise UsageError(f"Each function must be given once, not twice: {', '.join(twice)}.")
+
+
+def _date(function: FunctionJson) -> dt.date | None:
+    """The date of a function; None if there is none, or no such day."""
+    match = re.fullmatch(r"(\d{2}).(\d{2}).(\d{4})", function.meta.date or "")
+    try:
+        return dt.date(int(match[3]), int(match[2]), int(match[1])) if match else None
+    except ValueError:
+        return None

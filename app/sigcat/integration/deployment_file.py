@@ -1,0 +1,43 @@
+"""The deployment file: what holds for every platform, and a section for each platform of the table."""
+
+from typing import Any
+
+from pydantic import Field, ValidationError, create_model
+
+from sigcat.errors import InputRefused
+from sigcat.findings import has_errors, in_order
+from sigcat.function.document.document import read_yaml
+from sigcat.function.document.structure import structural_findings
+from sigcat.integration.deployment import Deployment
+from sigcat.integration.platforms import PLATFORMS
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+_SECTIONS: dict[str, Any] = {
+    platform.section: (
+        platform.settings(),
+        Field(platform.settings().model_validate({}), description=f"What holds for {platform.title}."),
+    )
+    for platform in PLATFORMS.values()
+}
+DEPLOYMENT_FILE = create_model(
+    "Deployment", __base__=Deployment, __doc__="What holds for every platform, and a section for each.", **_SECTIONS
+)
+DEFAULT_DEPLOYMENT: Deployment = DEPLOYMENT_FILE.model_validate({})
+
+
+def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Deployment:
+    """The deployment of a YAML or JSON file. Raises InputRefused with everything that is wrong."""
+    document = read_yaml(data, name, limits)
+    findings = document.findings
+    if not has_errors(findings):
+        try:
+            return DEPLOYMENT_FILE.model_validate(document.value)
+        except ValidationError as error:
+            findings = (*findings, *structural_findings(error, document, DEPLOYMENT_FILE))
+    raise InputRefused(f"{name} is no deployment file.", in_order(findings))
+
+
+def deployment_schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of the deployment file, for editors."""
+    schema = DEPLOYMENT_FILE.model_json_schema(by_alias=True)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

@@ -1,0 +1,22 @@
+"""From functions to the Integration JSON of a platform: one call, whatever the platform."""
+
+from collections.abc import Sequence
+
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.errors import InputRefused
+from sigcat.findings import has_errors
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.deployment import Deployment
+from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT
+from sigcat.integration.platform import Integrated, Platform
+
+
+@collector_paused()
+def integrate(
+    platform: Platform, functions: Sequence[FunctionJson], deployment: Deployment = DEFAULT_DEPLOYMENT
+) -> Integrated:
+    """Derive the Integration JSON for a platform. Raises InputRefused if a field of an interface has no place in it."""
+    integrated = platform.derive(functions, deployment, getattr(deployment, platform.section))
+    if has_errors(integrated.findings):
+        raise InputRefused("The functions cannot be integrated as they are.", integrated.findings)
+    return integrated
