@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from bench import browser, lint, rows, service
-from bench.rows import Bench, Row
+from bench.rows import Bench, Missing, Row
 
 ROWS = {**rows.ROWS, **lint.ROWS, **browser.ROWS}
 SERVICE = {"service"}
@@ -49,7 +49,10 @@ def _table(wanted: Sequence[str], runs: int) -> Iterator[str]:
     yield "|---|---|---|---|---|"
     for name in (name for name in wanted or ROWS if name not in SERVICE):
         with tempfile.TemporaryDirectory(prefix="sigcat-bench-") as folder:
-            yield _line(ROWS[name](Bench(Path(folder), max(runs, 1))))
+            try:
+                yield _line(ROWS[name](Bench(Path(folder), max(runs, 1))))
+            except Missing as missing:
+                print(f"sigcat: the row {name} is left out for want of {missing}", file=sys.stderr)
     if not wanted or SERVICE & set(wanted):
         yield from (_line(Row(*row)) for row in service.rows(runs))
     machine = f"Python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores"

@@ -38,6 +38,10 @@ class Bench(NamedTuple):
     runs: int
 
 
+class Missing(Exception):
+    """What a row needs is not on this machine; the message says how to get it."""
+
+
 def standard(bench: Bench) -> Row:
     """The standard tree, cold and in process."""
     figure, reference = interleaved([probe("compose", ROOT_FILE), probe("get_trees", ROOT_FILE)], bench.runs)

@@ -45,7 +45,7 @@ def shell_blocks() -> Iterator[tuple[str, str]]:
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
     """An environment in which the release that the documents name was pulled."""
     data = tmp_path_factory.mktemp("data")
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "app"), "XDG_DATA_HOME": str(data)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "app"), "SIGCAT_DATA": str(data)}
     archive = saved(tmp_path_factory.mktemp("archive"), tar_bytes())
     subprocess.run([*SIGCAT, "pull", "v5.0", "--from", str(archive)], env=environment, check=True, capture_output=True)
     return environment
@@ -70,7 +70,7 @@ def service(environment: Mapping[str, str]) -> Iterator[tuple[str, str]]:
 @pytest.mark.parametrize(("document", "block"), list(shell_blocks()), ids=lambda text: text.splitlines()[0])
 def test_the_commands_run(document, block, environment, service, tmp_path):
     if not shutil.which("curl"):
-        pytest.skip("curl is not here")
+        pytest.skip("curl: install it")
     for name in ("vspec", "overlays", "examples"):
         (tmp_path / name).symlink_to(ROOT / name)
     for name, text in {**FILES, "my_overlay.vspec": FILES["overlay.vspec"]}.items():

@@ -23,9 +23,9 @@ from tests.adapter.arxml_judge import (
     numbers,
     without_number,
 )
-from tests.integration.autosar_adaptive.sets import SHARED, at, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, examples, function, signal
+from tests.needs import published, published_files
 
-PUBLISHED_EXAMPLE = SHARED / "integration_model_AA_core_acc.json"
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
           "METHOD-ID": (1, 0x7FFF), "EVENT-GROUP-ID": (1, 0xFFFE)}  # fmt: skip
 
@@ -215,9 +215,9 @@ def test_a_policy_of_posix_is_in_the_startup_configuration():
 # -- Integration JSON from elsewhere ------------------------------------------------------------------------------
 
 
-@pytest.mark.skipif(not PUBLISHED_EXAMPLE.exists(), reason="the published example is not here")
+@published_files
 def test_the_published_example_becomes_arxml_with_ids_by_rule():
-    files = generate(read_integration(PUBLISHED_EXAMPLE.read_bytes(), "published.json"))
+    files = generate(read_integration(published("integration_model_AA_core_acc.json"), "published.json"))
     model = loaded(files)
     assert dangling(model) == []
     assert misplaced(model.root_element) == []

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import AsyncIterator
-from pathlib import Path
 
 import pytest
 
@@ -10,9 +9,9 @@ from sigcat.api.application import create_app
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.data import EXAMPLES
 from tests.api.conftest import Ask, asker
+from tests.needs import published, published_files
 
 DECLARATION = (EXAMPLES / "core_acc" / "function.yaml").read_bytes()
-PUBLISHED = Path(__file__).parents[3] / "shared" / "seeds" / "zf-artifacts"
 
 
 @pytest.fixture(scope="module")
@@ -52,10 +51,10 @@ def test_a_declaration_that_cannot_be_built_is_refused_with_every_finding(shippe
     assert {f["message"] for f in linted.json()["findings"]} >= {f["message"] for f in problem["findings"]}
 
 
-@pytest.mark.skipif(not PUBLISHED.is_dir(), reason="the published examples are not here")
+@published_files
 def test_the_published_function_json_is_accepted_with_warnings(shipped: Ask) -> None:
-    published = PUBLISHED / "function_model_core_acc.json"
-    report = shipped("/api/v1/functions/validate", "POST", content=published.read_bytes()).json()
+    content = published("function_model_core_acc.json")
+    report = shipped("/api/v1/functions/validate", "POST", content=content).json()
     assert report["ok"]
     assert report["counts"]["warning"]
 

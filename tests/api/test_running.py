@@ -198,7 +198,9 @@ def large(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
         yield service
 
 
-@pytest.mark.skipif(not Path("/proc/self/statm").is_file(), reason="memory is read from /proc")
+@pytest.mark.skipif(
+    not Path("/proc/self/statm").is_file(), reason="Linux, where the memory of a process is read from /proc"
+)
 @pytest.mark.parametrize(
     ("path", "accepted"),
     [("export/json", "*/*"), ("nodes?fields=path,datatype,description", "text/csv"), ("nodes?q=number", "text/csv")],

@@ -7,9 +7,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-OFFICIAL = Path(__file__).parents[3] / "shared" / "vss"
-"""Official releases, where a checkout of them stands beside the project."""
-
 
 class Job(NamedTuple):
     """One run of `vspec export`, without its -o."""

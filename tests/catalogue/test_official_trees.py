@@ -8,10 +8,11 @@ import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.cli import main
-from tests.catalogue.judging import OFFICIAL, Job, verdicts
+from tests.catalogue.judging import Job, verdicts
+from tests.needs import OFFICIAL, official_releases
 
 pytestmark = [
-    pytest.mark.skipif(not OFFICIAL.is_dir(), reason=f"no official releases in {OFFICIAL}"),
+    official_releases,
     pytest.mark.xdist_group("judge of official trees"),
 ]
 

@@ -10,10 +10,10 @@ import yaml
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data
 from sigcat.data import ROOT_FILE, VSPEC
-from tests.catalogue.judging import OFFICIAL, Job, verdicts
+from tests.catalogue.judging import Job, verdicts
+from tests.needs import OFFICIAL, official_releases
 
 TEXTS = ("description", "comment")
-needs_official = pytest.mark.skipif(not OFFICIAL.is_dir(), reason=f"no official releases in {OFFICIAL}")
 
 
 @cache
@@ -66,14 +66,14 @@ def test_it_has_so_many_leaves_in_each_domain():
 
 
 @pytest.mark.parametrize("expanded", [True, False])
-@needs_official
+@official_releases
 def test_every_fact_is_that_of_the_official_release(expanded):
     official = read_catalogue(OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec", expanded=expanded)
     assert facts(tree_data(shipped(expanded=expanded))) == facts(tree_data(official))
     assert list(shipped(expanded=expanded).nodes) == list(official.nodes)
 
 
-@needs_official
+@official_releases
 @pytest.mark.parametrize("file", ["units.yaml", "quantities.yaml"])
 def test_every_unit_and_quantity_is_that_of_the_official_release(file):
     def entries(folder):
@@ -89,7 +89,7 @@ def test_every_unit_and_quantity_is_that_of_the_official_release(file):
     assert entries(VSPEC) == official
 
 
-@needs_official
+@official_releases
 def test_the_static_ids_are_those_of_the_official_release():
     spec = OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec"
     ids = verdicts(

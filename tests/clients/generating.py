@@ -69,7 +69,7 @@ def node_tools() -> Path:
     """A folder with the packages of package-lock.json, installed once. Raises NoNode."""
     node, npm = shutil.which("node"), shutil.which("npm")
     if node is None or npm is None:
-        raise NoNode("there is no Node here")
+        raise NoNode("Node: install it with npm")
     lock = (CASES / "package-lock.json").read_bytes()
     mark = NODE_FOLDER / "installed-lock.json"
     if not mark.is_file() or mark.read_bytes() != lock:
@@ -79,7 +79,7 @@ def node_tools() -> Path:
         quiet = ["--no-audit", "--no-fund", "--ignore-scripts"]
         result = subprocess.run([npm, "ci", *quiet], cwd=NODE_FOLDER, capture_output=True, check=False, timeout=180)
         if result.returncode:
-            raise NoNode("npm could not install the packages of tests/clients/cases/package-lock.json")
+            raise NoNode("the packages of tests/clients/cases/package-lock.json: npm could not install them")
         mark.write_bytes(lock)
     return NODE_FOLDER
 

@@ -14,8 +14,7 @@ from sigcat.errors import InputRefused
 from sigcat.function.build.build import build_function, check_function
 from sigcat.function.function_json.model import function_schema, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
-
-PUBLISHED_SCHEMA = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_json_schema.json"
+from tests.published.schemas import schema
 
 CORE_ACC = {
     # name: datatype, min, max, default, start value: the figures of the published CoreAcc, in correct datatypes
@@ -80,11 +79,9 @@ def test_every_example_validates_under_our_schema(path):
     jsonschema.Draft202012Validator(function_schema()).validate(built(path))
 
 
-@pytest.mark.skipif(not PUBLISHED_SCHEMA.exists(), reason="the published schema is not here")
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_every_example_validates_under_the_published_schema(path):
-    schema = json.loads(PUBLISHED_SCHEMA.read_text(encoding="utf-8"))
-    jsonschema.Draft202012Validator(schema).validate(built(path))
+    jsonschema.Draft202012Validator(schema("function_json")).validate(built(path))
 
 
 @pytest.mark.parametrize(

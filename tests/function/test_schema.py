@@ -1,7 +1,6 @@
 """Our Function JSON is a superset of the published schema: what is valid there is accepted, and nothing more required."""
 
 import json
-from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -10,8 +9,9 @@ import pytest
 from sigcat.function.function_json import model
 from sigcat.function.function_json.model import FunctionJson, function_schema, to_json
 from sigcat.function.function_json.wire import WireModel
+from tests.published.schemas import definitions, schema
 
-PUBLISHED = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_json_schema.json"
+PUBLISHED = definitions("function_json")
 MODELS: dict[str, type[WireModel]] = {
     "ArgTypeItem": model.Argument, "Component": model.Component, "DataQ": model.DataQueue, "Datatype": model.Datatype,
     "Error": model.Error, "FunctionDetails": model.FunctionInfo, "MetaInfoItem": model.MetaInfo, "Method": model.Method,
@@ -19,25 +19,6 @@ MODELS: dict[str, type[WireModel]] = {
     "WatchdogConfig": model.WatchdogLimits, "WatchdogItem": model.Watchdog, "funcContract": model.Contract,
     "function": model.Runnable,
 }  # fmt: skip
-REQUIRED = {
-    "ArgTypeItem": "Name Datatype Units",
-    "Component": "Name functionList",
-    "DataQ": "Name Description Role AsilInfo QueueLength Datatype Factor Offset InitValue Units",
-    "Datatype": "typeRef category cDef",
-    "Error": "Name Description Datatype Dependancy OccurenceCountLimit IgnitionCountLimit MaturationTime Severity",
-    "FunctionDetails": "FunctionName FunctionResponsible Description",
-    "MetaInfoItem": "",
-    "Method": "Name Description Role InDataTypeList OutDataTypeList",
-    "Mode": "Name Description RunnablesList",
-    "Parameter": "Name Description Datatype Asillevel Min Max Default InitValue RangeErrorAction Interfacetype "
-    "Attribute Units",
-    "SafetyReaction": "Name Description Datatype ErrorList",
-    "Signal": "Name Description Role Datatype",
-    "WatchdogConfig": "Min Max Ref ErrorName",
-    "WatchdogItem": "AliveSupervision DeadlineSupervision LogicalSupervision",
-    "funcContract": "SignalList DataQList MethodList ParameterList ErrorList SafetyReactionList",
-    "function": "Name Description Runtype Watchdog Scheduling Priority",
-}
 
 
 def wire_names(one: type[WireModel], *, required: bool) -> set[str]:
@@ -46,7 +27,7 @@ def wire_names(one: type[WireModel], *, required: bool) -> set[str]:
 
 @pytest.mark.parametrize("name", MODELS)
 def test_exactly_the_published_fields_are_required(name):
-    assert wire_names(MODELS[name], required=True) == set(REQUIRED[name].split())
+    assert wire_names(MODELS[name], required=True) == {n for n, field in PUBLISHED[name].items() if field.is_required}
 
 
 def test_every_field_says_what_it_is_and_where_it_comes_from():
@@ -79,51 +60,43 @@ def test_the_schema_is_a_valid_one():
     assert function_schema()["$schema"] == "https://json-schema.org/draft/2020-12/schema"
 
 
-# -- against the published schema itself --------------------------------------------------------------------------
+# -- against the published schema ---------------------------------------------------------------------------------
 
 
-def sample(schema: Any, root: Any, *, null: bool) -> Any:
-    """A document that the schema allows: every property given, what may be null either null or not."""
-    if "$ref" in schema:
-        return sample(root["$defs"][schema["$ref"].rpartition("/")[2]], root, null=null)
-    if "anyOf" in schema:
-        may_be_null = {"type": "null"} in schema["anyOf"]
-        return None if null and may_be_null else sample(schema["anyOf"][0], root, null=null)
-    kind = schema["type"]
-    if kind == "object":
-        return {name: sample(part, root, null=null) for name, part in schema["properties"].items()}
-    if kind == "array":
-        return [sample(schema["items"], root, null=null)] * 2
-    patterns = {"DT_": "DT_UInt8", r"\d{2}": "12.09.2025", r"\d+": "1.0.0"}
-    text = next((value for start, value in patterns.items() if start in schema.get("pattern", "")), "text")
-    return {"string": text, "number": 1.5, "integer": 7, "boolean": True}[kind]
+def sample(kind: str, *, null: bool) -> Any:
+    """A value of a kind of the published schema: every field given, what may be null either null or not."""
+    first, _, others = kind.partition(" or ")
+    if null and "null" in others:
+        return None
+    if first.startswith("list of "):
+        return [sample(first.removeprefix("list of "), null=null)] * 2
+    if first in PUBLISHED:
+        return {name: sample(field.kind, null=null) for name, field in PUBLISHED[first].items()}
+    return SAMPLES[first]
 
 
-@pytest.fixture(scope="module")
-def published():
-    if not PUBLISHED.exists():
-        pytest.skip("the published schema is not here")
-    return json.loads(PUBLISHED.read_text(encoding="utf-8"))
+SAMPLES = {
+    "text": "text", "number": 1.5, "integer": 7, "boolean": True, "datatype name": "DT_UInt8", "date": "12.09.2025",
+    "version": "1.0.0",
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("null", [True, False])
-def test_what_is_valid_under_the_published_schema_is_accepted_and_stays_valid(published, null):
-    document = sample(published, published, null=null)
-    jsonschema.validate(document, published)
+def test_what_is_valid_under_the_published_schema_is_accepted_and_stays_valid(null):
+    document = sample("document", null=null)
+    jsonschema.validate(document, schema("function_json"))
     function = FunctionJson.model_validate(document, by_name=False)
     again = json.loads(to_json(function))
-    jsonschema.validate(again, published)
+    jsonschema.validate(again, schema("function_json"))
     if not null:
         assert again == document
 
 
 @pytest.mark.parametrize("name", MODELS)
-def test_every_published_field_is_known(published, name):
-    fields = published["$defs"][name]
-    assert set(fields["properties"]) <= wire_names(MODELS[name], required=False)
-    assert set(fields.get("required", ())) == wire_names(MODELS[name], required=True)
+def test_every_published_field_is_known(name):
+    assert set(PUBLISHED[name]) <= wire_names(MODELS[name], required=False)
 
 
-def test_every_published_definition_has_a_model(published):
-    assert set(published["$defs"]) == set(MODELS)
-    assert set(published["required"]) == wire_names(FunctionJson, required=True)
+def test_every_published_definition_has_a_model():
+    assert PUBLISHED.keys() - {"document"} == set(MODELS)
+    assert set(PUBLISHED["document"]) == wire_names(FunctionJson, required=True)

@@ -2,7 +2,6 @@
 
 import json
 from collections import Counter
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,8 +10,9 @@ from sigcat.function.build.build import build_function, check_function
 from sigcat.function.checks.validate import read_function_json, validate_function_json
 from sigcat.function.function_json.model import milliseconds, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
+from tests.needs import published, published_files
 
-PUBLISHED = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/function_model_core_acc.json"
+PUBLISHED = "function_model_core_acc.json"
 CALL = {
     "Name": "Acc_Step", "Description": "Controls the speed.", "Runtype": "Cyclic", "Cycletime": 50, "AsilLevel": "QM",
     "Watchdog": None, "Scheduling": "Preemptive", "Priority": "1",
@@ -54,58 +54,68 @@ def test_what_sigcat_writes_is_read_back_to_the_same_bytes(path):
 # -- the published example ----------------------------------------------------------------------------------------
 
 
-@pytest.mark.skipif(not PUBLISHED.exists(), reason="the published example is not here")
-class TestThePublishedCoreAcc:
-    findings = validate_function_json(PUBLISHED.read_bytes(), "core.json", interfaces()) if PUBLISHED.exists() else ()
+@pytest.fixture(scope="module")
+def findings():
+    return validate_function_json(published(PUBLISHED), "core.json", interfaces())
 
-    def at(self, pointer: str) -> list[tuple[str, str, int]]:
-        return [(f.rule, f.severity, f.line) for f in self.findings if f.pointer == pointer and f.severity != "info"]
 
-    def test_it_is_accepted(self):
-        assert {finding.severity for finding in self.findings} == {"warning", "info"}
+@published_files
+def test_the_published_example_is_accepted(findings):
+    assert {finding.severity for finding in findings} == {"warning", "info"}
 
-    def test_each_finding_has_line_column_and_pointer(self):
-        assert all(finding.line and finding.column and finding.pointer for finding in self.findings)
 
-    def test_its_departures_are_found(self):
-        assert Counter(finding.rule for finding in self.findings) == {
-            "F034": 1,  # CoreACC_Init is meant to be CoreAcc_Init
-            "F081": 1,  # Unsigned double
-            "F082": 1,  # DT_SInt64 is a double
-            "F083": 2,  # two datatypes that nothing uses
-            "F090": 3,  # no ASIL on any call
-            "F091": 7,  # qm
-            "F092": 3,  # priorities in words
-            "F093": 2,  # no unit on the brake pressure and the mass
-            "F094": 2,  # rad, enum
-            "F095": 7,  # no VSS path
-            "F096": 11,  # descriptions that are no sentences
-            "F099": 1,  # a person
-        }
+@published_files
+def test_each_of_its_findings_has_line_column_and_pointer(findings):
+    assert all(finding.line and finding.column and finding.pointer for finding in findings)
 
-    @pytest.mark.parametrize(
-        ("pointer", "expected"),
-        [
-            ("/Datatypes/3/cDef", ("F081", "warning", 222)),
-            ("/Datatypes/2/cDef", ("F082", "warning", 217)),
-            ("/ComponentList/0/functionList/0/AsilLevel", ("F090", "warning", 27)),
-            ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/0/Units", ("F093", "warning", 68)),
-            ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/4/Units", ("F094", "warning", 136)),
-        ],
-    )
-    def test_they_are_found_where_they_stand(self, pointer, expected):
-        assert self.at(pointer) == [expected]
 
-    def test_without_a_catalogue_it_is_judged_by_itself(self):
-        alone = validate_function_json(PUBLISHED.read_bytes(), "core.json")
-        assert {f.rule for f in alone} == {f.rule for f in self.findings}
-        assert not any("Vehicle." in f.message for f in alone)
+@published_files
+def test_its_departures_are_found(findings):
+    assert Counter(finding.rule for finding in findings) == {
+        "F034": 1,  # CoreACC_Init is meant to be CoreAcc_Init
+        "F081": 1,  # Unsigned double
+        "F082": 1,  # DT_SInt64 is a double
+        "F083": 2,  # two datatypes that nothing uses
+        "F090": 3,  # no ASIL on any call
+        "F091": 7,  # qm
+        "F092": 3,  # priorities in words
+        "F093": 2,  # no unit on the brake pressure and the mass
+        "F094": 2,  # rad, enum
+        "F095": 7,  # no VSS path
+        "F096": 11,  # descriptions that are no sentences
+        "F099": 1,  # a person
+    }
 
-    def test_it_keeps_its_content_when_written_again(self):
-        function = read_function_json(PUBLISHED.read_bytes(), "core.json").function
-        assert function is not None
-        original, again = json.loads(PUBLISHED.read_bytes()), json.loads(to_json(function))
-        assert _without_null(again) == _without_null(original)
+
+@published_files
+@pytest.mark.parametrize(
+    ("pointer", "expected"),
+    [
+        ("/Datatypes/3/cDef", ("F081", "warning", 222)),
+        ("/Datatypes/2/cDef", ("F082", "warning", 217)),
+        ("/ComponentList/0/functionList/0/AsilLevel", ("F090", "warning", 27)),
+        ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/0/Units", ("F093", "warning", 68)),
+        ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/4/Units", ("F094", "warning", 136)),
+    ],
+)
+def test_they_are_found_where_they_stand(findings, pointer, expected):
+    there = [f for f in findings if f.pointer == pointer and f.severity != "info"]
+    assert [(f.rule, f.severity, f.line) for f in there] == [expected]
+
+
+@published_files
+def test_without_a_catalogue_it_is_judged_by_itself(findings):
+    alone = validate_function_json(published(PUBLISHED), "core.json")
+    assert {f.rule for f in alone} == {f.rule for f in findings}
+    assert not any("Vehicle." in f.message for f in alone)
+
+
+@published_files
+def test_it_keeps_its_content_when_written_again():
+    function = read_function_json(published(PUBLISHED), "core.json").function
+    assert function is not None
+    original, again = json.loads(published(PUBLISHED)), json.loads(to_json(function))
+    assert _without_null(again) == _without_null(original)
 
 
 def _without_null(value: Any) -> Any:

@@ -1,15 +1,11 @@
 """One table says what a datatype is called everywhere."""
 
-import json
-
 import pytest
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.function_json.datatypes import PRIMITIVES
 from sigcat.integration.datatypes import BY_VSS, SPELLINGS, of_reference
-from tests.integration.autosar_adaptive.sets import SHARED
-
-SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"
+from tests.published.schemas import WORDS
 
 
 def test_every_primitive_of_vss_has_a_row():
@@ -22,10 +18,8 @@ def test_no_two_rows_are_called_the_same(column):
     assert len(set(names)) == len(names)
 
 
-@pytest.mark.skipif(not SCHEMA.exists(), reason="the published schema is not here")
 def test_the_words_are_those_of_the_published_schema():
-    words = json.loads(SCHEMA.read_text(encoding="utf-8"))["$defs"]["NumericalDatatypes"]["enum"]
-    assert {row.adaptive for row in SPELLINGS} - {"string"} == {*words} - {"float32"}
+    assert {row.adaptive for row in SPELLINGS} - {"string"} == {*WORDS["numeric type"]["enum"]} - {"float32"}
 
 
 @pytest.mark.parametrize(

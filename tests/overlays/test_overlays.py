@@ -14,6 +14,7 @@ from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from tests.function.shipped import interfaces
+from tests.needs import published, published_files
 
 NAMES = ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
 UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
@@ -22,7 +23,6 @@ EXTENDED = (
     "runType", "cycleTime", "executionOffset", "priority", "scheduling", "debounceTime", "previousRunnable",
     "supervisionType", "aliveSupervision", "deadlineSupervision", "logicalSupervision", "stackSize",
 )  # fmt: skip
-PUBLISHED = Path(__file__).parents[3] / "shared/seeds/zf-artifacts/example_adas_application.vspec"
 
 ECOCONTROL = [
     ("Vehicle.Chassis.Brake.CylP", {"datatype": "double", "unit": "bar", "min": -30, "max": 276.9, "resolution": 0.3}),
@@ -96,15 +96,15 @@ def test_the_standard_node_keeps_its_own_description():
     assert node.definition.origin("ASILlevel").overlay.endswith("ecocontrol.vspec")
 
 
-@pytest.mark.skipif(not PUBLISHED.exists(), reason="the published example is not here")
+@published_files
 def test_ecocontrol_agrees_with_the_published_example_where_that_is_right():
     """It bounds a boolean, and allows `unknown` and lower-case values: these are mended."""
-    published = yaml.safe_load(PUBLISHED.read_text(encoding="utf-8"))
+    theirs = yaml.safe_load(published("example_adas_application.vspec"))
     mended = {
         "Vehicle.ADAS.EcoControl.IsEnabled": {"min", "max"},
         "Vehicle.ADAS.Map.DFS.MapDataSpdUnitTyp": {"allowed"},
     }
-    for path, facts in published.items():
+    for path, facts in theirs.items():
         values = interfaces().nodes[path].values
         for name in set(facts) - {"description"} - mended.get(path, set()):
             assert values.get(name) == facts[name], (path, name)

@@ -25,6 +25,7 @@ from sigcat.rules.linting.selection import rules_for
 from sigcat.rules.record import load_rules, parse_rules
 from sigcat.rules.report import FORMATS, report, sources_of
 from sigcat.rules.rule_set import RuleSet
+from tests.needs import OFFICIAL, RELEASES, official_releases
 
 TREE = """\
 Vehicle:
@@ -43,7 +44,6 @@ Cabin.Noise:
   description: noise in the cabin
 """
 EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
-OFFICIAL = [Path(f"../shared/vss/{version}/spec/VehicleSignalSpecification.vspec") for version in ("v5.0", "v6.0")]
 
 
 @pytest.fixture
@@ -447,11 +447,10 @@ def test_a_format_that_does_not_exist_is_refused():
 # -- real trees ----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("root", OFFICIAL, ids=lambda path: path.parts[3])
-def test_official_releases_have_no_errors(root):
-    if not root.is_file():
-        pytest.skip("the official trees are not here")
-    assert [f.line_of_text for f in lint_paths([root.parent]).findings if f.severity == "error"] == []
+@official_releases
+@pytest.mark.parametrize("release", RELEASES)
+def test_official_releases_have_no_errors(release):
+    assert [f.line_of_text for f in lint_paths([OFFICIAL / release / "spec"]).findings if f.severity == "error"] == []
 
 
 def test_the_shipped_tree_has_no_errors():

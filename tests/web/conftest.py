@@ -74,7 +74,7 @@ def _browser() -> Iterator[Browser]:
         try:
             browser = playwright.chromium.launch(executable_path=installed, args=["--no-sandbox"])
         except Error:
-            pytest.skip("no Chromium: install one (apt-get install chromium, or playwright install chromium)")
+            pytest.skip("Chromium: install one (Debian: apt install chromium), or name it in SIGCAT_BROWSER")
         yield browser
         browser.close()
 

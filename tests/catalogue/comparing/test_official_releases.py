@@ -10,9 +10,9 @@ from sigcat.catalogue.comparing.changes import Change
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.comparing.sides import read_side
 from sigcat.errors import NotFound
-from tests.catalogue.judging import OFFICIAL
+from tests.needs import OFFICIAL, official_releases
 
-pytestmark = pytest.mark.skipif(not OFFICIAL.is_dir(), reason=f"no official releases in {OFFICIAL}")
+pytestmark = official_releases
 
 
 def no_release(name):

@@ -20,8 +20,8 @@ from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.errors import InputRefused, UsageError
 from sigcat.file_kind import ROOT_NAME
 from tests.catalogue.exporting.test_same_bytes import TREE
-from tests.catalogue.judging import OFFICIAL
 from tests.catalogue.trees import ROOT, catalogue_of
+from tests.needs import OFFICIAL, official_releases
 
 SPEED = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
 DOORS = (
@@ -187,7 +187,7 @@ def test_units_that_share_a_name_get_names_of_their_own(tmp_path):
     }
 
 
-@pytest.mark.skipif(not OFFICIAL.is_dir(), reason=f"no official releases in {OFFICIAL}")
+@official_releases
 @pytest.mark.parametrize("name", ["csv", "id", "vhal"])
 def test_the_release_that_vss_tools_refuses_is_exported(name):
     catalogue = read_catalogue(OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec")

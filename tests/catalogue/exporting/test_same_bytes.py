@@ -15,13 +15,12 @@ from sigcat.catalogue.exporting.vss_tools.formats import FORMATS
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
 from tests.catalogue.exporting.judging import judged
-from tests.catalogue.judging import OFFICIAL
+from tests.needs import OFFICIAL, official_releases
 
 TREE = Path(__file__).parent / "tree"
 V5 = OFFICIAL / "v5.0" / "spec" / "VehicleSignalSpecification.vspec"
 DOORS = OFFICIAL / "v5.0" / "overlays" / "extensions" / "dual_wiper_systems.vspec"
 NEEDS = {"avro": ["types"]}
-needs_official = pytest.mark.skipif(not V5.is_file(), reason=f"no official releases in {OFFICIAL}")
 
 
 class Case(NamedTuple):
@@ -123,7 +122,7 @@ def test_the_shipped_tree(name, tmp_path):
     assert {file.name: file.data for file in export(shipped(), name)} == expected
 
 
-@needs_official
+@official_releases
 @pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW])
 def test_an_official_release_with_its_overlay(name, tmp_path):
     expected = judged(FORMATS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")

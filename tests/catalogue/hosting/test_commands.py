@@ -70,7 +70,7 @@ def test_the_bar_shows_what_has_come_of_the_whole():
     assert bar_text("v5.0", 1_500_000, None) == "v5.0  1.5 MB"
 
 
-@pytest.mark.skipif(os.name != "posix", reason="pseudo terminals are POSIX")
+@pytest.mark.skipif(os.name != "posix", reason="the pseudo terminals of POSIX")
 def test_a_terminal_gets_a_bar_and_keeps_a_clean_line(server, data):
     terminal, side = pty.openpty()
     code = (

@@ -25,7 +25,7 @@ from sigcat.catalogue.hosting.releases import pull, pulled_releases, releases_fo
 from tests.catalogue.hosting.archives import FILES, everything_in
 
 pytestmark = [
-    pytest.mark.skipif(os.name != "posix", reason="SIGKILL is POSIX"),
+    pytest.mark.skipif(os.name != "posix", reason="the SIGKILL of POSIX"),
     pytest.mark.xdist_group("killed"),
 ]
 TIMES = 50 if "SIGCAT_FUZZ" in os.environ else 5

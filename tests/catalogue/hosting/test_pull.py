@@ -27,7 +27,7 @@ from sigcat.catalogue.hosting.sources import release_source
 from sigcat.errors import InputRefused, NotFound, UsageError
 from tests.catalogue.hosting.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
 from tests.catalogue.hosting.server import GOOD
-from tests.catalogue.judging import OFFICIAL
+from tests.needs import OFFICIAL, official_releases
 
 DIGEST = hashlib.sha256(GOOD).hexdigest()
 IMPATIENT = PullLimits(fetch=FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0))
@@ -203,7 +203,7 @@ def killed(arguments: list[str], seconds: float, how: int = signal.SIGKILL) -> N
     process.wait()
 
 
-@pytest.mark.skipif(os.name != "posix", reason="processes are told apart from dead ones on POSIX only")
+@pytest.mark.skipif(os.name != "posix", reason="POSIX, where a dead process is told from a living one")
 @pytest.mark.parametrize("seconds", [0.15, 0.25, 0.3, 0.35, 0.4, 0.5])
 def test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up(server, data, seconds):
     killed(["v5.0", f"{server}/good"], seconds)
@@ -216,18 +216,18 @@ def test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up(serv
     assert sorted(path.name for path in releases_folder().iterdir()) == ["v5.0", "v6.0"]
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
+@pytest.mark.skipif(os.name != "posix", reason="the signals of POSIX")
 def test_a_pull_that_is_interrupted_cleans_up_by_itself(server, data):
     killed(["v5.0", f"{server}/slow"], 0.1, signal.SIGINT)
     assert list(releases_folder().iterdir()) == []
 
 
-@pytest.mark.skipif(not OFFICIAL.is_dir(), reason=f"no official releases in {OFFICIAL}")
+@official_releases
 @pytest.mark.parametrize(("name", "nodes"), [("v5.0", 1411), ("v6.0", 1607)])
 def test_official_releases_are_pulled_whole(tmp_path, data, name, nodes):
     archive = tmp_path / "release.tar.gz"
     subprocess.run(["tar", "-C", OFFICIAL, "-czf", archive, "--", name], check=True)
     release = pull(name, str(archive))
     assert release.nodes == nodes
-    official = [path.relative_to(OFFICIAL / name) for path in (OFFICIAL / name).rglob("*") if path.is_file()]
-    assert sorted([*map(str, official), "release.json"]) == everything_in(release.folder)
+    official = {str(path.relative_to(OFFICIAL / name)) for path in (OFFICIAL / name).rglob("*") if path.is_file()}
+    assert everything_in(release.folder) == sorted({*official, "release.json"})

@@ -1,15 +1,12 @@
 """Functions to integrate: the shipped examples, and small ones that are written for a case."""
 
 from functools import cache
-from pathlib import Path
 
 from sigcat.function.build.build import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive import derive as deriving
 from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT
 from tests.function.shipped import FUNCTIONS, interfaces
-
-SHARED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"
 
 
 @cache

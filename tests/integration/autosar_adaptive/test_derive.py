@@ -22,9 +22,8 @@ from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARA
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
 from sigcat.integration.deployment_file import DEPLOYMENT_FILE, read_deployment
 from sigcat.integration.report import NOT_CARRIED, to_markdown
-from tests.integration.autosar_adaptive.sets import SHARED, at, derive, example, examples, function, signal
-
-PUBLISHED_SCHEMA = SHARED / "integration_schema_adaptive_autosar.json"
+from tests.integration.autosar_adaptive.sets import at, derive, example, examples, function, signal
+from tests.published.schemas import schema
 
 
 def deployed(**settings):
@@ -67,12 +66,10 @@ def test_the_document_validates_under_our_schema():
     jsonschema.Draft202012Validator(integration_schema()).validate(document)
 
 
-@pytest.mark.skipif(not PUBLISHED_SCHEMA.exists(), reason="the published schema is not here")
 @pytest.mark.parametrize("name", ["CoreAcc", "EcoControlMpc", "WheelSpeedCalculation", "all"])
 def test_the_document_validates_under_the_published_schema(name):
     document = json.loads(to_json(derive(examples() if name == "all" else [example(name)]).model))
-    validator = jsonschema.Draft202012Validator(json.loads(PUBLISHED_SCHEMA.read_text(encoding="utf-8")))
-    validator.validate(document)
+    jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(document)
 
 
 def test_the_order_of_the_functions_does_not_matter():
@@ -233,9 +230,7 @@ def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
     assert model.datatypes is not None
     entry = model.datatypes[0]
     assert (entry.kind, entry.dimension, entry.element) == ("array", "dynamic", "string")
-    if PUBLISHED_SCHEMA.exists():
-        schema = json.loads(PUBLISHED_SCHEMA.read_text(encoding="utf-8"))
-        jsonschema.Draft202012Validator(schema).validate(json.loads(to_json(model)))
+    jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(json.loads(to_json(model)))
 
 
 # -- ids ----------------------------------------------------------------------------------------------------------

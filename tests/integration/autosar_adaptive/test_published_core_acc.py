@@ -6,18 +6,17 @@ Each line below is one difference, with its reason. What does not stand there is
 import json
 from pathlib import Path
 
-import pytest
-
 from sigcat.function.checks.validate import read_function_json
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
-from tests.integration.autosar_adaptive.sets import SHARED, derive
+from tests.integration.autosar_adaptive.sets import derive
+from tests.needs import published, published_files
 
-FUNCTION = SHARED / "function_model_core_acc.json"
-BY_HAND = SHARED / "integration_model_AA_core_acc.json"
+FUNCTION = "function_model_core_acc.json"
+BY_HAND = "integration_model_AA_core_acc.json"
 DEPLOYMENT = Path(__file__).parent / "published_core_acc" / "deployment.yaml"
 
-pytestmark = pytest.mark.skipif(not FUNCTION.exists(), reason="the published example is not here")
+pytestmark = published_files
 
 ABSENT = "-"
 CARRIED = "The published schema has no field for it; the Function JSON says it, and it is carried on."
@@ -63,7 +62,7 @@ DIFFERENCES = (
 
 
 def document(deployment=None):
-    function = read_function_json(FUNCTION.read_bytes(), FUNCTION.name).function
+    function = read_function_json(published(FUNCTION), FUNCTION).function
     assert function is not None
     return json.loads(to_json(derive([function], deployment or read_deployment(DEPLOYMENT.read_bytes(), "d")).model))
 
@@ -96,7 +95,7 @@ def lines(integration):
 
 
 def test_side_by_side():
-    by_hand, derived = lines(json.loads(BY_HAND.read_text(encoding="utf-8"))), lines(document())
+    by_hand, derived = lines(json.loads(published(BY_HAND))), lines(document())
     different = {
         place: (by_hand.get(place, ABSENT), derived.get(place, ABSENT))
         for place in {*by_hand, *derived}
@@ -106,18 +105,18 @@ def test_side_by_side():
 
 
 def test_nothing_that_the_authors_wrote_is_missing():
-    by_hand, derived = lines(json.loads(BY_HAND.read_text(encoding="utf-8"))), lines(document())
+    by_hand, derived = lines(json.loads(published(BY_HAND))), lines(document())
     assert set(by_hand) <= set(derived)
 
 
 def test_what_the_authors_typed_by_hand_is_derived_but_for_what_the_deployment_says():
-    by_hand, derived = lines(json.loads(BY_HAND.read_text(encoding="utf-8"))), lines(document())
+    by_hand, derived = lines(json.loads(published(BY_HAND))), lines(document())
     same = [place for place in by_hand if place in derived and by_hand[place] == derived[place]]
     assert len(same) == len(by_hand) - 6
 
 
 def test_without_a_deployment_each_signal_without_a_path_is_told():
-    function = read_function_json(FUNCTION.read_bytes(), FUNCTION.name).function
+    function = read_function_json(published(FUNCTION), FUNCTION).function
     assert function is not None
     findings = derive([function], DEFAULT_DEPLOYMENT).findings
     assert [finding.rule for finding in findings] == ["A002"] * 6

@@ -4,7 +4,6 @@ Every place in which the two differ is listed with its reason; one that is not, 
 """
 
 import json
-from pathlib import Path
 
 import jsonschema
 import pytest
@@ -12,9 +11,8 @@ import pytest
 from sigcat.function.checks.validate import read_function_json
 from sigcat.integration.ros2.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
-
-PUBLISHED = Path(__file__).parents[4] / "shared/seeds/zf-artifacts"
-pytestmark = pytest.mark.skipif(not PUBLISHED.exists(), reason="the published files are not here")
+from tests.needs import published, published_files
+from tests.published.schemas import schema
 
 _META = "who made the document, and when: their two files differ, ours takes it from the Function JSON"
 _SIGNAL = "their integration file has lost what their Function JSON says of the signal; ours keeps it"
@@ -94,12 +92,12 @@ SIDE_BY_SIDE = {
 }
 
 
-def read(name):
-    return json.loads((PUBLISHED / name).read_text(encoding="utf-8"))
+def by_hand():
+    return json.loads(published("integration_model_ros2_core_acc.json"))
 
 
 def derived_from_theirs():
-    data = (PUBLISHED / "function_model_core_acc.json").read_bytes()
+    data = published("function_model_core_acc.json")
     return document([read_function_json(data, "core_acc.json").function], settings(topics="function"))
 
 
@@ -126,16 +124,21 @@ def differences(theirs, ours, at=""):
     return set() if theirs == ours else {at}
 
 
+@published_files
 def test_every_difference_from_their_file_is_explained():
-    assert differences(read("integration_model_ros2_core_acc.json"), derived_from_theirs()) == set(EXPLAINED)
+    assert differences(by_hand(), derived_from_theirs()) == set(EXPLAINED)
+
+
+@published_files
+@pytest.mark.parametrize("variable", SIDE_BY_SIDE)
+def test_their_mapping(variable):
+    written = rows(by_hand()).get(variable)
+    assert (written[:3] if written else None) == SIDE_BY_SIDE[variable][0]
 
 
 @pytest.mark.parametrize("variable", SIDE_BY_SIDE)
-def test_their_mapping_and_ours_side_by_side(variable):
-    theirs, ours = SIDE_BY_SIDE[variable]
-    written = rows(read("integration_model_ros2_core_acc.json")).get(variable)
-    assert (written[:3] if written else None) == theirs
-    assert rows(document([example("core_acc")])).get(variable) == ours
+def test_our_mapping(variable):
+    assert rows(document([example("core_acc")])).get(variable) == SIDE_BY_SIDE[variable][1]
 
 
 def test_none_of_their_field_names_would_pass_rosidl():
@@ -143,14 +146,14 @@ def test_none_of_their_field_names_would_pass_rosidl():
     assert not any(FIELD.fullmatch(name) for name in names)
 
 
+@published_files
 def test_their_own_file_is_read_by_our_model():
     from sigcat.integration.ros2.model import Ros2Integration
 
-    assert Ros2Integration.model_validate(read("integration_model_ros2_core_acc.json"), by_name=False)
+    assert Ros2Integration.model_validate(by_hand(), by_name=False)
 
 
 @pytest.mark.parametrize("name", ["core_acc", "eco_control_mpc", "wheel_speed_calculation"])
 @pytest.mark.parametrize("topics", ["signal", "branch", "function"])
 def test_what_is_derived_is_valid_under_their_schema(name, topics):
-    schema = read("integration_schema_ros2.json")
-    jsonschema.Draft202012Validator(schema).validate(document([example(name)], settings(topics=topics)))
+    jsonschema.Draft202012Validator(schema("ros2")).validate(document([example(name)], settings(topics=topics)))

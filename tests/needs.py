@@ -1,0 +1,33 @@
+"""What some tests need and not every machine has. Where it is missing they are skipped, and the run says at its end what was.
+
+VSS_RELEASES names a folder with official releases of VSS, each in a folder of its name, with `spec` and `overlays`. Without it,
+those that `sigcat pull` fetched are taken. ELIV_PRESENTATION names a checkout of what the authors of the method published.
+"""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from sigcat.catalogue.hosting.releases import releases_folder
+
+RELEASES = ("v5.0", "v6.0")
+OFFICIAL = Path(os.environ.get("VSS_RELEASES") or releases_folder()).resolve()
+"""Folder of the official releases, if they are there."""
+HAS_OFFICIAL = all((OFFICIAL / release / "spec").is_dir() for release in RELEASES)
+official_releases = pytest.mark.skipif(
+    not HAS_OFFICIAL,
+    reason="the official releases of VSS: `sigcat pull v5.0` and `sigcat pull v6.0`, or name a folder of both in VSS_RELEASES",
+)
+
+_PUBLISHED = os.environ.get("ELIV_PRESENTATION")
+_FILES = {path.name: path for path in Path(_PUBLISHED).rglob("*.*")} if _PUBLISHED else {}
+published_files = pytest.mark.skipif(
+    "function_model_core_acc.json" not in _FILES,
+    reason="the published example: clone github.com/ZF-Group/ELIV-presentation and name the folder in ELIV_PRESENTATION",
+)
+
+
+def published(name: str) -> bytes:
+    """A file that the authors of the method published, wherever it stands in their repository."""
+    return _FILES[name].read_bytes()
