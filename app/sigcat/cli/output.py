@@ -1,5 +1,6 @@
 """Write results: to standard output, or to a file that appears whole or not at all."""
 
+import errno
 import os
 import sys
 from contextlib import suppress
@@ -25,26 +26,58 @@ def discard_output() -> None:
 
 
 def write_bytes(data: bytes, output: Path | None) -> None:
-    """Write `data` to `output`, or to standard output. A file that stood there stays until the new one is complete."""
+    """Write `data` to `output`, or to standard output.
+
+    A regular file is replaced when the new one is complete, through links too; a device or a pipe is written to.
+    """
     if output is None or str(output) == "-":
         sys.stdout.flush()
         sys.stdout.buffer.write(data)
         return
     if output.is_dir():
         raise UsageError(f"{output}: is a folder")
-    if not output.parent.is_dir():
-        raise UsageError(f"{output.parent}: there is no such folder")
+    target = Path(os.path.realpath(output))
+    if output.exists() and not output.is_file():
+        _write_to(output, data)
+    elif not target.parent.is_dir():
+        raise UsageError(f"{target.parent}: there is no such folder")
+    else:
+        _replace(target, data)
+
+
+def _replace(target: Path, data: bytes) -> None:
     import tempfile
 
-    handle, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")
+    try:
+        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    except PermissionError:
+        if not target.exists():
+            raise
+        _write_to(target, data)  # a file that may be written, in a folder that may not
+        return
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
-        Path(temporary).chmod(output.stat().st_mode & 0o777 if output.exists() else 0o666 & ~_umask())
-        Path(temporary).replace(output)
+        Path(temporary).chmod(target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask())
+        _put_in_place(Path(temporary), target, data)
     except BaseException:
         Path(temporary).unlink(missing_ok=True)
         raise
+
+
+def _put_in_place(temporary: Path, target: Path, data: bytes) -> None:
+    try:
+        temporary.replace(target)
+    except OSError as error:
+        if error.errno != errno.EBUSY:  # a single file that is mounted into a container cannot be replaced
+            raise
+        _write_to(target, data)
+        temporary.unlink()
+
+
+def _write_to(output: Path, data: bytes) -> None:
+    with output.open("wb") as file:
+        file.write(data)
 
 
 def _umask() -> int:
