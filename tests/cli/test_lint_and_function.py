@@ -133,12 +133,35 @@ def test_a_function_with_errors_is_not_built(capsys):
 @pytest.mark.parametrize(
     ("arguments", "command"), [([], "  lint "), (["function"], "  validate"), (["generate"], "  arxml")]
 )
-def test_without_a_command_all_of_them_are_told(arguments, command, capsys):
+def test_without_a_command_all_of_them_are_listed(arguments, command, capsys):
+    assert main(arguments) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert command in printed.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "usage", "error"),
+    [
+        (["lnt"], "usage: sigcat ", "not 'lnt'. Did you mean 'lint'?"),
+        (["lint", "--formt", "json"], "usage: sigcat lint ", "unknown option --formt. Did you mean '--format'?"),
+        (["lint", "--formt=json"], "usage: sigcat lint ", "unknown option --formt. Did you mean '--format'?"),
+        (
+            ["export", "json", "--untis", "u"],
+            "usage: sigcat export json ",
+            "unknown option --untis. Did you mean '--units'?",
+        ),
+        (["search", "--type", "sensr", "x"], "usage: sigcat search ", "not 'sensr'. Did you mean 'sensor'?"),
+        (["rule", "V101", "more"], "usage: sigcat rule ", "unexpected argument 'more'"),
+    ],
+)
+def test_what_no_command_knows_is_refused_by_the_one_that_was_asked(arguments, usage, error, capsys):
     with pytest.raises(SystemExit) as ended:
         main(arguments)
-    told = capsys.readouterr()
-    assert (ended.value.code, told.out) == (2, "")
-    assert command in told.err
+    printed = capsys.readouterr()
+    assert (ended.value.code, printed.out) == (2, "")
+    assert printed.err.startswith(usage)
+    assert printed.err.endswith(f"{error}\n")
 
 
 def test_a_folder_is_no_function_file(folder, capsys):

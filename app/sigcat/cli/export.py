@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.exporting.vss_tools.formats import EXPAND, FORMATS, VHAL_MAP, Format, Option, options_of
+from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.output import write_bytes
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 _SHORT = {"extended-attributes": "-e", "aborts": "-a"}
 
 
-class _LateParser(argparse.ArgumentParser):
+class _LateParser(CommandParser):
     """A parser that gets its options when it is used: other commands need not wait for those of 18 formats."""
 
     fill: partial[None] | None = None
@@ -38,7 +39,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="write a tree in another format",
         description="Write a tree in another format, byte for byte as `vspec export` does, with overlays applied.",
     )
-    formats = parser.add_subparsers(title="formats", metavar="FORMAT", required=True, parser_class=_LateParser)
+    formats = parser.add_subparsers(title="formats", metavar="FORMAT", parser_class=_LateParser)
     for format_ in FORMATS.values():
         late = formats.add_parser(format_.name, help=format_.text, description=_description(format_))
         late.fill = partial(_fill, late, format_)

@@ -21,7 +21,7 @@ Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # no
 def add_parser(commands: Actions) -> None:
     """Add the command with its sub-commands."""
     parser = commands.add_parser("function", help="start, build and check functions")
-    actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
+    actions = parser.add_subparsers(title="actions", metavar="ACTION")
     _add_new(actions)
     _add_build(actions)
     _add_overlay(actions)

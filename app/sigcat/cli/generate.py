@@ -11,7 +11,7 @@ from sigcat.errors import UsageError
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command with a sub-command for each kind of file."""
     parser = commands.add_parser("generate", help="files for a platform, from Integration JSON")
-    kinds = parser.add_subparsers(title="kinds", metavar="KIND", required=True)
+    kinds = parser.add_subparsers(title="kinds", metavar="KIND")
     for generator in GENERATORS.values():
         one = kinds.add_parser(
             generator.name,

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command with a sub-command for each platform."""
     parser = commands.add_parser("integrate", help="Integration JSON of functions, for a platform")
-    platforms = parser.add_subparsers(title="platforms", metavar="PLATFORM", required=True)
+    platforms = parser.add_subparsers(title="platforms", metavar="PLATFORM")
     for platform in PLATFORMS.values():
         one = platforms.add_parser(
             platform.name,

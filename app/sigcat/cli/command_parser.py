@@ -1,0 +1,44 @@
+"""The parser of every command: it proposes what was probably meant, and lists the commands where one is missing."""
+
+import argparse
+import sys
+from typing import Any
+
+
+class CommandParser(argparse.ArgumentParser):
+    """A parser that says which option or choice is wrong, and which one is near to it."""
+
+    def add_subparsers(self, **named: Any) -> Any:
+        """Add the commands below this one. Without one of them, its help goes to standard error."""
+        self.set_defaults(run=self._run_without_command)
+        return super().add_subparsers(**named)
+
+    def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
+        """Parse what belongs to this parser, and refuse the rest: nobody else knows it."""
+        parsed, unknown = super().parse_known_args(*arguments, **named)
+        if unknown:
+            self._refuse(unknown[0].partition("=")[0])
+        return parsed, unknown
+
+    def _refuse(self, argument: str) -> None:
+        from sigcat.names import did_you_mean
+
+        if not argument.startswith("-"):
+            self.error(f"unexpected argument {argument!r}")
+        options = [option for action in self._actions for option in action.option_strings]
+        self.error(f"unknown option {argument}. {did_you_mean(argument, options)}".rstrip(". "))
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is None or value in action.choices:
+            return
+        from sigcat.names import did_you_mean
+
+        choices = [str(choice) for choice in action.choices]
+        meant = did_you_mean(str(value), choices)
+        raise argparse.ArgumentError(
+            action, f"must be one of {', '.join(choices)}, not {value!r}. {meant}".rstrip(". ")
+        )
+
+    def _run_without_command(self, _arguments: argparse.Namespace) -> int:
+        self.print_help(sys.stderr)
+        return 2
