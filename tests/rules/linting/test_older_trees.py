@@ -8,7 +8,7 @@ from sigcat.findings import Finding
 from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.options import LintOptions
 
-OLDER = Path(__file__).parents[1] / "catalogue" / "hosting" / "older"
+OLDER = Path(__file__).parents[2] / "catalogue" / "hosting" / "older"
 UNITS = "units:\n  furlong:\n    label: furlong\n    description: How far a plough goes.\n    domain: distance\n"
 TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 PART = "Way:\n  type: Sensor\n  datatype: float\n  unit: furlong\n  description: How far it went.\n"

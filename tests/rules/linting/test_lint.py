@@ -1,0 +1,197 @@
+"""What a user gets from linting files and folders: which findings, where, and what each kind of file is."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.errors import NotFound
+from sigcat.findings import Finding
+from sigcat.rules.linting.discovery import discover
+from sigcat.rules.linting.lint import lint_paths, lint_text
+from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.selection import rules_for
+from sigcat.rules.report import FORMATS, report, sources_of
+from sigcat.rules.rule_set import RuleSet
+from tests.needs import OFFICIAL, RELEASES, official_releases
+from tests.rules.linting.conftest import CABIN, TREE
+
+
+def overlay(folder: Path, name: str, text: str) -> Path:
+    path = folder / "overlays" / name
+    path.write_text(text)
+    return path
+
+
+def told(result: Any) -> list[tuple[str, int, int, str]]:
+    return [(Path(f.file).name, f.line, f.column, f.rule) for f in result.findings]
+
+
+def test_a_folder_is_linted_as_the_tree_that_stands_in_it(tree):
+    result = lint_paths([tree / "vspec"])
+    assert told(result) == [("Cabin.vspec", 8, 16, "V105"), ("Cabin.vspec", 8, 16, "V106")]
+    assert {Path(name).name for name in result.files} == {"VehicleSignalSpecification.vspec", "Cabin.vspec"}
+    assert result.findings[0].path == "Vehicle.Cabin.Noise"
+
+
+def test_a_part_that_is_named_alone_knows_its_place_in_the_tree(tree):
+    result = lint_paths([tree / "vspec" / "Cabin.vspec"])
+    assert told(result) == [("Cabin.vspec", 8, 16, "V105"), ("Cabin.vspec", 8, 16, "V106")]
+    assert result.findings[0].path == "Vehicle.Cabin.Noise"
+
+
+def test_a_file_that_is_included_from_several_folders_has_one_name(tree):
+    (tree / "vspec" / "include").mkdir()
+    (tree / "vspec" / "include" / "part.vspec").write_text("Part: {type: branch, description: a part.}\n")
+    (tree / "vspec" / "Body").mkdir()
+    (tree / "vspec" / "Body" / "Body.vspec").write_text(
+        "Body: {type: branch, description: Body.}\n#include ../include/part.vspec Body\n"
+    )
+    root = tree / "vspec" / "VehicleSignalSpecification.vspec"
+    root.write_text(TREE + "#include Body/Body.vspec Vehicle\n#include include/part.vspec Vehicle\n")
+    result = lint_paths([root], LintOptions(select=("V105",)))
+    assert {f.file for f in result.findings if f.rule == "V105"} == {str(root.parent / "include" / "part.vspec"), str(root.parent / "Cabin.vspec")}  # fmt: skip
+
+
+def test_a_part_is_linted_once_when_its_tree_is_named_too(tree):
+    both = [tree / "vspec" / "Cabin.vspec", tree / "vspec" / "VehicleSignalSpecification.vspec"]
+    assert len(lint_paths(both).findings) == 2
+
+
+def test_parts_that_include_each_other_are_all_linted(tree):
+    (tree / "vspec" / "Cabin.vspec").write_text(CABIN + "#include Seat.vspec Cabin\n")
+    (tree / "vspec" / "Seat.vspec").write_text("Seat: {type: branch, description: seats.}\n")
+    result = lint_paths([tree / "vspec" / "Cabin.vspec", tree / "vspec" / "Seat.vspec"])
+    assert ("Seat.vspec", 1, 35, "V105") in told(result)
+    assert [f.path for f in result.findings if "Seat" in f.file] == ["Vehicle.Cabin.Seat"]
+
+
+def test_an_overlay_is_checked_over_the_tree_beside_it_and_told_alone(tree):
+    path = overlay(tree, "more.vspec", "Vehicle.Cabin.Nois: {max: 5}\n")
+    result = lint_paths([path])
+    assert told(result) == [("more.vspec", 1, 1, "O101")]
+    assert "Did you mean 'Vehicle.Cabin.Noise'" in result.findings[0].fix
+
+
+@pytest.mark.parametrize("place", ["overlays/more.vspec", "more.vspec"])
+def test_a_tree_of_any_name_with_units_beside_it_is_the_one_that_overlays_are_made_for(tmp_path, place):
+    (tmp_path / "overlays").mkdir()
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "truck.vspec").write_text(TREE.replace("Cabin.vspec", "parts/Cabin.vspec"))
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "Cabin.vspec").write_text(CABIN)
+    unit = "{definition: Metre, unit: metre, quantity: length, allowed-datatypes: [numeric]}"
+    (tmp_path / "units.yaml").write_text(f"m: {unit}\n")
+    (tmp_path / "quantities.yaml").write_text("length: {definition: How long.}\n")
+    (tmp_path / place).write_text("Vehicle.Cabin.Nois: {max: 5}\n")
+    result = lint_paths([tmp_path / place])
+    assert told(result) == [("more.vspec", 1, 1, "O101")]
+    assert "Did you mean 'Vehicle.Cabin.Noise'" in result.findings[0].fix
+
+
+def test_an_overlay_without_a_tree_is_checked_over_the_shipped_one(tmp_path):
+    path = tmp_path / "mine.vspec"
+    path.write_text("Vehicle.Sped: {max: 5}\n")
+    result = lint_paths([path])
+    assert told(result) == [("mine.vspec", 1, 1, "O101")]
+    assert "Vehicle.Speed" in result.findings[0].fix
+
+
+def test_an_overlay_may_refer_to_what_the_one_beside_it_defines(tree):
+    branches = "".join(
+        f"{path}: {{type: branch, description: A branch.}}\n"
+        for path in ("Vehicle.Function", "Vehicle.Function.F", "Vehicle.Function.F.Error")
+    )
+    error = "Vehicle.Function.F.Error.{}: {{type: sensor, datatype: boolean, description: E., maturationTime: 1, \
+severity: S, resetTime: 1, resetCondition: R{}}}\n"
+    overlay(tree, "a.vspec", branches + error.format("One", ""))
+    second = overlay(tree, "b.vspec", error.format("Two", ", dependency: [F_One_ErrorSts]"))
+    assert lint_paths([second], LintOptions(ignore=("V118",))).findings == ()
+
+
+def test_an_overlay_may_write_below_an_instance(tree):
+    cabin = CABIN + 'Cabin.Seat: {type: branch, instances: ["Row[1,2]", [Left, Right]], description: Seats.}\n'
+    cabin += "Cabin.Seat.Heat: {type: sensor, datatype: float, description: Heat.}\n"
+    (tree / "vspec" / "Cabin.vspec").write_text(cabin)
+    text = "Vehicle.Cabin.Seat.Row1.Left.Heat: {type: sensor, datatype: float, max: 5, description: Heat.}\n"
+    assert lint_paths([overlay(tree, "more.vspec", text)]).findings == ()
+
+
+def test_a_path_that_does_not_exist_is_refused(tmp_path):
+    with pytest.raises(NotFound, match="does not exist"):
+        lint_paths([tmp_path / "nothing"])
+
+
+def test_files_that_are_no_vspec_files_are_passed_over_in_folders(tree):
+    (tree / "vspec" / "compose.yaml").write_text("services: {web: {image: nginx}}\n")
+    (tree / "vspec" / "package.json").write_text("{}\n")
+    kinds = {source.path.name: source.kind for source in discover([tree / "vspec"])}
+    assert kinds["compose.yaml"] == kinds["package.json"] == "other"
+
+
+def test_rule_files_and_function_files_are_known_by_their_content(tree):
+    (tree / "own.yaml").write_text("ACME001:\n  name: x\n  check: name\n")
+    (tree / "f.json").write_text('{"FunctionInfo": {}}')
+    kinds = {source.path.name: source.kind for source in discover([tree])}
+    assert (kinds["own.yaml"], kinds["f.json"]) == ("rules", "function")
+    assert "L010" in [f.rule for f in lint_paths([tree / "own.yaml"]).findings]
+
+
+def test_function_files_go_to_the_check_that_is_given(tree):
+    path = tree / "f.json"
+    path.write_text('{"FunctionInfo": {}}')
+    seen: list[tuple[Sequence[tuple[bytes, str]], bool]] = []
+
+    def check(files: Sequence[tuple[bytes, str]], is_whole: bool) -> list[Finding]:
+        seen.append((files, is_whole))
+        return []
+
+    lint_paths([path], LintOptions(check_functions=check))
+    lint_paths([tree], LintOptions(check_functions=check))
+    files = [(b'{"FunctionInfo": {}}', str(path))]
+    assert seen == [(files, False), (files, True)]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [b"", b"\xff\xfe", b"\x00" * 40, b"[" * 50_000, b"a: &a [*a]\n", b"- 1\n", b"? {}\n: 1\n", b"Vehicle: 5\n",
+     b"\t", b"%YAML 9\n---\n", b"Vehicle:\n  type: [branch]\n", b"Vehicle: {min: .nan, type: sensor}\n",
+     b"Vehicle.A: {type: branch, instances: 'Row[1,999999999999]'}\n", b"'#include': {type: branch}\n#include /\n",
+     b"Vehicle: {type: branch, description: [1], deprecation: 5, unit: [x], allowed: {a: b}, enum: [1]}\n",
+     b"Vehicle.Function.X.Scheduling.Step: {aliveSupervision: 5, supervisionType: {a: 1}, ASILlevel: [A]}\n",
+     b"Vehicle.Function.X.Error.E: {dependency: {a: [1]}, maturationTime: yes}\n"],
+)  # fmt: skip
+def test_whatever_the_bytes_are_there_are_findings_and_no_traceback(tmp_path, data):
+    path = tmp_path / "bad.vspec"
+    path.write_bytes(data)
+    result = lint_paths([path], LintOptions(extend_select=("P", "I", "V")))
+    assert result.findings
+    for form in FORMATS:
+        assert report(result.findings, form, sources_of(result.findings))
+
+
+def test_posted_text_gets_the_findings_of_an_overlay():
+    base = read_catalogue(ROOT_FILE)
+    findings = lint_text(b"Vehicle.Speed: {max: x}\n", "posted", base, RuleSet(rules_for(LintOptions())))
+    assert [(f.file, f.line, f.column, f.rule) for f in findings] == [("posted", 1, 22, "V004")]
+
+
+# -- real trees ----------------------------------------------------------------------------------------------------
+
+
+@official_releases
+@pytest.mark.parametrize("release", RELEASES)
+def test_official_releases_have_no_errors(release):
+    assert [f.line_of_text for f in lint_paths([OFFICIAL / release / "spec"]).findings if f.severity == "error"] == []
+
+
+def test_the_shipped_tree_has_no_errors():
+    assert [f.line_of_text for f in lint_paths([VSPEC]).findings if f.severity == "error"] == []
+
+
+@pytest.mark.parametrize("overlay", sorted(OVERLAYS.glob("*.vspec")), ids=lambda path: path.stem)
+def test_a_shipped_overlay_is_clean_by_itself_though_it_shares_a_file_with_the_others(overlay):
+    assert [f.line_of_text for f in lint_paths([overlay]).findings] == []

@@ -1,0 +1,81 @@
+"""What an overlay makes wrong in the tree below it."""
+
+import pytest
+
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.data import INTERFACE_RULES, VSPEC
+from sigcat.rules.linting.lint import lint_paths, lint_text
+from sigcat.rules.record import load_rules
+from sigcat.rules.rule_set import RuleSet
+
+EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
+
+
+BELOW = """\
+Vehicle: {type: branch, description: A vehicle.}
+Vehicle.A: {type: sensor, datatype: uint8, max: 200, default: 150, description: A thing.}
+Vehicle.Mode: {type: actuator, datatype: string, allowed: [HIGH, LOW], default: HIGH, description: A mode.}
+Vehicle.Row: {type: branch, instances: "Row[1,2]", description: Rows.}
+Vehicle.Row.X: {type: sensor, datatype: uint8, unit: km/h, description: A thing.}
+Vehicle.Row.Common: {type: sensor, datatype: uint8, instantiate: false, description: A thing.}
+"""
+
+
+@pytest.mark.parametrize(
+    ("overlay", "told"),
+    [
+        ("Vehicle.A: {comment: Less., max: 100}\n", ("V010", 1, 34)),
+        ("Vehicle.A: {min: 160}\n", ("V010", 1, 18)),
+        ("Vehicle.A: {datatype: string}\n", ("V009", 1, 23)),
+        ("Vehicle.Mode: {allowed: [LOW, HIGH]}\n", ("V121", 1, 25)),
+        ("Vehicle.Row.Row1.X: {max: 100000}\n", ("V008", 1, 27)),
+        ("Vehicle.Row.Row1.X: {unit: foo}\n", ("V006", 1, 28)),
+        ("Vehicle.Row.Row1: {type: sensor, datatype: uint8, description: A row.}\n", ("V019", 1, 26)),
+        ("Vehicle.Row.Row1.Common: {max: 3}\n", ("O101", 1, 1)),
+        ("Vehicle.Row: {instances: ['Row[1,2]', [L, R]]}\nVehicle.Row.Row1.X: {max: 3}\n", ("O101", 2, 1)),
+        ("Vehicle.Gone: {delete: true}\n", ("V001", 1, 1)),
+        ("Vehicle.Row: {instances: ['A[1,1000]', 'B[1,1000]']}\n", ("V025", 1, 26)),
+        ("Vehicle.B: {type: sensor, datatype: flaot, unit: foo, description: Two slips.}\n", ("V006", 1, 50)),
+    ],
+)
+def test_what_an_overlay_makes_wrong_is_told_where_it_says_so(tmp_path, overlay, told):
+    (tmp_path / "vspec").mkdir()
+    (tmp_path / "overlays").mkdir()
+    tree, file = tmp_path / "vspec" / "VehicleSignalSpecification.vspec", tmp_path / "overlays" / "own.vspec"
+    tree.write_text(BELOW)
+    file.write_text(overlay)
+    (tree.parent / "units.yaml").write_bytes((VSPEC / "units.yaml").read_bytes())
+    (tree.parent / "quantities.yaml").write_bytes((VSPEC / "quantities.yaml").read_bytes())
+    alone = {(f.rule, f.line, f.column) for f in lint_paths([file]).findings}
+    posted = lint_text(overlay.encode(), "posted", read_catalogue(tree), EVERY_RULE)
+    assert told in alone
+    assert told in {(f.rule, f.line, f.column) for f in posted}
+    assert [f for f in lint_paths([tree]).findings if f.rule == told[0]] == []
+
+
+def test_what_an_overlay_includes_is_a_part_of_it_wherever_it_stands(tmp_path):
+    overlays = tmp_path / "overlays"
+    (overlays / "inc").mkdir(parents=True)
+    (overlays / "a.vspec").write_text(
+        "Vehicle.Acme: {type: branch, description: Ours.}\n#include inc/shared.vspec Vehicle.Acme\n"
+    )
+    (overlays / "b.vspec").write_text("Vehicle.Other: {type: branch, description: Others.}\n")
+    shared = overlays / "inc" / "shared.vspec"
+    shared.write_text(
+        "sig: {type: sensor, datatype: uint8, description: A signal.}\n*: {comment: Ours.}\n".replace("*", "'*'")
+    )
+    assert {f.rule for f in lint_paths([shared]).findings} == {"V101"}
+    for path in (shared, overlays / "b.vspec", overlays / "inc" / ".." / "b.vspec"):
+        assert [f.rule for f in lint_paths([path]).findings if f.severity == "error"] == []
+
+
+def test_a_folder_above_the_repository_makes_no_overlay_of_a_tree(tmp_path):
+    folder = tmp_path / "overlays" / "checkout"
+    (folder / "vspec").mkdir(parents=True)
+    (folder / ".git").mkdir()
+    (folder / "vspec" / "VehicleSignalSpecification.vspec").write_text(
+        "Vehicle: {type: branch, description: A vehicle.}\n#include Body.vspec Vehicle.Body\n"
+    )
+    body = folder / "vspec" / "Body.vspec"
+    body.write_text("Is: {type: branch, description: A part.}\n")
+    assert lint_paths([body]).findings == ()
