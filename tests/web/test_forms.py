@@ -1,11 +1,18 @@
 """What a browser posts."""
 
+import asyncio
+
 import pytest
 
 from sigcat.errors import UsageError
-from sigcat.web.forms import PostedFile, read_form
+from sigcat.web import forms
+from sigcat.web.forms import Form, PostedFile
 
 TYPE = "multipart/form-data; boundary=----x1"
+
+
+def read_form(body: bytes, content_type: str) -> Form:
+    return asyncio.run(forms.read_form(body, content_type))
 
 
 def multipart(*parts: tuple[str, bytes]) -> bytes:
@@ -29,6 +36,17 @@ def test_files_come_with_their_names_and_as_they_are() -> None:
     assert form.files == (PostedFile("bräke %22x%22.yaml", data),)
 
 
+def test_bytes_that_are_no_utf8_stay_in_files_and_are_marked_in_texts() -> None:
+    body = multipart(('; name="text"', b"a\xffb \xc3\xa4"), ('; name="file"; filename="br.yaml"', b"\xff\xfe"))
+    form = read_form(body.replace(b"br.yaml", b"\xe4.yaml"), TYPE)
+    assert form.fields == (("text", "a\ufffdb ä"),)
+    assert form.files == (PostedFile("\ufffd.yaml", b"\xff\xfe"),)
+
+
+def test_a_field_may_be_as_long_as_a_body() -> None:
+    assert len(read_form(multipart(('; name="text"', b"x" * 2_000_000)), TYPE).text("text")) == 2_000_000
+
+
 def test_a_field_for_files_in_which_none_was_chosen_is_no_file() -> None:
     assert read_form(multipart(('; name="file"; filename=""', b"")), TYPE).files == ()
 
@@ -43,7 +61,10 @@ def test_a_part_that_calls_itself_another_multipart_is_a_part() -> None:
     [
         (b"&".join(b"a=1" for _ in range(100)), "application/x-www-form-urlencoded"),
         (multipart(*(('; name="a"', b"1") for _ in range(100))), TYPE),
+        (multipart(*(('; name="a"; filename="b"', b"1") for _ in range(100))), TYPE),
         (multipart(('; name="a"', b"1"))[:-6], TYPE),
+        (multipart(("", b"1")), TYPE),
+        (multipart(('; name="a"\r\nno header', b"1")), TYPE),
         (b"", TYPE),
         (b"------x1", TYPE),
     ],

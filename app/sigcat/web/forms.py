@@ -1,19 +1,20 @@
 """What a browser posts: the fields and files of a form."""
 
-import re
-from collections.abc import Iterator
 from typing import NamedTuple
 from urllib.parse import parse_qsl
+
+from python_multipart.multipart import parse_options_header
+from starlette.formparsers import MultiPartException
+from starlette.requests import Request
+from starlette.types import Message
 
 from sigcat.api.heavy_work import HeavyWork
 from sigcat.api.requests.dependencies import catalogue_at
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import UsageError
 
-_MOST_PARTS = 40
-_MULTIPART = re.compile(r"multipart/form-data;.*\bboundary=\"?([^\";,]{1,70})\"?", re.IGNORECASE)
-_PARAMETER = re.compile(rb'\b(name|filename)="([^"\r\n]*)"')
-_TOO_MANY = "The form has more fields than there are on the page."
+_MOST_FIELDS = 40
+"""Fields of a form, and files of it; no page has as many."""
 
 
 class PostedFile(NamedTuple):
@@ -42,15 +43,16 @@ class Form(NamedTuple):
         return self.last(name).replace("\r\n", "\n")
 
 
-def read_form(body: bytes, content_type: str) -> Form:
+async def read_form(body: bytes, content_type: str) -> Form:
     """A posted form, url-encoded or, with files, multipart (RFC 7578). Raises UsageError for anything else."""
-    multipart = _MULTIPART.match(content_type)
-    if multipart:
-        return _of_parts(_parts(body, multipart.group(1).encode("latin-1", "replace")))
+    kind, options = parse_options_header(content_type)
+    boundary = options.get(b"boundary", b"")
+    if kind == b"multipart/form-data" and boundary:
+        return await _multipart(body, boundary)
     try:
-        pairs = parse_qsl(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=_MOST_PARTS)
+        pairs = parse_qsl(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=_MOST_FIELDS)
     except ValueError:
-        raise UsageError(_TOO_MANY) from None
+        raise UsageError(f"The form must have at most {_MOST_FIELDS} fields.") from None
     return Form(tuple(pairs))
 
 
@@ -60,30 +62,29 @@ async def form_catalogue(form: Form, library: Library, heavy: HeavyWork) -> Host
     return (await catalogue_at(name, library, heavy))[0] if name else library.default
 
 
-def _parts(body: bytes, boundary: bytes) -> list[bytes]:
-    """What stands between the boundaries. What a part says of its own type is not looked at."""
-    pieces = (b"\r\n" + body).split(b"\r\n--" + boundary, _MOST_PARTS + 2)
-    if len(pieces) > _MOST_PARTS + 2:
-        raise UsageError(_TOO_MANY)
-    if len(pieces) < 2 or not pieces[-1].startswith(b"--"):
-        raise UsageError("The form is not complete: its last boundary is missing.")
-    return pieces[1:-1]
+async def _multipart(body: bytes, boundary: bytes) -> Form:
+    """The fields and files. Starlette reads the text as Latin-1, which keeps every byte; all of it is UTF-8."""
+    if b"\r\n--" + boundary + b"--" not in b"\r\n" + body:
+        raise UsageError("The form must end with its boundary: a part of it is missing.")
 
+    async def receive() -> Message:
+        return {"type": "http.request", "body": body, "more_body": False}
 
-def _of_parts(parts: list[bytes]) -> Form:
+    content_type = b'multipart/form-data; charset=latin-1; boundary="' + boundary + b'"'
+    request = Request({"type": "http", "headers": [(b"content-type", content_type)]}, receive)
     fields: list[tuple[str, str]] = []
     files: list[PostedFile] = []
-    for name, file, data in _read(parts):
-        if file is None:
-            fields.append((name, data.decode("utf-8", "replace")))
-        elif file or data:  # a field for files in which none was chosen is sent with neither
-            files.append(PostedFile(file or "file", data))
+    try:
+        async with request.form(max_files=_MOST_FIELDS, max_fields=_MOST_FIELDS, max_part_size=len(body)) as form:
+            for name, value in form.multi_items():
+                if isinstance(value, str):
+                    fields.append((_utf8(name), _utf8(value)))
+                elif (data := await value.read()) or value.filename:  # with neither, no file was chosen
+                    files.append(PostedFile(_utf8(value.filename or "file"), data))
+    except MultiPartException as error:
+        raise UsageError(f"The form cannot be read. {error.message}") from None
     return Form(tuple(fields), tuple(files))
 
 
-def _read(parts: list[bytes]) -> Iterator[tuple[str, str | None, bytes]]:
-    """Name of the field, name of the file if it is one, and the content, of each part."""
-    for part in parts:
-        head, _, content = part.partition(b"\r\n\r\n")
-        given = {key.decode(): value.decode("utf-8", "replace") for key, value in _PARAMETER.findall(head)}
-        yield given.get("name", ""), given.get("filename"), content
+def _utf8(latin: str) -> str:
+    return latin.encode("latin-1").decode("utf-8", "replace")

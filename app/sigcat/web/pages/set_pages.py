@@ -62,7 +62,7 @@ async def show_wiring(
 @router.post("/wiring")
 async def connect_posted(request: Request, library: TheLibrary, heavy: TheHeavyWork, body: PostedBody) -> Response:
     """The same page for posted functions, together with the shipped ones that are named. Nothing of them is kept."""
-    form = read_form(body, request.headers.get("content-type", ""))
+    form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, heavy)
     return await heavy.run(partial(_posted, request, hosted, form))
 

@@ -94,7 +94,7 @@ async def try_text(
     request: Request, library: TheLibrary, rules: TheRules, heavy: TheHeavyWork, body: PostedBody
 ) -> Response:
     """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
-    form = read_form(body, request.headers.get("content-type", ""))
+    form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, heavy)
     return await heavy.run(partial(_tried_form, request, hosted, rules, form))
 
