@@ -9,7 +9,7 @@ import yaml
 from sigcat.data import EXAMPLES, INTERFACE_RULES, OVERLAYS, VSPEC
 from sigcat.file_kind import FUNCTION_KINDS, FileKind, file_kind, holds_only_structs, is_json
 from sigcat.rules.linting.discovery import discover
-from sigcat.rules.linting.lint import lint_text
+from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.rule_set import RuleSet
 
 PROJECT = Path(__file__).parents[1]

@@ -8,7 +8,7 @@ SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
 
 
 class Finding(NamedTuple):
-    """One problem in one place.
+    """One problem at one position.
 
     Lines and columns count from 1; 0 means that the finding concerns the file as a whole.
     """
@@ -27,16 +27,16 @@ class Finding(NamedTuple):
     """What to do, as an instruction; empty if the message already says it."""
 
     @property
-    def place(self) -> tuple[str, int, int, str, str]:
-        """Sort key: findings are reported in the order in which a reader meets them."""
+    def sort_key(self) -> tuple[str, int, int, str, str]:
+        """Findings are reported in the order in which a reader meets them."""
         return (self.file, self.line, self.column, self.rule, self.message)
 
     @property
     def line_of_text(self) -> str:
         """`file:line:column: severity RULE message`, the form that editors and build logs make clickable."""
-        place = ":".join(str(part) for part in (self.file, self.line or "", self.column or "") if part)
+        position = ":".join(str(part) for part in (self.file, self.line or "", self.column or "") if part)
         advice = f" {self.fix}" if self.fix else ""
-        return f"{place}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": ")
+        return f"{position}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": ")
 
 
 class RuleCode(NamedTuple):
@@ -46,7 +46,7 @@ class RuleCode(NamedTuple):
     severity: Severity
 
     def graded(self, severity: Severity) -> "RuleCode":
-        """The rule where breaking it weighs more or less than elsewhere; whoever asks for this says why."""
+        """The rule where breaking it is more or less severe than elsewhere; the caller says why in a comment."""
         return self._replace(severity=severity)
 
     def finding(
@@ -70,4 +70,4 @@ def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
 
 def in_order(findings: "tuple[Finding, ...] | list[Finding]") -> tuple[Finding, ...]:
     """Findings by file, line and column, each once."""
-    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.place))
+    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.sort_key))

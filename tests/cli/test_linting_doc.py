@@ -11,7 +11,7 @@ import yaml
 
 from sigcat.cli import main
 from sigcat.rules.linting.configuration import read_configuration
-from sigcat.rules.linting.selection import chosen, rules_for
+from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
 
 PROJECT = Path(__file__).parents[2]
@@ -49,7 +49,7 @@ def test_the_configuration_is_one(folder):
     Path("sigcat.toml").write_text(block("toml", "[lint]"))
     assert tomllib.loads(block("toml", "[lint]"))
     options = read_configuration(Path("sigcat.toml"))
-    codes = {rule.id: rule for rule in chosen(rules_for(options), options)}
+    codes = {rule.id: rule for rule in selected(rules_for(options), options)}
     assert codes["ACME001"].options["pattern"] == "Acme[A-Za-z0-9]*"
     assert codes["V102"].severity == "error"
     assert main(["lint", "vspec"]) in (0, 1)

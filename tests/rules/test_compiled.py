@@ -1,11 +1,13 @@
-"""Rules are read from YAML once and are the same afterwards; what is kept never outlives the files."""
+"""Rules are read from YAML once and are the same afterwards; what is kept never outlives the files or the code that reads them."""
 
 import shutil
+from pathlib import Path
 
 import pytest
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
+from sigcat.rules import compiled
 from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.record import load_rules
 
@@ -37,6 +39,18 @@ def test_a_changed_file_is_read_again(folder):
     assert compiled_rules(folder) == load_rules(folder)
 
 
+@pytest.mark.parametrize("module", ["record", "yaml_document", "compiled"])
+def test_rules_are_read_again_by_changed_code(folder, module, monkeypatch, tmp_path):
+    compiled_rules(folder)
+    before = kept(folder).read_bytes()
+    code = {Path(file).stem: Path(file) for file in compiled.CODE}
+    edited = tmp_path / "edited.py"
+    edited.write_bytes(code[module].read_bytes() + b"# edited\n")
+    monkeypatch.setattr(compiled, "CODE", tuple(edited if file == code[module] else file for file in code.values()))
+    assert compiled_rules(folder) == load_rules(folder)
+    assert kept(folder).read_bytes() != before
+
+
 @pytest.mark.parametrize("data", [b"", b"x", b"(\x02\x00\x00\x00", b"i\x01\x00\x00\x00", b"\x00" * 100, b"N"])
 def test_what_is_damaged_is_not_used(folder, data):
     compiled_rules(folder)
@@ -49,7 +63,7 @@ def test_rules_are_read_where_nothing_can_be_kept(folder):
     assert compiled_rules(folder) == load_rules(folder)
 
 
-def test_a_defect_is_told_and_nothing_is_kept(folder):
+def test_a_defect_is_reported_and_nothing_is_kept(folder):
     (folder / "own.yaml").write_text("X001: {}\n")
     with pytest.raises(InputRefused):
         compiled_rules(folder)

@@ -8,13 +8,13 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
-from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.catalogue.reading.vspec_file import Origin, Statement
 from sigcat.findings import Finding, in_order
 from sigcat.rules.checks.kind import NodeTest
-from sigcat.rules.flaw import Flaw, Repair
 from sigcat.rules.patterns import SlowPattern
+from sigcat.rules.problem import Problem, Repair, Subject
 from sigcat.rules.record import Rule
-from sigcat.rules.rule_set import Choice, NodeRule, RuleSet
+from sigcat.rules.rule_set import NodeRule, RuleSet, Selection
 from sigcat.rules.tree import Tree
 
 _FIELD = r"\{(\w+)(!r)?\}"
@@ -34,10 +34,9 @@ def found_in(
     among: Iterable[Definition] | None = None,
     attributes: Iterable[str] = (),
 ) -> Iterator[Found]:
-    """Findings with their repairs. `among` are the definitions that are judged; all without it.
+    """Findings with their repairs. `among` are the definitions that are judged; without it, all are.
 
-    Of the others there may be findings too: who judges some of them leaves out what is told of other files.
-    `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
+    There may be findings in the files of others too; a caller who judges only some leaves these out. `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
     """
     tree = Tree(catalogue, rules.attributes.union(attributes), among)
     yield from _composition(catalogue, tree, rules)
@@ -61,65 +60,65 @@ def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
     ended: set[str] = set()
     for definition in tree.judged:
         category = category_of(definition.path) or ""
-        choice = rules.choice(definition.type, category, has_overlays=has_overlays)
-        for node_rule in _for_values(choice, definition.values):
+        selection = rules.select(definition.type, category, has_overlays=has_overlays)
+        for node_rule in _for_values(selection, definition.values):
             if not (node_rule.is_for_all or node_rule.concerns(definition)):
                 continue
             rule = node_rule.rule
             test = tests.get(rule.id)
             if test is None:
                 test = tests[rule.id] = node_rule.check.prepare(rule, tree)
-            flaws = test(definition)
+            problems = test(definition)
             if not rule.trusted:
-                yield from _until_slow(rule, flaws, ended)
+                yield from _until_slow(rule, problems, ended)
                 continue
-            for flaw in flaws:
-                yield _finding(rule, flaw), flaw.repair
+            for problem in problems:
+                yield _finding(rule, problem), problem.repair
 
 
-def _until_slow(rule: Rule, flaws: Iterable[Flaw], ended: set[str]) -> Iterator[Found]:
+def _until_slow(rule: Rule, problems: Iterable[Problem], ended: set[str]) -> Iterator[Found]:
     """What a rule of others finds in one node; nothing more after the first match that took too long."""
     if rule.id not in ended:
-        for found in _guarded(rule, flaws):
+        for found in _guarded(rule, problems):
             if found[0].rule == codes.RULE_TOO_SLOW.id:
                 ended.add(rule.id)
             yield found
 
 
-def _for_values(choice: Choice, values: Mapping[str, Any]) -> Iterator[NodeRule]:
-    yield from choice.always
+def _for_values(selection: Selection, values: Mapping[str, Any]) -> Iterator[NodeRule]:
+    yield from selection.always
     for name, value in values.items():
-        if name in choice.by_need and value is not None:
-            yield from choice.by_need[name]
+        if name in selection.by_need and value is not None:
+            yield from selection.by_need[name]
 
 
-def _guarded(rule: Rule, flaws: Iterable[Flaw]) -> Iterator[Found]:
-    """The flaws as findings; a pattern that takes too long is a finding about its rule."""
+def _guarded(rule: Rule, problems: Iterable[Problem]) -> Iterator[Found]:
+    """The problems as findings; a pattern that takes too long is a finding about its rule."""
     try:
-        for flaw in flaws:
-            yield _finding(rule, flaw), flaw.repair
+        for problem in problems:
+            yield _finding(rule, problem), problem.repair
     except SlowPattern as error:
         message = f"Pattern {error.pattern!r} of rule {rule.id} takes too long; the rule is not finished."
         fix = "Write it without nested repetition, such as (a+)+."
         yield codes.RULE_TOO_SLOW.finding(message, rule.file, rule.line, 1, rule.id, fix=fix), None
 
 
-def _finding(rule: Rule, flaw: Flaw) -> Finding:
-    place, path = _place(flaw), flaw.subject.path
-    facts = {"path": path, "name": path.rpartition(".")[2], **flaw.facts}
-    message = filled(rule.message, facts) if rule.message else flaw.message
-    fix = filled(rule.fix, facts) if rule.fix else flaw.fix
-    return Finding(rule.id, rule.severity, message, place[0], place[1], place[2], path, fix=fix)
+def _finding(rule: Rule, problem: Problem) -> Finding:
+    origin, path = _origin(problem), problem.subject.path
+    facts = {"path": path, "name": path.rpartition(".")[2], **problem.facts}
+    message = filled(rule.message, facts) if rule.message else problem.message
+    fix = filled(rule.fix, facts) if rule.fix else problem.fix
+    return Finding(rule.id, rule.severity, message, origin.file, origin.line, origin.column, path, fix=fix)
 
 
-def _place(flaw: Flaw) -> tuple[Any, ...]:
-    subject, attribute = flaw.subject, flaw.attribute
-    if flaw.within:
-        return subject.origin_within(attribute, flaw.within, at_key=flaw.at_name) or subject.origin(attribute)
-    return _name_origin(subject, attribute) if flaw.at_name else subject.origin(attribute)
+def _origin(problem: Problem) -> Origin:
+    subject, attribute = problem.subject, problem.attribute
+    if problem.within:
+        return subject.origin_within(attribute, problem.within, at_key=problem.at_name) or subject.origin(attribute)
+    return _name_origin(subject, attribute) if problem.at_name else subject.origin(attribute)
 
 
-def _name_origin(subject: Any, attribute: str) -> tuple[Any, ...]:
+def _name_origin(subject: Subject, attribute: str) -> Origin:
     if isinstance(subject, Definition):
         written = (s for s in reversed(subject.statements) if attribute in s.values)
         statement = next(written, None)
@@ -141,7 +140,7 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
 
 
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
-    """What composing found. A branch that is an instance is defined by its instances, so nobody has to write it."""
+    """What composing found. A branch that is an instance is defined by `instances` and need not be written."""
     replaced = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
     for finding in catalogue.findings:
         if finding.rule == codes.BRANCH_UNDEFINED.id and tree.is_instance(finding.path):

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
 from yaml.nodes import MappingNode, ScalarNode
 
@@ -27,8 +27,12 @@ SIGNALS = ("sensor", "actuator", "attribute")
 _CODE = r"[A-Z]+[0-9]{3}"
 _NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
 _REQUIRED = ("name", "title", "severity", "why", "check", "source")
-_KEYS = (*_REQUIRED, "category", "default", "nodes", "options", "message", "fix", "good", "bad", "example")
+_KEYS = (*_REQUIRED, "category", "default", "scope", "nodes", "options", "message", "fix", "good", "bad", "example")
 _NODE_KEYS = ("types", "datatypes", "interfaces", "path")
+
+
+Scope = Literal["node", "tree"]
+"""What must be there to judge: the node by itself, or its whole tree, of which a part alone shows nothing."""
 
 
 class Nodes(NamedTuple):
@@ -52,7 +56,6 @@ class Rule(NamedTuple):
     default: bool
     why: str
     check: str
-    nodes: Nodes
     options: Mapping[str, Any]
     message: str
     fix: str
@@ -62,6 +65,8 @@ class Rule(NamedTuple):
     file: str
     line: int
     trusted: bool
+    scope: Scope
+    nodes: Nodes
 
 
 class RuleFile(NamedTuple):
@@ -166,7 +171,6 @@ def _rule(code: str, values: Any, category: str, file: str, line: int, *, truste
         values.get("default", True),
         values["why"].strip(),
         values["check"],
-        _nodes(values.get("nodes", {})),
         values.get("options") or {},
         values.get("message", ""),
         values.get("fix", ""),
@@ -176,6 +180,8 @@ def _rule(code: str, values: Any, category: str, file: str, line: int, *, truste
         file,
         line,
         trusted,
+        values.get("scope", "node"),
+        _nodes(values.get("nodes", {})),
     )
 
 
@@ -188,6 +194,8 @@ def _check_keys(code: str, values: dict[str, Any]) -> None:
             raise _Bad(f"Rule {code} needs a text as {key!r}.", key)
     if values["severity"] not in SEVERITIES:
         raise _Bad(f"{values['severity']!r} is no severity.", "severity", f"Use one of {', '.join(SEVERITIES)}.")
+    if values.get("scope", "node") not in get_args(Scope):
+        raise _Bad(f"`scope` must be one of {', '.join(get_args(Scope))}, not {values['scope']!r}.", "scope")
     if not re.fullmatch(_NAME, values["name"]):
         raise _Bad(f"Name {values['name']!r} is not in kebab-case.", "name")
     for key, kind in (("message", str), ("fix", str), ("category", str), ("default", bool), ("options", dict)):

@@ -37,7 +37,7 @@ class NodeRule(NamedTuple):
         )
 
 
-class Choice(NamedTuple):
+class Selection(NamedTuple):
     """The rules for nodes of one type and category: those for all of them, and those for nodes with an attribute."""
 
     always: Sequence[NodeRule]
@@ -57,7 +57,7 @@ class RuleSet:
         self.tree_rules: list[tuple[Rule, TreeCheck]] = []
         self.line_rules: list[tuple[Rule, LineTest]] = []
         self._types = {name for rule in self.rules for name in rule.nodes.types}
-        self._choices: dict[tuple[str, str, bool], Choice] = {}
+        self._selections: dict[tuple[str, str, bool], Selection] = {}
         self.findings = tuple(found for rule in self.rules if (found := self._take(rule)) is not None)
         """What is wrong with rules that cannot be used (L010)."""
 
@@ -66,17 +66,23 @@ class RuleSet:
         """Names of extended attributes that the tables of these rules define."""
         return extended_attributes(self.rules)
 
-    def choice(self, node_type: str, category: str, *, has_overlays: bool) -> Choice:
+    def select(self, node_type: str, category: str, *, has_overlays: bool) -> Selection:
         """The rules for nodes of a type and category; those of what overlays do only where there are some."""
         key = (node_type if node_type in self._types else "", category, has_overlays)
-        if key not in self._choices:
+        if key not in self._selections:
             usable = (each for each in self.node_rules if has_overlays or not each.check.of_overlays)
-            self._choices[key] = _choice(each for each in usable if _concerns(each.rule, *key[:2]))
-        return self._choices[key]
+            self._selections[key] = _selection(each for each in usable if _concerns(each.rule, *key[:2]))
+        return self._selections[key]
 
-    def without(self, checks: Iterable[str]) -> "RuleSet":
-        """The set less the rules of some checks."""
-        return RuleSet(rule for rule in self.rules if rule.check not in checks)
+    @cached_property
+    def of_whole_trees(self) -> frozenset[str]:
+        """Codes of the rules that judge a whole tree: of a part alone they say what is not so."""
+        return frozenset(rule.id for rule in self.rules if _needs_whole_tree(rule))
+
+    @cached_property
+    def for_parts(self) -> "RuleSet":
+        """The rules that can judge a part of a tree alone."""
+        return RuleSet(rule for rule in self.rules if rule.id not in self.of_whole_trees)
 
     def _take(self, rule: Rule) -> Finding | None:
         """Put a rule where its check belongs; a finding if it cannot be used."""
@@ -96,6 +102,11 @@ class RuleSet:
             fix = error.fix if isinstance(error, BadOption) else ""
             return codes.RULE_UNUSABLE.finding(str(error), rule.file, rule.line, 1, rule.id, fix=fix)
         return None
+
+
+def _needs_whole_tree(rule: Rule) -> bool:
+    check = CHECKS.get(rule.check)
+    return rule.scope == "tree" or (check is not None and check.needs_whole_tree)
 
 
 @cache
@@ -124,11 +135,11 @@ def _matcher(glob: str) -> Callable[[str], object]:
     return re.compile(translate(glob)).match
 
 
-def _choice(rules: Iterable[NodeRule]) -> Choice:
+def _selection(rules: Iterable[NodeRule]) -> Selection:
     by_need: dict[str, list[NodeRule]] = {}
     for each in rules:
         by_need.setdefault(each.needs, []).append(each)
-    return Choice(by_need.pop("", []), by_need)
+    return Selection(by_need.pop("", []), by_need)
 
 
 def _concerns(rule: Rule, node_type: str, category: str) -> bool:

@@ -9,7 +9,7 @@ from sigcat.catalogue.composing.compose import compose, compose_part
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.engine import found_in
-from sigcat.rules.linting.lint import lint_text
+from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 

@@ -11,8 +11,9 @@ from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
 from sigcat.rules.linting.discovery import discover
-from sigcat.rules.linting.lint import lint_paths, lint_text
+from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.linting.selection import rules_for
 from sigcat.rules.report import FORMATS, report, sources_of
 from sigcat.rules.rule_set import RuleSet

@@ -4,7 +4,8 @@ import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.data import INTERFACE_RULES, VSPEC
-from sigcat.rules.linting.lint import lint_paths, lint_text
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 

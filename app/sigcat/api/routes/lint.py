@@ -21,7 +21,7 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.api.requests.function_files import SET
 from sigcat.api.routes.functions import check_posted
-from sigcat.rules.linting.lint import lint_text
+from sigcat.rules.linting.posted import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 

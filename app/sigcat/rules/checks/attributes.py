@@ -6,7 +6,7 @@ from typing import Any
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.names import did_you_mean, nearest
 from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested, shown
-from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -15,12 +15,12 @@ def required(rule: Rule, _tree: Tree) -> NodeTest:
     """Each of `attributes` is there and not empty."""
     names = tuple(rule.options["attributes"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for attribute in names:
             if is_empty(definition.values.get(attribute)):
                 message = f"The node has no `{attribute}`."
                 given = attribute if attribute in definition.values else ""
-                yield Flaw(definition, message, given, f"Add `{attribute}`.", {"attribute": attribute})
+                yield Problem(definition, message, given, f"Add `{attribute}`.", {"attribute": attribute})
 
     return test
 
@@ -29,11 +29,11 @@ def forbidden(rule: Rule, _tree: Tree) -> NodeTest:
     """None of `attributes` is there."""
     names = tuple(rule.options["attributes"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for attribute in names:
             if definition.values.get(attribute) is not None:
                 message = f"`{attribute}` does not belong here."
-                yield Flaw(definition, message, attribute, "Remove it.", {"attribute": attribute}, at_name=True)
+                yield Problem(definition, message, attribute, "Remove it.", {"attribute": attribute}, at_name=True)
 
     return test
 
@@ -42,13 +42,13 @@ def exclusive(rule: Rule, _tree: Tree) -> NodeTest:
     """At most one of `attributes` is there. The first of them is the one to be removed."""
     names = tuple(rule.options["attributes"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         present = [name for name in names if definition.values.get(name) is not None]
         if len(present) > 1:
             message = f"{listed(present)} exclude each other."
             repair = Repair("remove attribute", safe=False)
             fix = f"Remove `{present[0]}`."
-            yield Flaw(definition, message, present[0], fix, repair=repair, at_name=True)
+            yield Problem(definition, message, present[0], fix, repair=repair, at_name=True)
 
     return test
 
@@ -59,7 +59,7 @@ def implied(rule: Rule, _tree: Tree) -> NodeTest:
     values = rule.options.get("values")
     then, never = rule.options.get("then", ()), rule.options.get("never", ())
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         given = definition.values[attribute]
         items = given if isinstance(given, list) else [given]
         first = next((i for i, item in enumerate(items) if values is None or item in values), None)
@@ -72,12 +72,12 @@ def implied(rule: Rule, _tree: Tree) -> NodeTest:
             if is_empty(nested(definition.values, name)):
                 message = f"{because} needs `{name}`, which is not there."
                 missing = {**facts, "missing": name}
-                yield Flaw(definition, message, attribute, f"Add `{name}`.", missing, within=within)
+                yield Problem(definition, message, attribute, f"Add `{name}`.", missing, within=within)
         for name in never:
             if nested(definition.values, name) is not None:
                 message = f"{because} goes without `{name}`."
                 top, *within = name.split(".")
-                yield Flaw(definition, message, top, f"Remove `{name}`.", facts, at_name=True, within=tuple(within))
+                yield Problem(definition, message, top, f"Remove `{name}`.", facts, at_name=True, within=tuple(within))
 
     return test
 
@@ -86,11 +86,13 @@ def backed(rule: Rule, _tree: Tree) -> NodeTest:
     """Where `attribute` is there, the list or text `by` holds `value`."""
     attribute, by, value = rule.options["attribute"], rule.options["by"], rule.options["value"]
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         given = definition.values.get(by)
         if definition.values[attribute] is not None and value not in (given if isinstance(given, list) else [given]):
             message = f"`{attribute}` has no effect: `{by}` does not say {value}."
-            yield Flaw(definition, message, attribute, f"Add {value} to `{by}`, or remove `{attribute}`.", at_name=True)
+            yield Problem(
+                definition, message, attribute, f"Add {value} to `{by}`, or remove `{attribute}`.", at_name=True
+            )
 
     return test
 
@@ -99,7 +101,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
     """Those of `attributes` that are numbers do not descend, in the order in which the option lists them."""
     names = tuple(rule.options["attributes"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         before = ""
         for name in names:
             value = nested(definition.values, name)
@@ -110,7 +112,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
                 message = f"`{name}` {value} is below `{before}` {least}."
                 top, *within = name.split(".")
                 fix = f"Raise `{name}`, or lower `{before}`."
-                yield Flaw(definition, message, top, fix, within=tuple(within))
+                yield Problem(definition, message, top, fix, within=tuple(within))
             before = name
 
     return test
@@ -119,7 +121,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
 def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
     """Where a single value has `allowed` and `default`, the default stands first; `vspec --strict` asks for it."""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         values = definition.values
         allowed, default = values.get("allowed"), values["default"]
         is_single = not str(values.get("datatype", "")).endswith("[]")
@@ -128,7 +130,7 @@ def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
                 return  # told as V011
             message = f"The default {shown(default)} does not stand first in `allowed`; {shown(allowed[0])} does."
             fix = "Put it first: generated enumerations begin with it."
-            yield Flaw(definition, message, definition.last_written(("default", "allowed")), fix)
+            yield Problem(definition, message, definition.last_written(("default", "allowed")), fix)
 
     return test
 
@@ -137,7 +139,7 @@ def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
     """Every attribute is one of VSS, one that a rule's table of fields has, or one that the configuration names."""
     known = CORE_ATTRIBUTES | tree.attributes | {str(name) for name in rule.options.get("attributes", ())}
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         if definition.values.keys() <= known:
             return
         for attribute in definition.values:
@@ -147,7 +149,7 @@ def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
     return test
 
 
-def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> Flaw:
+def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> Problem:
     near = nearest(attribute, sorted(known), limit=1)
     fix = (
         did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
@@ -155,7 +157,7 @@ def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> F
     is_free = bool(near) and near[0] not in definition.values
     repair = Repair("rename attribute", near[0], safe=False) if is_free else None
     message = f"`{attribute}` is no attribute that VSS or a rule knows."
-    return Flaw(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
+    return Problem(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
 
 
 def is_empty(value: Any) -> bool:

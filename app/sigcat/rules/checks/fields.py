@@ -11,8 +11,8 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.names import did_you_mean
 from sigcat.rules.checks.attributes import is_empty
 from sigcat.rules.checks.kind import BadOption, NodeTest, is_number, shown
-from sigcat.rules.flaw import Flaw, Repair
 from sigcat.rules.patterns import Pattern, compile_pattern
+from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -36,13 +36,13 @@ def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
     needed = tuple(name for name, field in _table(rule.options["fields"]).items() if field.get("required"))
     table = rule.options["fields"]
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for name in needed:
             if is_empty(definition.values.get(name)):
                 unit = f" in {table[name]['unit']}" if "unit" in table[name] else ""
                 message = f"The interface has no `{name}`."
                 facts = {"attribute": name}
-                yield Flaw(definition, message, "", f"Add `{name}`{unit}.", facts)
+                yield Problem(definition, message, "", f"Add `{name}`{unit}.", facts)
         yield from _nested_missing(definition, table)
 
     return test
@@ -57,12 +57,12 @@ def field_values(rule: Rule, _tree: Tree) -> NodeTest:
     judged = {name: field for name, field in table.items() if name not in CORE_ATTRIBUTES or "values" in field}
     tests = {name: _value_test(name, field, rule) for name, field in judged.items()}
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for name, value in definition.values.items():
             if name in tests and value is not None:
                 facts = {"attribute": name, "value": value}
                 for wrong in tests[name](value):
-                    yield Flaw(
+                    yield Problem(
                         definition, wrong.message, name, wrong.fix, facts, wrong.repair, wrong.at_key, wrong.within
                     )
 
@@ -92,7 +92,7 @@ def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
     return table
 
 
-def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Flaw]:
+def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Problem]:
     for name, field in table.items():
         value = definition.values.get(name)
         if "fields" not in field or not isinstance(value, dict):
@@ -100,7 +100,7 @@ def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterato
         for inner, inner_field in _table(field["fields"]).items():
             if inner_field.get("required") and is_empty(value.get(inner)):
                 message = f"`{name}` has no `{inner}`."
-                yield Flaw(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
+                yield Problem(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
 
 
 def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], Iterator[_Wrong]]:

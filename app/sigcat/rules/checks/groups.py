@@ -7,8 +7,8 @@ from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.names import last_name, parent_path
 from sigcat.rules.checks.kind import NodeTest, listed
-from sigcat.rules.flaw import Flaw
 from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -17,13 +17,13 @@ def companions(rule: Rule, tree: Tree) -> NodeTest:
     """A child matching each pattern of `required` stands below."""
     needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options["required"]]
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         children = [last_name(child.path) for child in tree.children.get(definition.path, ())]
         missing = [pattern.text for pattern in needed if not any(pattern.matches(name) for name in children)]
         if missing:
             present = listed(children) if children else "nothing"
             message = f"{definition.path!r} has {present}, but no {listed(missing, 'or')}."
-            yield Flaw(definition, message, fix=f"Add {listed(missing)}.")
+            yield Problem(definition, message, fix=f"Add {listed(missing)}.")
 
     return test
 
@@ -32,9 +32,9 @@ def type_of(rule: Rule, _tree: Tree) -> NodeTest:
     """The node's type is one of `types`."""
     types = tuple(rule.options["types"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         if definition.type and definition.type not in types:
-            yield Flaw(definition, f"The node is of type {definition.type}.", "type", f"Use {' or '.join(types)}.")
+            yield Problem(definition, f"The node is of type {definition.type}.", "type", f"Use {' or '.join(types)}.")
 
     return test
 
@@ -43,7 +43,7 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
     """The ASIL of a step is not below that of any of the interfaces that its function provides (`provides`)."""
     provided = frozenset(rule.options["provides"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         own = level_of(definition.values.get("ASILlevel"))
         if own is None or definition.type != BRANCH:
             return
@@ -54,7 +54,7 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
         level, highest = max(wanted, key=lambda each: rank(each[0]), default=(None, None))
         if highest is not None:
             message = f"ASIL {own} is below ASIL {level} of {highest.path!r}."
-            yield Flaw(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
+            yield Problem(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
 
     return test
 

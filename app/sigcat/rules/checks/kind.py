@@ -5,18 +5,9 @@ from typing import Any, Literal, NamedTuple
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import did_you_mean
-from sigcat.rules.flaw import Flaw
+from sigcat.rules.problem import LineProblem, Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
-
-
-class LineFlaw(NamedTuple):
-    """Something wrong with one line of a file, whatever node it belongs to; line and column from 1."""
-
-    line: int
-    column: int
-    message: str
-    fix: str = ""
 
 
 class BadOption(Exception):
@@ -27,13 +18,13 @@ class BadOption(Exception):
         self.fix = fix
 
 
-NodeTest = Callable[[Definition], Iterable[Flaw]]
-TreeTest = Callable[[], Iterable[Flaw]]
-LineTest = Callable[[str], Iterable[LineFlaw]]
+NodeTest = Callable[[Definition], Iterable[Problem]]
+TreeTest = Callable[[], Iterable[Problem]]
+LineTest = Callable[[str], Iterable[LineProblem]]
 
 
 class NodeCheck(NamedTuple):
-    """A check of one node at a time. `needs` names the option with the attribute without which there is no flaw."""
+    """A check of one node at a time. `needs` names the option with the attribute without which there is no problem."""
 
     prepare: Callable[[Rule, Tree], NodeTest]
     options: Mapping[str, type | tuple[type, ...]]
@@ -41,7 +32,8 @@ class NodeCheck(NamedTuple):
     needs: str = ""
     of_overlays: bool = False
     """Whether it looks at what overlays do, and so at nothing in a tree without them."""
-    scope: Literal["node"] = "node"
+    needs_whole_tree: bool = False
+    """Whether a part of a tree alone shows nothing: what is looked up may stand in another part."""
 
 
 class TreeCheck(NamedTuple):
@@ -50,7 +42,7 @@ class TreeCheck(NamedTuple):
     prepare: Callable[[Rule, Tree], TreeTest]
     options: Mapping[str, type | tuple[type, ...]]
     required: tuple[str, ...] = ()
-    scope: Literal["tree"] = "tree"
+    needs_whole_tree: bool = False
 
 
 class LineCheck(NamedTuple):
@@ -59,7 +51,7 @@ class LineCheck(NamedTuple):
     prepare: Callable[[Rule], LineTest]
     options: Mapping[str, type | tuple[type, ...]]
     required: tuple[str, ...] = ()
-    scope: Literal["line"] = "line"
+    needs_whole_tree: Literal[False] = False
 
 
 Check = NodeCheck | TreeCheck | LineCheck

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from sigcat.catalogue.model.definition import Definition, labels_of
 from sigcat.names import camel_case, last_name, screaming_snake_case
 from sigcat.rules.checks.kind import NodeTest
-from sigcat.rules.flaw import Flaw
 from sigcat.rules.patterns import Pattern, compile_pattern
+from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -21,7 +21,7 @@ def name(rule: Rule, _tree: Tree) -> NodeTest:
     prefixes = " or ".join(f"`{prefix}`" for prefix in rule.options.get("prefixes", ()))
     known: dict[str, bool] = {}
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         own = last_name(definition.path)
         if own not in known:
             known[own] = bool(pattern.matches(own)) or own in exempt
@@ -29,7 +29,7 @@ def name(rule: Rule, _tree: Tree) -> NodeTest:
             proposal = _proposal(own, rule)
             fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
             message = f"Name {own!r} does not follow the naming convention {pattern.text}."
-            yield Flaw(definition, message, fix=fix, facts={"name": own, "proposal": proposal, "prefixes": prefixes})
+            yield Problem(definition, message, fix=fix, facts={"name": own, "proposal": proposal, "prefixes": prefixes})
 
     return test
 
@@ -38,7 +38,7 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
     """Every label among the instances of a branch matches `pattern` as a whole; the bracket of a range aside."""
     pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for within, entry in labels_of(definition.values):
             label = re.sub(_RANGE, "", str(entry))
             if not pattern.matches(label):
@@ -46,7 +46,7 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
                 message = f"Instance {label!r} does not follow the naming convention {pattern.text}."
                 fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
                 facts = {"name": label, "proposal": proposal}
-                yield Flaw(definition, message, "instances", fix, facts, within=within)
+                yield Problem(definition, message, "instances", fix, facts, within=within)
 
     return test
 

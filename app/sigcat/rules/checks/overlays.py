@@ -7,7 +7,7 @@ from sigcat.catalogue.model.definition import Definition, overlaid
 from sigcat.catalogue.reading.vspec_file import Statement
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
-from sigcat.rules.flaw import Flaw
+from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -31,13 +31,13 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 
     proposals = iter(range(_MOST_PROPOSALS))
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
         is_new = bool(first.file.overlay) and not any("type" in s.values for s in definition.statements)
         if is_new and not first.values.get("delete") and not tree.is_instance(definition.path):
             message = f"The overlay changes {definition.path!r}, which does not exist."
             fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
-            yield Flaw(first, message, fix=f"{fix} Give it a `type` if it is a new node.".lstrip())
+            yield Problem(first, message, fix=f"{fix} Give it a `type` if it is a new node.".lstrip())
 
     return test
 
@@ -47,12 +47,12 @@ def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
 
     proposals = iter(range(_MOST_PROPOSALS))
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
         if first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
             message = f"The overlay deletes {definition.path!r}, which does not exist."
             fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
-            yield Flaw(first, message, "delete", fix or "Remove it.", at_name=True)
+            yield Problem(first, message, "delete", fix or "Remove it.", at_name=True)
 
     return test
 
@@ -61,7 +61,7 @@ def changes(rule: Rule, _tree: Tree) -> NodeTest:
     """An overlay gives none of `attributes` another value than the tree below it."""
     attributes = tuple(rule.options["attributes"])
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for attribute in attributes if _in_base(definition) else ():
             base = _base_value(definition, attribute)
             statement = _last_of_overlay(definition, attribute)
@@ -69,7 +69,7 @@ def changes(rule: Rule, _tree: Tree) -> NodeTest:
                 message = (
                     f"The overlay changes `{attribute}` from {shown(base)} to {shown(statement.values[attribute])}."
                 )
-                yield Flaw(statement, message, attribute, facts={"attribute": attribute})
+                yield Problem(statement, message, attribute, facts={"attribute": attribute})
 
     return test
 
@@ -77,14 +77,14 @@ def changes(rule: Rule, _tree: Tree) -> NodeTest:
 def narrows(_rule: Rule, _tree: Tree) -> NodeTest:
     """An overlay does not take values away: a higher `min`, a lower `max`, fewer `allowed`, fewer of an `enum`."""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for attribute in ("min", "max", "allowed", "enum") if _in_base(definition) else ():
             statement = _last_of_overlay(definition, attribute)
             if statement is None:
                 continue
             reason = _narrowed(attribute, _base_value(definition, attribute), definition.values.get(attribute))
             if reason:
-                yield Flaw(statement, f"The overlay narrows `{attribute}`: {reason}.", attribute)
+                yield Problem(statement, f"The overlay narrows `{attribute}`: {reason}.", attribute)
 
     return test
 
@@ -93,7 +93,7 @@ def conflict(rule: Rule, _tree: Tree) -> NodeTest:
     """Two overlays give the same attribute of a node different values; the message has the order in which they apply."""
     ignored = frozenset(rule.options.get("ignored", ()))
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         written = [s for s in definition.statements if s.file.overlay]
         if len({s.file.overlay for s in written}) < 2:
             return
@@ -104,7 +104,7 @@ def conflict(rule: Rule, _tree: Tree) -> NodeTest:
             ):
                 steps = [f"{s.file.overlay} sets {shown(s.values[attribute])}" for s in setting]
                 message = f"Overlays disagree on `{attribute}`: {', then '.join(steps)}; the last one counts."
-                yield Flaw(setting[-1], message, attribute)
+                yield Problem(setting[-1], message, attribute)
 
     return test
 
@@ -112,7 +112,7 @@ def conflict(rule: Rule, _tree: Tree) -> NodeTest:
 def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
     """An overlay changes at least one value of at least one node."""
 
-    def test() -> Iterator[Flaw]:
+    def test() -> Iterator[Problem]:
         effective: set[str] = set()
         first: dict[str, Statement] = {}
         for definition in tree.catalogue.overlaid:
@@ -127,7 +127,7 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
                 before = after
         for overlay, statement in first.items():
             if overlay not in effective:
-                yield Flaw(statement, f"Overlay {overlay!r} changes nothing.", fix="Remove it.")
+                yield Problem(statement, f"Overlay {overlay!r} changes nothing.", fix="Remove it.")
 
     return test
 

@@ -6,8 +6,8 @@ from functools import cache
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
 from sigcat.rules.checks.kind import BadOption, NodeTest, TreeTest
-from sigcat.rules.flaw import Flaw
 from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -26,7 +26,7 @@ def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
     target = rule.options["target"]
     known: dict[str, str] = {}
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         own = last_name(definition.path)
         converted = known.get(own)
         if converted is None:
@@ -35,7 +35,7 @@ def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
             how = "is" if converted == own else f"becomes {converted!r},"
             message = f"Name {own!r} {how} a reserved word of {target}."
             fix = f"Say more, as in {parent_path(definition.path).rpartition('.')[2] + own!r}."
-            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": converted})
+            yield Problem(definition, message, fix=fix, facts={"name": own, "converted": converted})
 
     return test
 
@@ -47,7 +47,7 @@ def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
     target = rule.options["target"]
     known: dict[str, str] = {}
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         own = last_name(definition.path)
         if own not in known:
             converted = convert(own)
@@ -57,7 +57,7 @@ def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
             message = f"Name {own!r}{how} is no name in {target} ({pattern.text})."
             proposal = camel_case(own)
             fix = f"Use a name such as {proposal!r}." if pattern.matches(convert(proposal)) else "Rename it."
-            yield Flaw(definition, message, fix=fix, facts={"name": own, "converted": known[own]})
+            yield Problem(definition, message, fix=fix, facts={"name": own, "converted": known[own]})
 
     return test
 
@@ -67,12 +67,12 @@ def name_length(rule: Rule, _tree: Tree) -> NodeTest:
     most, target = rule.options["most"], rule.options["target"]
     of_path = rule.options.get("of") == "path"
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         subject = definition.path if of_path else last_name(definition.path)
         if len(subject) > most:
             what = "The path" if of_path else f"Name {subject!r}"
             message = f"{what} has {len(subject)} characters; {target} takes {most}."
-            yield Flaw(definition, message, fix=f"Shorten it by {len(subject) - most}.")
+            yield Problem(definition, message, fix=f"Shorten it by {len(subject) - most}.")
 
     return test
 
@@ -86,7 +86,7 @@ def collision(rule: Rule, tree: Tree) -> TreeTest:
     convert = _case(rule) if of_path else cache(_case(rule))
     target = rule.options["target"]
 
-    def test() -> Iterator[Flaw]:
+    def test() -> Iterator[Problem]:
         seen: dict[tuple[str, str], str] = {}
         told: set[tuple[str, str]] = set()
         for path, definition in tree.places.items():
@@ -99,7 +99,7 @@ def collision(rule: Rule, tree: Tree) -> TreeTest:
             if pair not in told:
                 told.add(pair)
                 message = f"{path!r} and {other!r} are both {converted!r} in {target}."
-                yield Flaw(definition, message, fix="Rename one of the two.", facts={"converted": converted})
+                yield Problem(definition, message, fix="Rename one of the two.", facts={"converted": converted})
 
     return test
 

@@ -7,7 +7,7 @@ from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of, function_of, interface_name
 from sigcat.names import did_you_mean, did_you_mean_last, last_name
 from sigcat.rules.checks.kind import NodeTest, TreeTest, nested
-from sigcat.rules.flaw import Flaw
+from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -21,7 +21,7 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
     pattern = rule.options.get("external")
     external = pattern.split("*") if pattern else None
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for within, named in _places(nested(definition.values, attribute)):
             target = tree.interfaces.get(named)
             if target is not None and category_of(target.path) == category:
@@ -37,14 +37,14 @@ def cycle(rule: Rule, tree: Tree) -> TreeTest:
     """Following `attribute` from interface to interface never leads back."""
     attribute = rule.options["attribute"]
 
-    def test() -> Iterator[Flaw]:
+    def test() -> Iterator[Problem]:
         told: set[str] = set()
         for name in tree.interfaces:
             circle = () if name in told else _circle(name, attribute, tree.interfaces)
             if circle:
                 told.update(circle)
                 message = f"`{attribute}` leads in a circle: {' → '.join((*circle, circle[0]))}."
-                yield Flaw(tree.interfaces[circle[0]], message, attribute, "Break the circle.")
+                yield Problem(tree.interfaces[circle[0]], message, attribute, "Break the circle.")
 
     return test
 
@@ -61,7 +61,7 @@ def _places(value: Any) -> list[tuple[tuple[int, ...], str]]:
 
 def _unresolved(
     definition: Definition, attribute: str, within: tuple[int, ...], named: str, category: str, tree: Tree
-) -> Flaw:
+) -> Problem:
     readable = category.replace("_", " ")
     names = {
         interface: last_name(d.path) for interface, d in tree.interfaces.items() if category_of(d.path) == category
@@ -77,7 +77,7 @@ def _unresolved(
     if by_path is not None and category_of(named) == category:
         fix = f"Refer to it by its interface name {interface_name(named)!r}."
     top, *steps = attribute.split(".")
-    return Flaw(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
+    return Problem(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
 
 
 def _circle(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:

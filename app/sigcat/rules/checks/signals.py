@@ -7,8 +7,8 @@ from itertools import pairwise
 from sigcat.catalogue.model.definition import Definition, labels_of
 from sigcat.names import did_you_mean, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, shown
-from sigcat.rules.flaw import Flaw, Repair
 from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -19,12 +19,12 @@ _TARGET = r"moved to\s+([A-Za-z0-9_]+(?:\.[A-Za-z0-9_]+)+)"
 def deprecated_unit(_rule: Rule, tree: Tree) -> NodeTest:
     """The unit is not deprecated."""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         name = definition.values["unit"]
         unit = tree.vocabulary.unit(name) if isinstance(name, str) else None
         if unit is not None and unit.deprecation:
             message = f"Unit {unit.key!r} is deprecated: {unit.deprecation}"
-            yield Flaw(
+            yield Problem(
                 definition, message if message.endswith(".") else f"{message}.", "unit", facts={"unit": unit.key}
             )
 
@@ -34,12 +34,12 @@ def deprecated_unit(_rule: Rule, tree: Tree) -> NodeTest:
 def unit_spelling(_rule: Rule, tree: Tree) -> NodeTest:
     """The unit is written by its key, as the file of units spells it."""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         written = next((s.values["unit"] for s in reversed(definition.statements) if "unit" in s.values), None)
         unit = tree.vocabulary.unit(written) if isinstance(written, str) else None
         if unit is not None and written != unit.key:
             message = f"Unit {written!r} is not written by its key {unit.key!r}."
-            yield Flaw(definition, message, "unit", f"Write {unit.key!r}.", repair=Repair("replace", unit.key))
+            yield Problem(definition, message, "unit", f"Write {unit.key!r}.", repair=Repair("replace", unit.key))
 
     return test
 
@@ -50,11 +50,11 @@ def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
     The target may be relative to a branch above, as release 5.0 writes it.
     """
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         match = re.search(_TARGET, str(definition.values["deprecation"]))
         if match and not _leads_somewhere(match[1], definition.path, tree):
             message = f"The node is said to have moved to {match[1]!r}, which does not exist."
-            yield Flaw(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
+            yield Problem(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
 
     return test
 
@@ -69,12 +69,12 @@ def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
     """Ranges of instances start at `first`."""
     first = rule.options["first"]
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for within, entry in labels_of(definition.values):
             match = re.search(_RANGE, entry) if isinstance(entry, str) else None
             if match and int(match[1]) != first and int(match[1]) <= int(match[2]):
                 message = f"Range {shown(entry)} starts at {int(match[1])}, not at {first}."
-                yield Flaw(definition, message, "instances", f"Count instances from {first}.", within=within)
+                yield Problem(definition, message, "instances", f"Count instances from {first}.", within=within)
 
     return test
 
@@ -82,7 +82,7 @@ def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
 def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
     """No instance is named twice at one level; case does not count."""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         seen: dict[tuple[int, str], str] = {}
         for within, entry in labels_of(definition.values):
             label = str(entry)
@@ -92,7 +92,7 @@ def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
             if other is not None:
                 how = "is named twice" if other == label else f"differs from {other!r} in case only"
                 message = f"Instance {label!r} {how}."
-                yield Flaw(definition, message, "instances", "Remove or rename one of the two.", within=within)
+                yield Problem(definition, message, "instances", "Remove or rename one of the two.", within=within)
 
     return test
 
@@ -100,17 +100,17 @@ def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
 def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
     """No two paths differ in case only."""
 
-    def test() -> Iterator[Flaw]:
+    def test() -> Iterator[Problem]:
         first = tree.catalogue.first_spellings
         for definition in tree.judged:
             path, other = definition.path, first[definition.path.lower()]
             if other != path and not _follows(path, other):
                 message = f"Path {path!r} differs from {other!r} in case only."
-                yield Flaw(definition, message, fix="Rename one of the two.", facts={"other": other})
+                yield Problem(definition, message, fix="Rename one of the two.", facts={"other": other})
             for instance, beside in tree.beside_instances(definition) if "instances" in definition.values else ():
                 if instance != beside and instance.lower() == beside.lower():
                     message = f"Instance {instance!r} differs from {beside!r} in case only."
-                    yield Flaw(definition, message, "instances", "Rename one of the two.", {"other": beside})
+                    yield Problem(definition, message, "instances", "Rename one of the two.", {"other": beside})
 
     return test
 
@@ -128,7 +128,7 @@ def twice_written(rule: Rule, tree: Tree) -> TreeTest:
     """
     ignored = frozenset(rule.options.get("ignored", ()))
 
-    def test() -> Iterator[Flaw]:
+    def test() -> Iterator[Problem]:
         for definition in tree.judged:
             base = [s for s in definition.statements if not s.file.overlay] if len(definition.statements) > 1 else []
             for earlier, later in pairwise(base):
@@ -137,7 +137,7 @@ def twice_written(rule: Rule, tree: Tree) -> TreeTest:
                 if differing:
                     origin = earlier.origin(differing[0])
                     message = f"`{differing[0]}` is given in {origin.file}:{origin.line} too, with another value."
-                    yield Flaw(later, message, differing[0], "Keep one of the two.")
+                    yield Problem(later, message, differing[0], "Keep one of the two.")
 
     return test
 
@@ -146,10 +146,10 @@ def path_depth(rule: Rule, _tree: Tree) -> NodeTest:
     """A path has at most `most` names."""
     most = rule.options["most"]
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         count = definition.path.count(".") + 1
         if count > most:
-            yield Flaw(definition, f"The path has {count} names; the limit is {most}.")
+            yield Problem(definition, f"The path has {count} names; the limit is {most}.")
 
     return test
 
@@ -158,9 +158,9 @@ def path(rule: Rule, _tree: Tree) -> NodeTest:
     """The whole path matches `pattern` as a whole."""
     pattern = compile_pattern(rule.options["pattern"], trusted=rule.trusted)
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         if not pattern.matches(definition.path):
             message = f"Path {definition.path!r} does not match {pattern.text}."
-            yield Flaw(definition, message, facts={"path": definition.path})
+            yield Problem(definition, message, facts={"path": definition.path})
 
     return test

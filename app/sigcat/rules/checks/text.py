@@ -6,9 +6,9 @@ from typing import Any
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import screaming_snake_case
-from sigcat.rules.checks.kind import LineFlaw, LineTest, NodeTest, shown
-from sigcat.rules.flaw import Flaw, Repair
+from sigcat.rules.checks.kind import LineTest, NodeTest, shown
 from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
@@ -35,7 +35,7 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
             return f"`{attribute}` {shown(item)} does not match {pattern.text}."
         return f"`{attribute}` {shown(item)} holds what {bad.text} forbids." if bad and bad.found(item) else ""
 
-    def test(definition: Definition) -> Iterator[Flaw]:
+    def test(definition: Definition) -> Iterator[Problem]:
         for within, item in _texts(definition.values[attribute], by_key=by_key):
             message = wrong(item)
             if message:
@@ -43,7 +43,7 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
                 fix = f"Write {proposal!r}." if proposal and not wrong(proposal) else ""
                 facts = {"value": item, "attribute": attribute}
                 repair = _repair(rule, item, wrong)
-                yield Flaw(definition, message, attribute, fix, facts, repair, at_name=by_key, within=within)
+                yield Problem(definition, message, attribute, fix, facts, repair, at_name=by_key, within=within)
 
     return test
 
@@ -60,14 +60,14 @@ def line_length(rule: Rule) -> LineTest:
     most = rule.options["most"]
     too_long = re.compile(rf"^.{{{most + 1},}}$", re.MULTILINE)
 
-    def test(content: str) -> Iterator[LineFlaw]:
+    def test(content: str) -> Iterator[LineProblem]:
         for match in too_long.finditer(content):
             line = match.group().rstrip("\r")
             longest = max(map(len, line.split()), default=0)
             if len(line) > most and longest < most - len(line) + len(line.lstrip()):
                 number = content.count("\n", 0, match.start()) + 1
                 message = f"The line has {len(line)} characters; the limit is {most}."
-                yield LineFlaw(number, most + 1, message, "Break it; YAML folds the lines of a text into one.")
+                yield LineProblem(number, most + 1, message, "Break it; YAML folds the lines of a text into one.")
 
     return test
 

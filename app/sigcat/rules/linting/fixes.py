@@ -13,9 +13,9 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat.catalogue.reading.yaml_document import Builder, Unbuildable, read_document
 from sigcat.findings import Finding
-from sigcat.rules.flaw import Repair
-from sigcat.rules.linting.options import Place, place_of
+from sigcat.rules.linting.options import Identity, identity_of
 from sigcat.rules.linting.suppression import without_codes
+from sigcat.rules.problem import Repair
 
 _PLAIN_ENDINGS = ("'", '"')
 _BOM = "\ufeff"
@@ -51,12 +51,12 @@ class Fixed(NamedTuple):
 
 
 def fixed_files(
-    findings: Sequence[Finding], repairs: Mapping[Place, Repair], sources: Mapping[str, str], *, unsafe: bool = False
+    findings: Sequence[Finding], repairs: Mapping[Identity, Repair], sources: Mapping[str, str], *, unsafe: bool = False
 ) -> tuple[Fixed, ...]:
     """Every file of `sources` in which something is repaired; nothing is written. `unsafe` adds changes of meaning."""
     wanted: dict[str, list[tuple[Finding, Repair]]] = {}
     for finding in findings:
-        repair = repairs.get(place_of(finding))
+        repair = repairs.get(identity_of(finding))
         if repair is not None and (repair.safe or unsafe) and finding.file in sources:
             wanted.setdefault(finding.file, []).append((finding, repair))
     fixed = (_fixed(name, sources[name], pairs) for name, pairs in wanted.items())

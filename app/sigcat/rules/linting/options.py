@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import Finding
-from sigcat.rules.flaw import Repair
+from sigcat.rules.problem import Repair
 
 _NONE: Mapping[str, Any] = MappingProxyType({})
 
@@ -58,11 +58,11 @@ class LintOptions(NamedTuple):
     check_functions: FunctionCheck | None = None
 
 
-Place = tuple[str, str, int, int, str]
-"""What names a finding whatever its severity: rule, file, line, column, message."""
+Identity = tuple[str, str, int, int, str]
+"""What identifies a finding, whatever its severity and the instance it was found in: rule, file, line, column, message."""
 
 
-def place_of(finding: Finding) -> Place:
+def identity_of(finding: Finding) -> Identity:
     """The key of a finding's repair."""
     return (finding.rule, finding.file, finding.line, finding.column, finding.message)
 
@@ -72,7 +72,7 @@ class LintResult(NamedTuple):
 
     findings: tuple[Finding, ...]
     files: tuple[str, ...]
-    repairs: Mapping[Place, Repair] = MappingProxyType({})
+    repairs: Mapping[Identity, Repair] = MappingProxyType({})
     suppressed: int = 0
 
     @property

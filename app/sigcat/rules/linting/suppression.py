@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
-from sigcat.rules.flaw import Repair
+from sigcat.rules.problem import Repair
 
 MARK = b"sigcat:"
 

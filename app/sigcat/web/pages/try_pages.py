@@ -21,7 +21,7 @@ from sigcat.function.declaration.declaration import read_declaration
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.limits import Limits
 from sigcat.names import nearest
-from sigcat.rules.linting.lint import lint_text
+from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, form_catalogue, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line

@@ -1,4 +1,4 @@
-"""What a check yields: one thing wrong with one node, not yet a finding of a rule."""
+"""What a check yields: one problem of one node or line, not yet a finding of a rule."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Protocol
@@ -7,7 +7,7 @@ from sigcat.catalogue.reading.vspec_file import Origin
 
 
 class Subject(Protocol):
-    """What a flaw is about: a definition, or a single statement of an overlay."""
+    """What a problem is about: a definition, or a single statement of an overlay."""
 
     @property
     def path(self) -> str:
@@ -21,7 +21,7 @@ class Subject(Protocol):
 
 
 class Repair(NamedTuple):
-    """A change of the bytes of one scalar, one attribute or one comment that repairs a flaw.
+    """A change of the bytes of one scalar, one attribute or one comment that repairs a problem.
 
     `safe` means that no reader of the tree sees another meaning: texts for people, spellings.
     """
@@ -31,8 +31,8 @@ class Repair(NamedTuple):
     safe: bool = True
 
 
-class Flaw(NamedTuple):
-    """One thing wrong. `facts` fill the template of the rule's own message, where it has one."""
+class Problem(NamedTuple):
+    """What is wrong with a node. `facts` fill the template of the rule's own message, where it has one."""
 
     subject: Subject
     message: str
@@ -41,6 +41,15 @@ class Flaw(NamedTuple):
     facts: Mapping[str, Any] = {}
     repair: Repair | None = None
     at_name: bool = False
-    """Whether the finding stands at the attribute's name, not at its value."""
+    """Whether the finding points at the attribute's name, not at its value."""
     within: tuple[int | str, ...] = ()
     """Steps from the attribute to the item that is wrong: the index in a list, the key or index in a mapping."""
+
+
+class LineProblem(NamedTuple):
+    """What is wrong with one line of a file, whichever node it belongs to; line and column count from 1."""
+
+    line: int
+    column: int
+    message: str
+    fix: str = ""

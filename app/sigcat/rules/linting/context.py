@@ -1,0 +1,104 @@
+"""What a file is linted with: the tree that it belongs to, units, struct types, and the overlays beside it."""
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from pathlib import Path
+
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.older_releases import Units, in_present_words, read_units
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.definition import Definition
+from sigcat.catalogue.model.vocabulary import Vocabulary, default_files, read_vocabulary
+from sigcat.catalogue.reading.layers import Layer, read_layer
+from sigcat.data import OVERLAYS, ROOT_FILE
+from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
+from sigcat.findings import in_order
+from sigcat.rules.linting.discovery import Source, default_tree, discover, types_beside
+from sigcat.rules.linting.options import LintOptions, identity_of
+from sigcat.rules.tree import Tree
+
+
+def compose_tree(root: Path, options: LintOptions) -> Catalogue:
+    """A whole tree with its units and struct types."""
+    tree = read_layer(root, options.include_dirs)
+    vocabulary, is_older = units_of(root, tree, (), options)
+    types = type_layers((root,), options)
+    layers = [in_present_words(tree) if is_older else tree]
+    catalogue = compose(layers, vocabulary, types, expanded=False, name=root.stem)
+    expanded = partial(compose, layers, vocabulary, types, name=root.stem, earlier=catalogue)
+    return with_instances(catalogue, catalogue.definitions.values(), expanded)
+
+
+def unchecked_tree(tree: Layer, vocabulary: Vocabulary) -> Catalogue:
+    """The tree as it is written, unchecked: nodes that no overlay mentions are looked up, and never judged."""
+    definitions = {s.path: Definition(s.path, (s,), s.values) for s in tree.statements}
+    return Catalogue(tree.name, (), vocabulary, (), (), definitions, is_expanded=False)
+
+
+def with_instances(catalogue: Catalogue, judged: Iterable[Definition], expanded: Callable[[], Catalogue]) -> Catalogue:
+    """The catalogue with the findings that only `expanded` shows, where judged definitions make or refine instances."""
+    tree = Tree(catalogue)
+    if not any("instances" in definition.values or tree.is_instance(definition.path) for definition in judged):
+        return catalogue
+    known = {identity_of(finding) for finding in catalogue.findings}
+    more = [finding for finding in expanded().findings if identity_of(finding) not in known]
+    return catalogue.with_findings(in_order([*catalogue.findings, *more])) if more else catalogue
+
+
+def units_of(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOptions) -> Units:
+    """Units beside the tree, then those beside its overlays, then those of the options; of a release of any age.
+
+    Without any, an official tree that uses units is one of 3.0; the age of one that uses none does not matter.
+    """
+    units = default_files(root, (), UNIT_NAMES[0])
+    quantities = default_files(root, (), QUANTITY_NAMES[0])
+    for folder in dict.fromkeys(path.parent for path in overlays):
+        units += tuple(folder / name for name in UNIT_NAMES if (folder / name).is_file())
+        quantities += tuple(folder / name for name in QUANTITY_NAMES if (folder / name).is_file())
+    if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_NAMES[0]):
+        units += (OVERLAYS / UNIT_NAMES[0],)  # the shipped tree has them for functions, too
+    units, quantities = (*units, *options.units), (*quantities, *options.quantities)
+    if not units and not any("unit" in statement.values for statement in tree.statements):
+        return Units(read_vocabulary((), tuple(dict.fromkeys(quantities))), is_older=False)
+    return read_units(root, tuple(dict.fromkeys(units)), tuple(dict.fromkeys(quantities)))
+
+
+def base_of(overlay: Path, roots: Sequence[Path], options: LintOptions) -> Path:
+    """The tree below an overlay: the one of the options, the only one that is linted, one near it, or the shipped one."""
+    if options.base is not None:
+        return options.base
+    if len(roots) == 1:
+        return roots[0]
+    near = default_tree(overlay)
+    return near if near is not None else ROOT_FILE
+
+
+def in_order_of_application(group: Sequence[Path], options: LintOptions) -> list[Path]:
+    """The overlays of the configuration and those beside the named ones, and the named ones, in order."""
+    stack = {path.resolve(): path for path in options.overlays}
+    named = {path.resolve(): path for path in group}
+    if not any(path in stack for path in named):
+        stack.update({path.resolve(): path for path in _overlays_beside(group)})
+    return list({**stack, **named}.values())
+
+
+def _overlays_beside(group: Sequence[Path]) -> list[Path]:
+    """The overlays of the folders: one may refer to what another defines."""
+    folders = dict.fromkeys(path.parent for path in group)
+    near = [path for folder in folders for path in sorted(folder.glob("*.vspec")) if path.is_file()]
+    named = {path.resolve(): path for path in group}
+    found = discover(near, group) if near else ()
+    return [named.get(s.path.resolve(), s.path) for s in found if s.kind == "overlay"]
+
+
+def type_files(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
+    """The files of struct types: those of the options, and those that were found."""
+    known = {path.resolve(): path for path in options.types}
+    found = {source.path.resolve(): source.path for source in sources if source.kind == "types"}
+    return tuple({**known, **found}.values())
+
+
+def type_layers(files: Iterable[Path], options: LintOptions) -> list[Layer]:
+    """The struct types of a tree and its overlays: those of the options, and those in the same folders."""
+    paths = {path.resolve(): path for path in (*types_beside(files), *options.types)}
+    return [read_layer(path, options.include_dirs) for path in paths.values()]

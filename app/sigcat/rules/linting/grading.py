@@ -1,0 +1,72 @@
+"""How severe findings are: what the records say, and what a configuration says for all files or for some."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
+from pathlib import Path, PurePath
+from typing import Any, NamedTuple
+
+from sigcat.errors import UsageError
+from sigcat.findings import SEVERITIES, Finding, Severity
+from sigcat.names import did_you_mean
+from sigcat.rules.linting.options import LintOptions, PerFile
+
+OFF = "off"
+
+
+class Grading(NamedTuple):
+    """Severities of the rules that run. A finding whose code has no record keeps its own."""
+
+    severities: Mapping[str, Severity]
+    codes: frozenset[str]
+    """Codes of all rules, those that do not run among them."""
+    options: LintOptions
+
+    def graded(self, findings: Iterable[Finding]) -> Iterator[Finding]:
+        """Findings of rules that run, with their severities; those of other rules are left out."""
+        for finding in findings:
+            severity = self.severities.get(finding.rule)
+            if severity is None and finding.rule in self.codes:
+                continue
+            if severity is not None and severity != finding.severity:
+                finding = finding._replace(severity=severity)  # noqa: PLW2901 — the finding as this lint grades it
+            final = _graded_in_file(finding, self.options.per_file, self.options.root)
+            if final is not None:
+                yield final
+
+
+def _graded_in_file(finding: Finding, per_file: Iterable[PerFile], root: Path) -> Finding | None:
+    """The finding with the severity that its file gives its rule; None where the rule is off."""
+    for entry in per_file:
+        if matches(finding.file, entry.glob, root):
+            severity = most_specific(finding.rule, entry.severities)
+            if severity == OFF:
+                return None
+            if severity is not None:
+                finding = finding._replace(severity=as_severity(severity))
+    return finding
+
+
+def matches(file: str, glob: str, root: Path) -> bool:
+    """Whether a file matches a glob relative to `root`; a folder stands for all below it."""
+    path = Path(file)
+    try:
+        name = path.resolve().relative_to(root.resolve()).as_posix()
+    except ValueError:
+        name = PurePath(file).as_posix()
+    plain = glob.rstrip("/")
+    return fnmatchcase(name, plain) or fnmatchcase(name, f"{plain}/*") or PurePath(name).match(plain)
+
+
+def most_specific(code: str, severities: Mapping[str, Any]) -> str | None:
+    """The severity of the longest key that `code` starts with."""
+    keys = [key for key in severities if code.startswith(key)]
+    return str(severities[max(keys, key=len)]) if keys else None
+
+
+def as_severity(text: str) -> Severity:
+    """A severity from a configuration. Raises UsageError."""
+    for severity in SEVERITIES:
+        if severity == text:
+            return severity
+    hint = did_you_mean(text, (*SEVERITIES, OFF))
+    raise UsageError(f"A severity must be {', '.join(SEVERITIES)} or {OFF}, not {text!r}. {hint}".strip())
