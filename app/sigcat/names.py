@@ -45,6 +45,11 @@ def either(names: Iterable[str]) -> str:
     return f"{', '.join(others)} or {last}" if others else last
 
 
+def with_article(noun: str) -> str:
+    """A noun behind its article: `branch` → `a branch`, `actuator` → `an actuator`."""
+    return f"{'an' if noun[:1].lower() in ('a', 'e', 'i', 'o', 'u') else 'a'} {noun}"
+
+
 def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float = 75.0) -> tuple[str, ...]:
     """The candidates that `name` was probably meant to be, best first; case does not count.
 

@@ -1,4 +1,4 @@
-"""Regular expressions of others, which may be built to exhaust time or memory: bounded in both."""
+"""Regular expressions from others, which may be built to exhaust time or memory: both are bounded."""
 
 import math
 import re
@@ -10,11 +10,11 @@ _MOST_PARTS = 10_000
 _TOKENS = r"(?s)\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|."
 _COUNT = r"\{([^,}]*)"
 _UNUSUAL = r"\(\?[^:=!<P]|\[:"
-"""Flags, comments and classes of POSIX, with which groups are not told apart so simply."""
+"""Flags, comments and POSIX classes; groups cannot be told apart so simply beside them."""
 
 
 class BadPattern(Exception):
-    """The text is no regular expression, or one too large to compile; says why."""
+    """The text is not a regular expression, or one that is too large to compile; its own text says why."""
 
 
 def compile_bounded(text: str) -> Any:
@@ -22,7 +22,7 @@ def compile_bounded(text: str) -> Any:
     import regex  # loaded only where a pattern has something to match; unlike `re` it can stop a match
 
     if (parts := _parts(text)) > _MOST_PARTS:
-        raise BadPattern(f"{parts:,} parts with repetitions written out; the limit is {_MOST_PARTS:,}")
+        raise BadPattern(f"it has {parts:,} parts with repetitions written out; the limit is {_MOST_PARTS:,}")
     try:
         return regex.compile(text)
     except (regex.error, OverflowError, RecursionError, ValueError) as error:
@@ -30,25 +30,25 @@ def compile_bounded(text: str) -> Any:
 
 
 class Matching:
-    """Matches the patterns of one tree within a time for all of them together, which it counts down."""
+    """Matches the patterns of one tree; counts down the time that all of them have together."""
 
     def __init__(self, seconds: float) -> None:
         self._left = seconds
 
     def mismatch(self, pattern: str, text: str) -> str:
-        """Why `text` does not match. What takes too long counts as no match: it may be an attack."""
+        """`does not match` or why else there is no match; empty for a match. What takes too long may be an attack."""
         if self._left <= 0:
-            return "is unchecked, as the patterns before it took too long, against the"
+            return "was not checked (earlier patterns took too long) against"
         start = time.perf_counter()
         try:
             is_match = compile_bounded(pattern).match(text, timeout=min(SECONDS_PER_MATCH, self._left))
         except TimeoutError:
-            return "takes too long to match against the"
+            return "takes too long to match against"
         except BadPattern as error:
-            return f"cannot be matched ({error}) against the"
+            return f"cannot be matched ({error}) against"
         finally:
             self._left -= time.perf_counter() - start
-        return "" if is_match else "does not match the"
+        return "" if is_match else "does not match"
 
 
 def _parts(text: str) -> int:
@@ -73,5 +73,5 @@ def _parts(text: str) -> int:
 
 
 def _number(text: str) -> int:
-    """The digits of a text as a number, no larger than what any limit refuses."""
+    """The digits of a text as a number, cut to nine of them: more than any limit allows."""
     return int("".join(filter("0123456789".__contains__, text))[:9] or 0)

@@ -5,7 +5,8 @@ import json
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sigcat.catalogue.composing.compose import compose, compose_part
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import layer_from_text
 from tests.catalogue.comparing.running import signal

@@ -68,7 +68,7 @@ def test_a_unit_that_allows_no_datatype_is_told_to_be_mended_in_its_file(tree, c
     Path("units.yaml").write_text("m: {definition: Metre, unit: metre, quantity: length, allowed_datatypes: [float]}\n")
     Path("quantities.yaml").write_text("length: {definition: How long.}\n")
     assert main(["show", "Vehicle.Speed", "-s", "tree.vspec"]) == 1
-    assert "it allows none. Give 'm' its `allowed-datatypes`, in the file of units." in capsys.readouterr().err
+    assert "it allows no datatype. Give 'm' its `allowed-datatypes` in the units file." in capsys.readouterr().err
 
 
 def test_export_goes_to_standard_output(tree, capsys):
@@ -86,7 +86,7 @@ def test_a_tree_with_errors_is_not_exported_and_the_old_file_stays(tree, capsys)
     tree.write_text(ROOT + SPEED.replace("float", "flaot"))
     assert main(["export", "json", "-s", "tree.vspec", "-o", "out.json"]) == 1
     assert Path("out.json").read_text() == "before"
-    assert "tree.vspec:6:13: error V003 'flaot' is no datatype. Did you mean 'float'?" in capsys.readouterr().err
+    assert "tree.vspec:6:13: error V003 'flaot' is not a datatype. Did you mean 'float'?" in capsys.readouterr().err
 
 
 def test_without_a_tree_the_shipped_one_is_meant(capsys):

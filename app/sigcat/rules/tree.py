@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from sigcat.catalogue.composing.compose import expanded_paths
-from sigcat.catalogue.composing.instances import count_instances, instance_names
+from sigcat.catalogue.composing.expand_instances import count_instances, instance_names
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.catalogue.model.vocabulary import Vocabulary

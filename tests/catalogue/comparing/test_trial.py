@@ -115,7 +115,7 @@ def test_the_command_shows_changes_and_nodes(files, capsys):
 def test_an_overlay_with_errors_is_told_in_full_and_fails(files, capsys):
     assert sigcat("try", "bad.vspec", "-s", "tree.vspec") == 1
     out = capsys.readouterr().out
-    assert "bad.vspec:2:13: error V003 'flaot' is no datatype." in out
+    assert "bad.vspec:2:13: error V003 'flaot' is not a datatype." in out
     assert "datatype: float → flaot" in out
 
 

@@ -5,7 +5,8 @@ import json
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sigcat.catalogue.composing.compose import compose, compose_part
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.engine import found_in

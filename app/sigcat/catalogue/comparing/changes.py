@@ -58,8 +58,8 @@ class Change(NamedTuple):
         return self.evidence == "same definition"
 
     @property
-    def place(self) -> tuple[list[str], int, list[str]]:
-        """Sort key: by the path that users of the old tree know."""
+    def sort_key(self) -> tuple[list[str], int, list[str]]:
+        """By the path that users of the old tree know."""
         return ((self.former or self.path).split("."), KINDS.index(self.kind), self.path.split("."))
 
 

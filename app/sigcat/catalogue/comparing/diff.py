@@ -27,7 +27,7 @@ def compare(old: Catalogue, new: Catalogue, ignored: frozenset[str] = frozenset(
     with collector_paused():
         comparison = _Comparison(old, new, ignored)
         changes = [*comparison.changed(), *comparison.left(), *comparison.arrived()]
-        return tuple(sorted(_grouped(changes), key=lambda change: change.place))
+        return tuple(sorted(_grouped(changes), key=lambda change: change.sort_key))
 
 
 class _Single(NamedTuple):

@@ -20,7 +20,7 @@ from yaml.nodes import Node as YamlNode
 
 from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
-from sigcat.catalogue.composing.older_releases import in_present_words, tolerant
+from sigcat.catalogue.composing.older_releases import tolerant, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.reading.layers import Layer
@@ -66,7 +66,7 @@ def catalogue_from_export(
     reading.read_children("", content, document.root)
     base = _layer(source, reading)
     is_older = any("uuid" in statement.values for statement in base.statements)
-    layers = [in_present_words(base) if is_older else base, *overlays]
+    layers = [with_present_spellings(base) if is_older else base, *overlays]
     type_layers = []
     if types is not None:
         reading = _Reading(source)

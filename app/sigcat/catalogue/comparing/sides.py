@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.catalogue.comparing.exported_json import UNKNOWN, read_export
-from sigcat.catalogue.composing.overlays import with_overlays
+from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.git_revision import unpack_revision

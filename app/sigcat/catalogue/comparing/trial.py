@@ -5,7 +5,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.catalogue.comparing.changes import Change
 from sigcat.catalogue.comparing.diff import compare
-from sigcat.catalogue.composing.overlays import with_overlays
+from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.reading.layers import Layer, layer_from_text
 from sigcat.findings import Finding

@@ -4,11 +4,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 NO_VALUE: Any = object()
-"""What a conversion gives for a value that is none of the attribute."""
+"""What a conversion returns for a value that the attribute cannot have."""
 
 
 def text(value: Any) -> Any:
-    """A text as it is."""
+    """Text, unchanged."""
     return value if isinstance(value, str) else NO_VALUE
 
 
@@ -68,16 +68,14 @@ CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
     "is_instance": _flag, "fka": _texts, "arraysize": _whole, "min": _number, "max": _number,
     "allowed": _scalars, "enum": _numbered, "instances": _instances, "instances_relation": _relation,
 }  # fmt: skip
-"""What becomes of the value of each attribute, by its name."""
+"""How the value of each attribute is normalized, by its name."""
 EXPECTED: Mapping[str, str] = {
-    "description": "a text belongs here", "comment": "a text belongs here", "deprecation": "a text belongs here",
-    "constUID": "a text such as '0x0123ABCD' belongs here", "pattern": "a regular expression belongs here",
-    "unit": "the key of a unit belongs here", "datatype": "the name of a datatype belongs here",
-    "delete": "true or false belongs here", "instantiate": "true or false belongs here",
-    "aggregate": "true or false belongs here", "is_instance": "true or false belongs here",
-    "fka": "a list of former paths belongs here", "arraysize": "a whole number belongs here",
-    "min": "a number belongs here", "max": "a number belongs here", "allowed": "a list of values belongs here",
-    "enum": "a mapping of names to whole numbers belongs here", "instances": "a text or a list belongs here",
-    "instances_relation": "'child' or 'sibling' belongs here",
+    "description": "text", "comment": "text", "deprecation": "text", "constUID": "text such as '0x0123ABCD'",
+    "pattern": "a regular expression", "unit": "the key of a unit", "datatype": "the name of a datatype",
+    "delete": "true or false", "instantiate": "true or false", "aggregate": "true or false",
+    "is_instance": "true or false", "fka": "a list of former paths", "arraysize": "a whole number",
+    "min": "a number", "max": "a number", "allowed": "a list of values",
+    "enum": "a mapping of names to whole numbers", "instances": "text or a list",
+    "instances_relation": "'child' or 'sibling'",
 }  # fmt: skip
-"""What to say where a value is none, by the name of the attribute."""
+"""What the value of each attribute must be, by its name, in words."""

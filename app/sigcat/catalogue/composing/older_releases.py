@@ -1,16 +1,16 @@
-"""Trees and units of older releases, understood as the tools of their time did, and said so as warnings.
+"""Trees and units of older releases, read as the tools of their time read them, with warnings.
 
 What differs from the present form, by release:
 
-| release | units | words in trees |
+| release | units | spellings in trees |
 |---|---|---|
-| 3.0 | none: they stood in the tools | `enum` lists allowed values in trees of before, `rbranch`, `type: Actuator` |
+| 3.0 | none: they were in the tools | `enum` for `allowed`, `rbranch`, `type: Actuator` |
 | 3.1, 4.0 | one mapping under `units:`, with `label`, `description`, `domain`; no quantities | – |
-| 4.1, 4.2 | present form, a few entries with words of before; a quantity need not be defined | – |
+| 4.1, 4.2 | present form, some entries with old field names; a quantity need not be defined | – |
 | 5.0 on | present form | – |
 
 Sources: the changelogs of VSS and of vss-tools. Tools before 5.0 checked neither datatypes of units, nor bounds, nor
-duplicate keys; what a tree of that time has of these is a warning.
+duplicate keys; in a tree of that time these are warnings.
 """
 
 import re
@@ -22,7 +22,7 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
 from sigcat.catalogue.model.definition import TYPES
-from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary
+from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary, shared_name
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, VspecFile, parse_vspec
 from sigcat.data import VSPEC
@@ -31,22 +31,22 @@ from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
-_WORDS = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
-"""Attributes of a unit as they were called before 4.1 (`units` is a slip that 4.1 has), and now."""
-_OLD_WORD = re.compile(rb"^units:|^[ \t]+(?:description|label|units|domain):", re.MULTILINE)
+_PRESENT_NAMES = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
+"""Fields of a unit by their names before 4.1 (`units` is a slip in 4.1 itself)."""
+_OLD_NAME = re.compile(rb"^units:|^[ \t]+(?:description|label|units|domain):", re.MULTILINE)
 _ANY_DATATYPE = tuple(sorted(PRIMITIVES))
 _UNITS_OF_TOOLS = (
     ("UNIX Timestamp", "Seconds since 1970-01-01 00:00:00 UTC, leap seconds not counted.", "datetime"),
     ("MB", "Amount of data in units of one million bytes.", "data"),
     ("MB/s", "Amount of data in each second, in units of one million bytes.", "data per time"),
 )
-"""Units that the tools of 3.0 knew and that the shipped vocabulary has no longer."""
+"""Units that the tools of 3.0 knew and that are no longer in the shipped vocabulary."""
 _SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
-"""Keys of shipped units that were spelled otherwise then; a tree of 3.0 keeps its own spelling."""
+"""Keys of shipped units in the spelling of 3.0, which a tree of 3.0 keeps."""
 _ESSENTIAL = frozenset(
     (codes.SECOND_ROOT.id, codes.OUTSIDE_ROOT.id, codes.PATH_MALFORMED.id, codes.INSTANCES_MULTIPLY.id)
 )
-"""Rules without which there is no tree: what breaks them is an error in a tree of any age."""
+"""Rules that every tree has to follow, of any age: without them there is no tree."""
 
 
 class Units(NamedTuple):
@@ -57,7 +57,7 @@ class Units(NamedTuple):
 
 
 class _Entry(NamedTuple):
-    """A unit of an older file, its attributes called by their present names."""
+    """A unit of an older file, its fields under their present names."""
 
     key: str
     values: Mapping[str, Any]
@@ -66,6 +66,8 @@ class _Entry(NamedTuple):
 
 
 class _OlderFile(NamedTuple):
+    """A units file in an older form."""
+
     source: SourceFile
     entries: list[_Entry]
 
@@ -78,7 +80,7 @@ def read_units(
 ) -> Units:
     """The vocabulary of a tree of any age: from the files given, or from those beside `spec`.
 
-    An official tree without units is one of 3.0, whose units stood in the tools: it gets the shipped ones.
+    An official tree without units is one of 3.0, whose units were in the tools: it gets the shipped ones.
     """
     unit_files = default_files(spec, units, UNIT_NAMES[0])
     quantity_files = default_files(spec, quantities, QUANTITY_NAMES[0])
@@ -93,12 +95,12 @@ def read_units(
 
 
 def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
-    """The entries of a units file in a form of before; None for one in the present form, or none at all."""
+    """A units file in an older form; None for one in the present form and for one that cannot be read."""
     try:
         data = path.read_bytes() if path.stat().st_size <= limits.file_bytes else b""
     except OSError:
         return None
-    if not _OLD_WORD.search(data):
+    if not _OLD_NAME.search(data):
         return None
     source = SourceFile(str(path), "", digest_of(data))
     entries = list(_entries(parse_vspec(data, source, limits)))
@@ -110,16 +112,16 @@ def _entries(file: VspecFile) -> Iterator[_Entry]:
         (statement,) = file.statements
         for key, values in statement.values.items():
             if isinstance(values, dict):
-                yield _Entry(key, _present_words(values), statement.origin_of_key(key), is_older=True)
+                yield _Entry(key, _with_present_names(values), statement.origin_of_key(key), is_older=True)
         return
     for statement in file.statements:
-        values = _present_words(statement.values)
+        values = _with_present_names(statement.values)
         yield _Entry(statement.path, values, statement.origin(), values.keys() != statement.values.keys())
 
 
-def _present_words(values: Mapping[str, Any]) -> dict[str, Any]:
-    renamed = {_WORDS[name]: value for name, value in values.items() if name in _WORDS}
-    return {**renamed, **{name: value for name, value in values.items() if name not in _WORDS}}
+def _with_present_names(values: Mapping[str, Any]) -> dict[str, Any]:
+    renamed = {_PRESENT_NAMES[name]: value for name, value in values.items() if name in _PRESENT_NAMES}
+    return {**renamed, **{name: value for name, value in values.items() if name not in _PRESENT_NAMES}}
 
 
 def _with_older(vocabulary: Vocabulary, file: _OlderFile) -> Vocabulary:
@@ -128,7 +130,7 @@ def _with_older(vocabulary: Vocabulary, file: _OlderFile) -> Vocabulary:
     names: dict[str, Unit] = {}
     for unit in map(_unit, file.entries):
         if unit.name in names:
-            findings.append(_same_name(unit, names[unit.name]))
+            findings.append(shared_name(unit, names[unit.name]))
         names[unit.name] = units[unit.name] = units[unit.key.lower()] = unit
         quantities.setdefault(unit.quantity.lower(), Quantity(unit.quantity, "", "", unit.origin))
     return Vocabulary(units, quantities, (*vocabulary.files, file.source), tuple(findings))
@@ -152,26 +154,21 @@ def _unit(entry: _Entry) -> Unit:
 def _older_form(entries: Sequence[_Entry]) -> Finding:
     older = [entry for entry in entries if entry.is_older]
     named = ", ".join(repr(entry.key) for entry in older[:3]) + (", …" if len(older) > 3 else "")
-    message = f"{len(older)} units are written as before VSS 4.1: {named}."
-    fix = "Write `definition`, `unit`, `quantity` and `allowed-datatypes`, without a `units:` above."
-    return codes.UNITS_OF_OLDER_RELEASE.finding(message, *older[0].origin[:3], fix=fix)
-
-
-def _same_name(unit: Unit, other: Unit) -> Finding:
-    message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
-    fix = "Give each unit a name of its own; other tools refuse the file."
-    return codes.UNIT_NAME_SHARED.finding(message, *unit.origin[:3], unit.key, fix=fix)
+    units = "1 unit is" if len(older) == 1 else f"{len(older)} units are"
+    message = f"{units} written as before VSS 4.1: {named}."
+    fix = "Write `definition`, `unit`, `quantity` and `allowed-datatypes`, without `units:` above."
+    return codes.UNITS_OF_OLDER_RELEASE.finding(message, *older[0].origin.position, fix=fix)
 
 
 def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
-    """The shipped units, for any datatype, and those that only the tools of 3.0 knew."""
+    """The shipped units, for any datatype, and those that only the tools of 3.0 knew, with a warning."""
     shipped = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"], limits)
     units = {name: _unit_of_tools(unit) for name, unit in shipped.units.items()}
     nowhere = Origin(str(spec), 0, 0)
     for key, definition, quantity in _UNITS_OF_TOOLS:
         units[key.lower()] = Unit(key, key, definition, quantity, _ANY_DATATYPE, "", nowhere)
-    message = "No units stand beside the tree, as in VSS 3.0; it gets the units that sigcat ships."
-    finding = codes.UNITS_OF_OLDER_RELEASE.finding(message, str(spec), fix="Name a file of units to choose others.")
+    message = "There is no units file beside the tree, as in VSS 3.0; the units that sigcat ships are used."
+    finding = codes.UNITS_OF_OLDER_RELEASE.finding(message, str(spec), fix="Name a units file to use others.")
     return Vocabulary(units, shipped.quantities, shipped.files, (*shipped.findings, finding))
 
 
@@ -183,17 +180,17 @@ def _unit_of_tools(shipped: Unit) -> Unit:
 # -- trees --------------------------------------------------------------------------------------------------------
 
 
-def in_present_words(layer: Layer) -> Layer:
-    """An older base tree with its words replaced by the present ones, each place a warning."""
+def with_present_spellings(layer: Layer) -> Layer:
+    """An older base tree with its spellings replaced by the present ones, each with a warning."""
     findings: list[Finding] = []
-    statements = tuple(_in_present_words(statement, findings) for statement in layer.statements)
+    statements = tuple(_with_present_spellings(statement, findings) for statement in layer.statements)
     if not findings:
         return layer
-    once = {finding[3:6]: finding for finding in reversed(findings)}  # a file may be included several times
+    once = {(f.file, f.line, f.column): f for f in reversed(findings)}  # a file may be included several times
     return Layer(layer.name, layer.is_overlay, layer.files, statements, (*layer.findings, *once.values()))
 
 
-def _in_present_words(statement: Statement, findings: list[Finding]) -> Statement:
+def _with_present_spellings(statement: Statement, findings: list[Finding]) -> Statement:
     values: dict[str, Any] = {}
     for name, value in statement.values.items():
         new_name, new_value = _present(name, value, statement.values)
@@ -203,9 +200,8 @@ def _in_present_words(statement: Statement, findings: list[Finding]) -> Statemen
         if (new_name, new_value) != (name, value):
             old, new = (name, new_name) if new_name != name else (f"{name}: {value}", f"{name}: {new_value}")
             message = f"`{old}` is an older spelling of `{new}`."
-            findings.append(
-                codes.SPELLING_OF_OLDER_RELEASE.finding(message, *statement.origin(name)[:3], statement.path)
-            )
+            origin, fix = statement.origin(name), f"Write `{new}`."
+            findings.append(codes.SPELLING_OF_OLDER_RELEASE.finding(message, *origin.position, statement.path, fix=fix))
     if values == dict(statement.values):
         return statement
     return statement.with_values(values)
@@ -224,10 +220,10 @@ def _present(name: str, value: Any, values: Mapping[str, Any]) -> tuple[str, Any
 
 
 def tolerant(catalogue: Catalogue) -> Catalogue:
-    """The catalogue with errors of its base tree as warnings, save those without which there is no tree.
+    """The catalogue with the errors of its base tree as warnings, except those that leave no tree.
 
-    For official releases: their tools took them, and a reader has to live with them. Overlays stay under today's
-    checks.
+    For official releases: the tools of their time accepted them, and readers cannot change them. Overlays are checked
+    as today.
     """
     base = {file.name for layer in catalogue.layers[:1] for file in layer.files}
     files = base | {file.name for file in catalogue.vocabulary.files}

@@ -11,8 +11,8 @@ from pathlib import PurePath
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
+from sigcat.catalogue.composing.add_overlays import tolerating
 from sigcat.catalogue.composing.compose import compose, unexpanded
-from sigcat.catalogue.composing.overlays import tolerating
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import SearchIndex

@@ -189,7 +189,7 @@ class Catalogue:
                 known[key] = hashlib.sha256(text.encode("utf-8", "surrogatepass")).digest()
             sha.update(path.encode("utf-8", "surrogatepass") + b"\0" + known[key])
         for unit in self.vocabulary.distinct_units:
-            sha.update(repr(unit[:6]).encode("utf-8", "surrogatepass"))
+            sha.update(repr(unit.meaning).encode("utf-8", "surrogatepass"))
         return sha.hexdigest()
 
 

@@ -31,7 +31,7 @@ def is_array(datatype: str) -> bool:
 
 
 def element_of(datatype: str) -> str:
-    """Datatype of the elements of an array; a datatype that is no array, unchanged."""
+    """Datatype of the elements of an array; a datatype that is not an array, unchanged."""
     return datatype.removesuffix("[]")
 
 
@@ -66,3 +66,12 @@ def holds(datatype: str, value: Any) -> bool:
     if name == "string":
         return all(isinstance(item, str) for item in values)
     return all(isinstance(item, float) for item in values) or all(isinstance(item, int) for item in values)
+
+
+def values_in_words(datatype: str) -> str:
+    """Which values a predefined datatype, or the elements of an array, can have: `0 to 255`."""
+    name = element_of(datatype)
+    if name in INTEGER_RANGES:
+        low, high = INTEGER_RANGES[name]
+        return f"{low} to {high}"
+    return {"boolean": "true or false", "string": "text", "int": "whole numbers"}.get(name, "numbers")

@@ -1,4 +1,4 @@
-"""A node's definition: what all layers together say of it, and the problems of that."""
+"""A node's definition: what all layers together say about it, and the problems of that."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -33,11 +33,11 @@ class Problem(NamedTuple):
     within: tuple[int, ...] = ()
     """Steps from the attribute to the item that the problem is about; of a mapping, to its key."""
     brought_by: str = ""
-    """The attribute that a later statement gave, and that made a problem of one that was there: it is told there."""
+    """The attribute of a later statement that caused the problem; the finding points to it. Empty: `attribute` itself."""
 
 
 class Scope(NamedTuple):
-    """What definitions refer to: units, and struct datatypes with their definitions; and the time for their patterns."""
+    """What definitions refer to: units and struct datatypes; and the time limit of their patterns."""
 
     vocabulary: Vocabulary
     matching: Matching
@@ -46,7 +46,7 @@ class Scope(NamedTuple):
 
 
 class Definition:
-    """What all layers together say of one node. Frozen; shared by every instance of the node."""
+    """What all layers together say about one node. Frozen; shared by every instance of the node."""
 
     __slots__ = ("is_instance", "path", "problems", "statements", "values")
 
@@ -85,9 +85,9 @@ class Definition:
         """Where an item of a list or mapping was written last; where the attribute was, if that is not known."""
         if steps:
             for statement in reversed(self.statements):
-                place = statement.origin_within(attribute, steps, at_key=at_key)
-                if place is not None:
-                    return place
+                origin = statement.origin_within(attribute, steps, at_key=at_key)
+                if origin is not None:
+                    return origin
         return self.origin(attribute)
 
     def last_written(self, attributes: Sequence[str]) -> str:
@@ -107,20 +107,35 @@ class Definition:
         """Attributes that VSS does not define, such as `ASILlevel`."""
         return {name: value for name, value in self.values.items() if name not in CORE_ATTRIBUTES}
 
+    def with_problems(self, problems: tuple[Problem, ...]) -> "Definition":
+        """The same definition with other problems."""
+        return Definition(self.path, self.statements, self.values, problems, self.is_instance)
+
     def finding(self, problem: Problem, path: str = "") -> Finding:
-        """A problem as a finding at the place where it was written."""
+        """A problem as a finding, where its cause was written."""
         within = () if problem.brought_by else problem.within
-        place = self.origin_within(problem.brought_by or problem.attribute, within, at_key=True)[:3]
-        return problem.rule.finding(problem.message, *place, path or self.path, fix=problem.fix)
+        origin = self.origin_within(problem.brought_by or problem.attribute, within, at_key=True)
+        return problem.rule.finding(problem.message, *origin.position, path or self.path, fix=problem.fix)
 
 
-def overlaid(base: Mapping[str, Any], update: Mapping[str, Any]) -> dict[str, Any]:
+def merged_values(base: Mapping[str, Any], update: Mapping[str, Any]) -> dict[str, Any]:
     """`base` with the values of `update`; mappings inside are merged, everything else is replaced."""
     merged = dict(base)
     for name, value in update.items():
         before = merged.get(name)
-        merged[name] = overlaid(before, value) if isinstance(value, dict) and isinstance(before, dict) else value
+        if isinstance(value, dict) and isinstance(before, dict):
+            merged[name] = merged_values(before, value)
+        else:
+            merged[name] = value
     return merged
+
+
+def merged_statements(statements: Sequence[Statement]) -> Mapping[str, Any]:
+    """The values that statements give together; later statements win, attribute by attribute."""
+    values = statements[0].values
+    for statement in statements[1:]:
+        values = merged_values(values, statement.values)
+    return values
 
 
 def instances_of(values: Mapping[str, Any]) -> list[Any]:

@@ -36,6 +36,11 @@ class Unit(NamedTuple):
     deprecation: str
     origin: Origin
 
+    @property
+    def meaning(self) -> tuple[str | tuple[str, ...], ...]:
+        """Everything but where the unit was written."""
+        return self.key, self.name, self.definition, self.quantity, self.allowed_datatypes, self.deprecation
+
 
 class Vocabulary(NamedTuple):
     """Units by lower-case key and by name, quantities by key, and what was wrong with their files."""
@@ -58,14 +63,14 @@ class Vocabulary(NamedTuple):
 _UNIT_FIELDS = frozenset(
     ("definition", "unit", "label", "quantity", "domain", "qudt", "allowed-datatypes", "deprecation", "comment")
 )
-"""What a unit may say, older releases included."""
+"""The fields of a unit, those of older releases included."""
 EMPTY = Vocabulary({}, {}, (), ())
 
 
 def read_vocabulary(
     unit_files: Sequence[Path], quantity_files: Sequence[Path], limits: Limits = DEFAULT_LIMITS
 ) -> Vocabulary:
-    """Read units and quantities. What is wrong with an entry is a finding, and the entry is left out."""
+    """Read units and quantities. An entry with an error is a finding, and is left out."""
     findings: list[Finding] = []
     sources: list[SourceFile] = []
     quantities = {
@@ -78,7 +83,7 @@ def read_vocabulary(
         if unit is None:
             continue
         if unit.name in names and names[unit.name].key.lower() != key:
-            findings.append(_same_name(unit, names[unit.name]))
+            findings.append(shared_name(unit, names[unit.name]))
         if unit.name:
             names[unit.name] = unit
             units[unit.name] = unit
@@ -124,21 +129,22 @@ def _quantity(entry: Statement) -> Quantity:
 def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[Finding]) -> Unit | None:
     values = entry.values
     if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
-        message = f"Unit {entry.path!r} needs a `definition` and a `unit`."
+        message = f"Unit {entry.path!r} must have a `definition` and a `unit`."
         findings.append(_about(entry, codes.UNIT_INCOMPLETE, message))
         return None
     findings.extend(_unknown_fields(entry))
     quantity = _quantity_of(values)
     if quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
-        message = f"Unit {entry.path!r} measures {quantity!r}, which is no quantity."
+        message = f"Unit {entry.path!r} has the unknown quantity {quantity!r}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
     allowed = values.get("allowed-datatypes") or []
     unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
     if unknown:
-        message = f"Unit {entry.path!r} allows {', '.join(map(repr, unknown))}, which is no datatype."
-        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes"))
+        message = f"Unit {entry.path!r} allows {', '.join(map(repr, unknown))}, which is not a datatype."
+        hint = did_you_mean(str(unknown[0]), DATATYPES)
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes", hint))
         return None
     return Unit(
         entry.path,
@@ -152,13 +158,13 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
 
 
 def _unknown_fields(entry: Statement) -> Iterator[Finding]:
-    """Fields that other tools drop without a word, and with them what they were to say."""
+    """Fields that other tools ignore silently."""
     for name in entry.values:
         if name not in _UNIT_FIELDS:
-            message = f"Unit {entry.path!r} has the unknown field {name!r}, which is left out."
+            message = f"Unit {entry.path!r} has the unknown field {name!r}, which is ignored."
             fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
-            place = entry.origin_of_key(name)[:3]
-            yield codes.UNIT_FIELD_UNKNOWN.finding(message, *place, entry.path, fix=fix)
+            origin = entry.origin_of_key(name)
+            yield codes.UNIT_FIELD_UNKNOWN.finding(message, *origin.position, entry.path, fix=fix)
 
 
 def _quantity_of(values: Mapping[str, Any]) -> str:
@@ -167,11 +173,12 @@ def _quantity_of(values: Mapping[str, Any]) -> str:
     return str(values.get("quantity") or nested or values.get("domain") or "")
 
 
-def _same_name(unit: Unit, other: Unit) -> Finding:
+def shared_name(unit: Unit, other: Unit) -> Finding:
+    """The finding that two units have one name."""
     message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
     fix = "Give each unit a name of its own; other tools refuse the file."
-    return codes.UNIT_NAME_SHARED.finding(message, *unit.origin[:3], unit.key, fix=fix)
+    return codes.UNIT_NAME_SHARED.finding(message, *unit.origin.position, unit.key, fix=fix)
 
 
 def _about(entry: Statement, rule: RuleCode, message: str, attribute: str = "", fix: str = "") -> Finding:
-    return rule.finding(message, *entry.origin(attribute)[:3], entry.path, fix=fix)
+    return rule.finding(message, *entry.origin(attribute).position, entry.path, fix=fix)

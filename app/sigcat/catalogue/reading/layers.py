@@ -6,10 +6,9 @@ import stat
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.reading.vspec_file import Include, SourceFile, Statement, VspecFile, parse_vspec
+from sigcat.catalogue.reading.vspec_file import Include, Origin, SourceFile, Statement, VspecFile, parse_vspec
 from sigcat.digest import digest_of
 from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding
@@ -42,19 +41,26 @@ class Layer:
         return digest_of("".join(file.digest for file in self.files).encode())
 
 
-class _Reading(NamedTuple):
-    """What the reading of one layer gathers."""
+class _Reading:
+    """One layer while it is read: what holds for all of its files, and what was found in them so far."""
 
-    is_overlay: bool
-    name: str
-    folders: tuple[Path, ...]
-    allowed: tuple[Path, ...]
-    limits: Limits
-    real: dict[Path, Path]
-    inside: dict[Path, bool]
-    files: dict[Path, VspecFile]
-    statements: list[Statement]
-    findings: list[Finding]
+    def __init__(self, path: Path, include_dirs: Sequence[Path], limits: Limits, *, is_overlay: bool) -> None:
+        self.is_overlay = is_overlay
+        self.name = str(path)
+        self.folders = (path.parent, *include_dirs)
+        self.allowed = tuple(folder.resolve() for folder in self.folders)
+        self.limits = limits
+        self.files: dict[Path, VspecFile] = {}
+        self.statements: list[Statement] = []
+        self.findings: list[Finding] = []
+        self.real_paths: dict[Path, Path] = {}
+        self.is_inside: dict[Path, bool] = {}
+
+    def finished(self) -> Layer:
+        """The layer, with the findings of the files before those of the includes."""
+        files = tuple(file.source for file in self.files.values())
+        findings = [finding for file in self.files.values() for finding in file.findings]
+        return Layer(self.name, self.is_overlay, files, tuple(self.statements), (*findings, *self.findings))
 
 
 def read_layer(
@@ -66,31 +72,24 @@ def read_layer(
 ) -> Layer:
     """Read a vspec file and all that it includes.
 
-    Includes are looked for beside `path`, in `include_dirs`, and beside the file that includes, in this order, and
-    may not leave these folders and those below them. What cannot be read is a finding; the rest is read.
+    Includes are looked for beside `path`, in `include_dirs`, and beside the file that includes, in this order. They
+    have to be in one of these folders or below. A file that cannot be read is a finding; the rest is read.
     """
-    folders = (path.parent, *include_dirs)
-    allowed = tuple(folder.resolve() for folder in folders)
-    reading = _Reading(is_overlay, str(path), folders, allowed, limits, {}, {}, {}, [], [])
-    file = _read_file(path, reading, None)
+    reading = _Reading(path, include_dirs, limits, is_overlay=is_overlay)
+    file = _read_file(path, reading, Origin(str(path), 0, 0))
     if file is not None:
         if not (file.statements or file.includes or file.findings):
-            rule = (
-                codes.FILE_EMPTY if is_overlay else codes.FILE_EMPTY.graded("error")
-            )  # without a tree, nothing is left
-            reading.findings.append(rule.finding("The file says nothing: it has no nodes.", str(path)))
+            rule = codes.FILE_EMPTY if is_overlay else codes.FILE_EMPTY.graded("error")  # nothing is left of the tree
+            reading.findings.append(rule.finding("The file has no nodes.", str(path)))
         _apply(file, path, "", reading, (path.resolve(),))
-    return _finished(reading)
+    return reading.finished()
 
 
 def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: Limits = DEFAULT_LIMITS) -> Layer:
-    """A layer from text that stands in no file, such as a posted overlay. It cannot include files."""
+    """A layer from text that is not in a file, such as a posted overlay. It cannot include files."""
     source = SourceFile(name, name if is_overlay else "", digest_of(text))
     file = parse_vspec(text, source, limits)
-    refused = [
-        codes.INCLUDE_OUTSIDE.finding(f"{include.target!r} is not read: text cannot include files.", name, *include[2:])
-        for include in file.includes[:_MOST_REFUSED]
-    ]
+    refused = [_refused_include(include, name) for include in file.includes[:_MOST_REFUSED]]
     if (more := len(file.includes) - _MOST_REFUSED) > 0:
         refused.append(codes.INCLUDE_OUTSIDE.finding(f"{more:,} more includes are not read.", name))
     return Layer(name, is_overlay, (source,), file.statements, (*file.findings, *refused))
@@ -100,11 +99,9 @@ _MOST_REFUSED = 100
 """Includes of a text that are refused one by one."""
 
 
-def _finished(reading: _Reading) -> Layer:
-    files = tuple(file.source for file in reading.files.values())
-    findings = tuple(finding for file in reading.files.values() for finding in file.findings)
-    statements = tuple(reading.statements)
-    return Layer(reading.name, reading.is_overlay, files, statements, findings + tuple(reading.findings))
+def _refused_include(include: Include, name: str) -> Finding:
+    message = f"Include {include.target!r} is not read: only files can include files."
+    return codes.INCLUDE_OUTSIDE.finding(message, name, include.line, include.column)
 
 
 def _apply(file: VspecFile, path: Path, prefix: str, reading: _Reading, above: tuple[Path, ...]) -> None:
@@ -112,52 +109,53 @@ def _apply(file: VspecFile, path: Path, prefix: str, reading: _Reading, above: t
     for include in file.includes:
         for found, target in _included(file, path, include, reading, above):
             deeper = ".".join(part for part in (prefix, include.prefix) if part)
-            _apply(found, target, deeper, reading, (*above, reading.real[target]))
+            _apply(found, target, deeper, reading, (*above, reading.real_paths[target]))
 
 
 def _included(
     file: VspecFile, path: Path, include: Include, reading: _Reading, above: tuple[Path, ...]
 ) -> Iterator[tuple[VspecFile, Path]]:
     """The file that an include names, or nothing and a finding."""
-    place = (file.source.name, include.line, include.column)
+    origin = Origin(file.source.name, include.line, include.column)
     target = _find(include.target, (*reading.folders, path.parent))
     real = _real(target, reading) if target is not None else None
     if target is None or real is None:
         looked = ", ".join(f"'{folder}'" for folder in dict.fromkeys((*reading.folders, path.parent)))
-        message = f"Include {include.target!r} does not exist; looked in {looked}."
-        reading.findings.append(codes.INCLUDE_MISSING.finding(message, *place))
+        message = f"Include {include.target!r} was not found in {looked}."
+        fix = "Correct the name, or add its folder as an include folder (-I)."
+        reading.findings.append(codes.INCLUDE_MISSING.finding(message, *origin.position, fix=fix))
     elif real in above:
-        message = f"Include {include.target!r} leads back to a file that includes this one."
-        reading.findings.append(codes.INCLUDE_CYCLE.finding(message, *place))
+        message = f"Include {include.target!r} forms a cycle: it leads back to a file that includes this one."
+        reading.findings.append(codes.INCLUDE_CYCLE.finding(message, *origin.position, fix="Remove the include."))
     elif not _is_inside(real.parent, reading):
-        message = f"Include {include.target!r} leaves the folders that may be read."
+        message = f"Include {include.target!r} is outside of the folders that may be read."
         fix = "Add its folder as an include folder (-I)."
-        reading.findings.append(codes.INCLUDE_OUTSIDE.finding(message, *place, fix=fix))
+        reading.findings.append(codes.INCLUDE_OUTSIDE.finding(message, *origin.position, fix=fix))
     elif len(above) * len(reading.statements) > reading.limits.values or _too_many(reading):
         if not any(finding.rule == codes.INCLUDES_MULTIPLY.id for finding in reading.findings):
             message = "Includes multiply: the limit of included files and statements is reached."
-            reading.findings.append(codes.INCLUDES_MULTIPLY.finding(message, *place))
+            reading.findings.append(codes.INCLUDES_MULTIPLY.finding(message, *origin.position))
     else:
-        found = _read_file(target, reading, place)
+        found = _read_file(target, reading, origin)
         if found is not None:
             yield found, target
 
 
 def _real(path: Path, reading: _Reading) -> Path:
-    """`path` with links resolved; asked for often, so the file system is asked once for a folder and a file."""
-    known = reading.real.get(path)
+    """`path` with links resolved; the file system is asked once for each folder and file."""
+    known = reading.real_paths.get(path)
     if known is None:
         is_plain = path.name not in ("", "..") and not path.is_symlink()
         known = _real(path.parent, reading) / path.name if is_plain else path.resolve()
-        reading.real[path] = known
+        reading.real_paths[path] = known
     return known
 
 
 def _is_inside(folder: Path, reading: _Reading) -> bool:
-    """Whether a folder, its links resolved, is one of those that may be read, or stands below one."""
-    if folder not in reading.inside:
-        reading.inside[folder] = any(allowed == folder or allowed in folder.parents for allowed in reading.allowed)
-    return reading.inside[folder]
+    """Whether a folder, its links resolved, may be read: it is one of those allowed, or below one."""
+    if folder not in reading.is_inside:
+        reading.is_inside[folder] = any(allowed == folder or allowed in folder.parents for allowed in reading.allowed)
+    return reading.is_inside[folder]
 
 
 def _too_many(reading: _Reading) -> bool:
@@ -171,31 +169,32 @@ def _find(target: str, folders: Sequence[Path]) -> Path | None:
             candidate = folder / name
             try:
                 if candidate.exists():
-                    return _plain(candidate) if ".." in target else candidate
+                    return _without_steps_up(candidate) if ".." in target else candidate
             except (OSError, ValueError):  # a name too long or with a zero byte
                 return None
     return None
 
 
-def _plain(path: Path) -> Path:
-    """The path without `..`, so that a file has one name; as it is where links make that another file."""
+def _without_steps_up(path: Path) -> Path:
+    """The path without `..`, so that a file has one name; unchanged if links make that another file."""
     plain = Path(os.path.normpath(path))
     return plain if plain.exists() and plain.samefile(path) else path
 
 
-def _read_file(path: Path, reading: _Reading, place: tuple[str, int, int] | None) -> VspecFile | None:
+def _read_file(path: Path, reading: _Reading, asked_at: Origin) -> VspecFile | None:
+    """The file at a path, or nothing and a finding at what asked for it."""
     if path in reading.files:
         return reading.files[path]
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
-            raise OSError(errno.EINVAL, "it is no file")  # a pipe would be waited for
+            raise OSError(errno.EINVAL, "it is not a file")  # a pipe would be waited for
         size = status.st_size
         data = path.read_bytes() if size <= reading.limits.file_bytes else None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        where = place or (str(path), 0, 0)
-        reading.findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", *where))
+        message = f"{str(path)!r} cannot be read: {reason}."
+        reading.findings.append(codes.FILE_UNREADABLE.finding(message, *asked_at.position))
         return None
     if data is None:
         message = f"The file has {size:,} bytes; the limit is {reading.limits.file_bytes:,}."

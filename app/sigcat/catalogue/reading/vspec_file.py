@@ -1,6 +1,6 @@
 """One vspec file: its statements (a path with attributes) and its includes, each with its position.
 
-Meaning and spelling follow the vspec language as vss-tools 6.1 reads it: dotted keys, `#include FILE [PREFIX]`
+The vspec language is as vss-tools 6.1 reads it: dotted keys, `#include FILE [PREFIX]`
 lines, and `includes:` lists on branches.
 """
 
@@ -10,7 +10,7 @@ from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from yaml.nodes import MappingNode, Node, ScalarNode
+from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat import codes
 from sigcat.catalogue.reading.yaml_document import (
@@ -40,6 +40,11 @@ class Origin(NamedTuple):
     column: int
     overlay: str = ""
 
+    @property
+    def position(self) -> tuple[str, int, int]:
+        """File, line and column, in the order in which a finding takes them."""
+        return self.file, self.line, self.column
+
 
 class SourceFile(NamedTuple):
     """A file that was read. `overlay` is the name of the overlay it belongs to, empty in the base tree."""
@@ -51,10 +56,10 @@ class SourceFile(NamedTuple):
 
 
 class Statement:
-    """What one file says of one node: its key and the attributes under it, in the order of the file.
+    """What one file says about one node: its key and the attributes under it, in the order of the file.
 
-    Positions are packed into one integer for each attribute, aligned with `values`, and after them one for each item of
-    those that hold others: a tree of 100,000 signals has half a million attributes, and a position is asked for only
+    Each position is packed into one integer: first those of the attributes, aligned with `values`, then those of the
+    items of lists and mappings. A tree of 100,000 signals has half a million attributes, and positions are needed only
     when something is shown.
     """
 
@@ -106,11 +111,11 @@ class Statement:
         return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
 
     def placed(self, prefix: str) -> "Statement":
-        """The same statement below `prefix`, as an include with a prefix places it."""
+        """The same statement below `prefix`, for an include with a prefix."""
         return Statement(f"{prefix}.{self.path}", self.file, self.values, self._key_mark, self._marks)
 
     def with_values(self, values: Mapping[str, Any]) -> "Statement":
-        """The same statement with other names or values of its attributes. They keep their order, and so their places."""
+        """The same statement with other names or values of its attributes, in the same order and at the same positions."""
         return Statement(self.path, self.file, values, self._key_mark, self._marks)
 
     def _mark(self, attribute: str) -> int:
@@ -129,7 +134,7 @@ class Include(NamedTuple):
 
 
 class VspecFile(NamedTuple):
-    """What one file says, before any include is followed."""
+    """The content of one file, before any include is followed."""
 
     source: SourceFile
     statements: tuple[Statement, ...]
@@ -138,7 +143,7 @@ class VspecFile(NamedTuple):
 
 
 def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS) -> VspecFile:
-    """Read the bytes of one vspec file. What is not a statement is a finding; the rest is still read."""
+    """Read the bytes of one vspec file. What is not a statement becomes a finding; the rest is still read."""
     document = read_document(data, source.name, limits)
     findings = list(document.findings)
     statements: list[Statement] = []
@@ -147,7 +152,7 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
         _read_statements(document.root, source, Builder(limits, len(document.text)), statements, includes, findings)
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
-        message = "The file is not a mapping of node paths to attributes."
+        message = f"The file must be a mapping of node paths to attributes, not {_kind(document.root)}."
         findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column))
     includes.extend(_include_lines(document.text, source.name, findings))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
@@ -162,7 +167,7 @@ def _read_statements(
     findings: list[Finding],
 ) -> None:
     _report_duplicates(root, source.name, "Node", "", findings)
-    places: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     try:
         pairs = merged_pairs(root)
     except Unbuildable as error:
@@ -172,10 +177,10 @@ def _read_statements(
         statement = _read_statement(key, node, source, builder, includes, findings)
         if statement is None:
             continue
-        if statement.path in places:
-            statements[places[statement.path]] = statement
+        if statement.path in numbers:
+            statements[numbers[statement.path]] = statement
         else:
-            places[statement.path] = len(statements)
+            numbers[statement.path] = len(statements)
             statements.append(statement)
 
 
@@ -185,9 +190,11 @@ def _read_statement(
     try:
         path = builder.key(key)
         if not isinstance(path, str) or not path:
-            raise Unbuildable(f"{path!r} is not the path of a node.", key)
+            raise Unbuildable(f"The path of a node must be text, not {path!r}.", key)
         if not isinstance(node, MappingNode):
-            raise _NotAttributes(f"{path!r} has no attributes: a mapping belongs here.", node)
+            raise Unbuildable(
+                f"{path!r} must be a mapping of attributes, not {_kind(node)}.", node, codes.NOT_A_MAPPING
+            )
         values, marks, collections = _attributes(node, builder)
     except Unbuildable as error:
         findings.append(_unbuildable(error, source.name, key.value if isinstance(key, ScalarNode) else ""))
@@ -207,10 +214,6 @@ def _read_statement(
     return statement
 
 
-class _NotAttributes(Unbuildable):
-    """The value of a node's key is not a mapping."""
-
-
 def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int], dict[str, Node]]:
     """Values by name, the packed position of each in the same order, and the nodes of those that hold others."""
     values: dict[str, Any] = {}
@@ -219,7 +222,7 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     for key, value in merged_pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
-            raise Unbuildable(f"{name!r} is not the name of an attribute.", key)
+            raise Unbuildable(f"The name of an attribute must be text, not {name!r}.", key)
         start, end = key.start_mark, value.start_mark
         if name in values:
             marks[list(values).index(name)] = _mark(start, end)
@@ -285,27 +288,20 @@ def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findi
 
 def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
     line, column = position(error.node)
-    rule = (
-        codes.NOT_A_MAPPING
-        if isinstance(error, _NotAttributes)
-        else codes.ALIAS_TO_ITSELF
-        if "alias" in str(error)
-        else codes.NOT_A_VALUE
-    )
-    return rule.finding(str(error), file, line, column, path)
+    return error.rule.finding(str(error), file, line, column, path)
 
 
 def _include_list(statement: Statement, listed: Any, mark: int, findings: list[Finding]) -> Iterator[Include]:
     line, _, lines_between, column = _unpack(mark)
-    place = (line + lines_between + 1, column + 1)
+    origin = Origin(statement.file.name, line + lines_between + 1, column + 1)
     entries = listed if isinstance(listed, list) else [listed]
     for entry in entries:
         parts = entry.split() if isinstance(entry, str) and isinstance(listed, list) else []
         if not parts:
-            message = "`includes` takes a list of file names."
-            findings.append(codes.INCLUDE_MALFORMED.finding(message, statement.file.name, *place, statement.path))
+            message = "`includes` must be a list of file names."
+            findings.append(codes.INCLUDE_MALFORMED.finding(message, *origin.position, statement.path))
             continue
-        yield Include(parts[0], statement.path, *place)
+        yield Include(parts[0], statement.path, origin.line, origin.column)
 
 
 def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[Include]:
@@ -317,7 +313,7 @@ def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[In
         column = match.group().index("#") + 1
         _, *parts = match.group().split()
         if not parts:
-            message = "An include names a file, and optionally a prefix: `#include FILE [PREFIX]`."
+            message = "An include must name a file: `#include FILE [PREFIX]`."
             findings.append(codes.INCLUDE_MALFORMED.finding(message, file, line, column))
             continue
         if len(parts) > 2:
@@ -325,6 +321,10 @@ def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[In
             ignored = codes.INCLUDE_MALFORMED.graded("warning")  # the file is read all the same
             findings.append(ignored.finding(message, file, line, column))
         yield Include(parts[0], parts[1] if len(parts) == 2 else "", line, column)
+
+
+def _kind(node: Node) -> str:
+    return "a list" if isinstance(node, SequenceNode) else "a single value"
 
 
 def _is_null(node: Node) -> bool:

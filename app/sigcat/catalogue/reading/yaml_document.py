@@ -79,7 +79,7 @@ _RESOLVER = yaml.resolver.Resolver()
 _SHORT = 32
 """Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
 _NUMERIC = frozenset("+-.0123456789")
-"""How a plain scalar starts that may be anything but a text, though it is no short word."""
+"""What a plain scalar can start with that is neither text nor a short word."""
 _plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
 
 
@@ -92,11 +92,12 @@ class Document(NamedTuple):
 
 
 class Unbuildable(Exception):
-    """A YAML node has no value: an unknown tag, a cycle, a number that is none."""
+    """A YAML node has no value: an unknown tag, a cycle, a malformed number. `rule` is the one that it breaks."""
 
-    def __init__(self, message: str, node: Node) -> None:
+    def __init__(self, message: str, node: Node, rule: RuleCode = codes.NOT_A_VALUE) -> None:
         super().__init__(message)
         self.node = node
+        self.rule = rule
 
 
 @contextmanager
@@ -129,13 +130,13 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
         with collector_paused():
             root = _Loader(text, limits.values).get_single_node()
     except _BeyondLimit as error:
-        return _refused(text, name, *error.args)
+        return _refused(text, name, error.rule, str(error), error.line, error.column)
     except yaml.MarkedYAMLError as error:
         return _syntax_error(text, name, error)
     except yaml.reader.ReaderError as error:
         line = text.count("\n", 0, error.position) + 1
         message = f"Character U+{_code_point(error):04X} is not allowed in YAML."
-        return _refused(text, name, codes.NOT_YAML, message, line, 1)
+        return _refused(text, name, codes.NOT_YAML, message, line, 1, "Remove the character.")
     return Document(text, root, ())
 
 
@@ -146,7 +147,7 @@ def position(node: Node) -> tuple[int, int]:
 
 
 def duplicate_keys(node: MappingNode) -> Iterator[ScalarNode]:
-    """The keys of a mapping that stand in it before."""
+    """The keys that a mapping has already had before."""
     seen = set()
     for key, _ in node.value:
         if isinstance(key, ScalarNode):
@@ -171,7 +172,7 @@ class Builder:
         if isinstance(node, ScalarNode):
             return self.scalar(node)
         if id(node) in self._above:
-            raise Unbuildable("An alias refers to the collection that it stands in.", node)
+            raise Unbuildable("An alias refers to a collection that contains it.", node, codes.ALIAS_TO_ITSELF)
         if len(self._above) > self._nesting:
             raise Unbuildable(f"Collections nest deeper than {self._nesting} levels.", node)
         if node.tag not in (_SEQUENCE, _MAPPING):
@@ -189,7 +190,7 @@ class Builder:
         """The value of a scalar. Raises Unbuildable."""
         self._left -= 1
         if self._left < 0:
-            raise Unbuildable("The document has too many values, or its aliases multiply.", node)
+            raise Unbuildable("The document has too many values, or its aliases multiply.", node, codes.ALIAS_TO_ITSELF)
         tag: str = node.tag
         if tag == TEXT:
             text: str = node.value
@@ -199,12 +200,12 @@ class Builder:
             return build(node)
         except (ConstructorError, ValueError, KeyError, OverflowError) as error:
             problem = getattr(error, "problem", None) or str(error)
-            raise Unbuildable(f"{node.value[:40]!r} is no value: {problem}.", node) from None
+            raise Unbuildable(f"{node.value[:40]!r} is not a valid value: {problem}.", node) from None
 
     def key(self, node: Node) -> Any:
         """The value of a mapping key, which has to be a scalar. Raises Unbuildable."""
         if not isinstance(node, ScalarNode):
-            raise Unbuildable("A collection cannot be a key.", node)
+            raise Unbuildable("A key must be a single value, not a list or mapping.", node)
         return self.scalar(node)
 
 
@@ -225,7 +226,7 @@ def merged_pairs(node: MappingNode) -> list[tuple[Node, Node]]:
         sources = value.value if isinstance(value, SequenceNode) else [value]
         for source in reversed(sources):
             if not isinstance(source, MappingNode) or source is node:
-                raise Unbuildable("A merge key takes a mapping or a list of mappings.", value)
+                raise Unbuildable("`<<` must be a mapping or a list of mappings.", value)
             merged.extend(source.value)
     return merged + own
 
@@ -268,15 +269,23 @@ def _any_scalar(node: ScalarNode) -> Any:
     return SafeConstructor().construct_object(node)
 
 
+_COLON, _TOKEN, _ALIAS = "mapping values are not allowed", "cannot start any token", "found undefined alias"
+"""How libyaml words its errors: it has no codes for them. If its words change, advice is missing and nothing else."""
 _ADVICE = {
-    "mapping values are not allowed": "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
-    "cannot start any token": "Indent with spaces, not with tabs.",
-    "found undefined alias": "If the asterisk belongs to a text, quote the text.",
+    _COLON: "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
+    _TOKEN: "Indent with spaces, not with tabs.",
+    _ALIAS: "If the asterisk belongs to a text, quote the text.",
 }
 
 
 class _BeyondLimit(Exception):
-    """The document is larger than it may be: the rule, the message and, if known, line and column."""
+    """The document is larger than it may be."""
+
+    def __init__(self, rule: RuleCode, message: str, line: int = 0, column: int = 0) -> None:
+        super().__init__(message)
+        self.rule = rule
+        self.line = line
+        self.column = column
 
 
 def _too_many(values: int) -> _BeyondLimit:
@@ -315,9 +324,8 @@ def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document
     mark = error.problem_mark or error.context_mark
     line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
     message = ", ".join(part for part in (error.context, error.problem) if part)
-    fix = next((advice for cause, advice in _ADVICE.items() if cause in message), "")
-    if "cannot start any token" in message and "\t" not in text:
-        fix = "Quote the text."
+    words = next((words for words in _ADVICE if words in message), "")
+    fix = "Quote the text." if words == _TOKEN and "\t" not in text else _ADVICE.get(words, "")
     return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
 
 

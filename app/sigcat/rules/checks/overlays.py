@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sigcat.catalogue.model.definition import Definition, overlaid
+from sigcat.catalogue.model.definition import Definition, merged_values
 from sigcat.catalogue.reading.vspec_file import Statement
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
@@ -119,7 +119,7 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
             before: dict[str, Any] = {}
             for statement in definition.statements:
                 overlay = statement.file.overlay
-                after = overlaid(before, statement.values)
+                after = merged_values(before, statement.values)
                 if overlay and overlay not in effective:
                     first[overlay] = min(first.get(overlay, statement), statement, key=Statement.origin)
                     if after != before:

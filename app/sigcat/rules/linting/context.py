@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from sigcat.catalogue.composing.compose import compose
-from sigcat.catalogue.composing.older_releases import Units, in_present_words, read_units
+from sigcat.catalogue.composing.older_releases import Units, read_units, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.vocabulary import Vocabulary, default_files, read_vocabulary
@@ -23,7 +23,7 @@ def compose_tree(root: Path, options: LintOptions) -> Catalogue:
     tree = read_layer(root, options.include_dirs)
     vocabulary, is_older = units_of(root, tree, (), options)
     types = type_layers((root,), options)
-    layers = [in_present_words(tree) if is_older else tree]
+    layers = [with_present_spellings(tree) if is_older else tree]
     catalogue = compose(layers, vocabulary, types, expanded=False, name=root.stem)
     expanded = partial(compose, layers, vocabulary, types, name=root.stem, earlier=catalogue)
     return with_instances(catalogue, catalogue.definitions.values(), expanded)

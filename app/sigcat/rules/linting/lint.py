@@ -12,7 +12,7 @@ from typing import Literal
 
 from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
-from sigcat.catalogue.composing.older_releases import in_present_words, read_units
+from sigcat.catalogue.composing.older_releases import read_units, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
@@ -141,7 +141,7 @@ def _composed_over(
     tree = read_layer(base, options.include_dirs)
     vocabulary, is_older = units_of(base, tree, files, options)
     types = type_layers((base, *files), options)
-    tree = in_present_words(tree) if is_older else tree
+    tree = with_present_spellings(tree) if is_older else tree
     compose_all = partial(compose, [tree, *overlays], vocabulary, types, name=base.stem)
     catalogue = compose_all(expanded=False, earlier=unchecked_tree(tree, vocabulary))
     return catalogue, partial(compose_all, earlier=catalogue)
@@ -169,7 +169,7 @@ def _lint_part(source: Source, lint: _Lint) -> None:
         statements = tuple(statement.placed(source.prefix) for statement in layer.statements)
         layer = Layer(layer.name, False, layer.files, statements, layer.findings)
     vocabulary, is_older = units_of(source.tree, layer, (), lint.options)
-    catalogue = compose([in_present_words(layer) if is_older else layer], vocabulary, expanded=False)
+    catalogue = compose([with_present_spellings(layer) if is_older else layer], vocabulary, expanded=False)
     found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes)
     lint.add((each for each in found if each[0].rule not in lint.rules.of_whole_trees), {name})
     lint.look_at([name])

@@ -3,7 +3,8 @@
 from functools import partial
 
 from sigcat import codes
-from sigcat.catalogue.composing.compose import compose, compose_part
+from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import Layer, layer_from_text

@@ -96,7 +96,7 @@ def _refuse_unfit_catalogue(catalogue: Catalogue, format_: Format) -> None:
         )
     unsafe = tuple(
         codes.NAME_WITH_SLASH.finding("A name with a slash cannot be exported: it could become the name of a file.",
-                *definition.origin()[:3], definition.path)
+                *definition.origin().position, definition.path)
         for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue))
         if _names_a_folder(definition)
     )  # fmt: skip

@@ -174,7 +174,7 @@ def _left_out(catalogue: Catalogue) -> Iterator[Finding]:
     for definition in catalogue.definitions.values():
         for problem in refused_attributes(definition):
             message = f"`{problem.attribute}` is left out, since vss-tools refuses it. {problem.message}"
-            place = definition.origin(problem.attribute)[:3]
+            place = definition.origin(problem.attribute).position
             yield codes.ATTRIBUTE_LEFT_OUT.finding(message, *place, definition.path)
 
 
@@ -185,5 +185,5 @@ def _finding(level: str, message: str, catalogue: Catalogue) -> Finding:
         node = catalogue.get(path)
         definition = catalogue.definitions.get(path) or (node.definition if node else None)
         if definition is not None:
-            return rule.finding(text, *definition.origin()[:3], path)
+            return rule.finding(text, *definition.origin().position, path)
     return rule.finding(text)

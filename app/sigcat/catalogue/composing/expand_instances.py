@@ -1,18 +1,20 @@
-"""Instances: a branch defined once, standing several times in the tree.
+"""Expand instances: a branch is defined once and is in the tree several times.
 
 `instances: [Row[1,2], [Left, Right]]` puts what stands below a branch under Row1.Left, Row1.Right, Row2.Left and
-Row2.Right. A node that is written out below one instance refines that instance alone. Meaning, including the corner
-cases, as in vss-tools 6.1 (`expand_instances`).
+Row2.Right. A node that is written out below one instance refines that instance alone. Corner cases are as in vss-tools
+6.1 (`expand_instances`).
 
 Drafts are shared: all instances of a branch hold the same drafts below, until one of them is refined.
 """
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
-from sigcat.catalogue.composing.fold import blaming, checked
-from sigcat.catalogue.model.definition import BRANCH, Definition, Scope, instances_of, overlaid
+from sigcat.catalogue.composing.blame import with_blame
+from sigcat.catalogue.composing.build_tree import Draft
+from sigcat.catalogue.composing.check_definition import checked_definition
+from sigcat.catalogue.model.definition import BRANCH, Definition, Scope, instances_of, merged_values
 from sigcat.limits import Limits
 
 _LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")
@@ -23,27 +25,19 @@ _FILLED_IN_BRANCH: Mapping[str, Any] = {"instances_relation": "child", "aggregat
 class TooManyNodes(Exception):
     """The expansion would have more nodes than the limit. `draft` is the branch whose instances are too many."""
 
-    def __init__(self, draft: "Draft", count: int) -> None:
+    def __init__(self, draft: Draft, count: int) -> None:
         super().__init__(f"{count:,} nodes")
         self.draft = draft
         self.count = count
 
 
-class Draft(NamedTuple):
-    """A node while the tree is built: not yet expanded, its children not yet final."""
-
-    name: str
-    definition: Definition
-    children: Mapping[str, "Draft"]
-
-
-def expand(root: Draft, scope: Scope, limits: Limits) -> Draft:
+def expand_instances(root: Draft, scope: Scope, limits: Limits) -> Draft:
     """The tree with every branch that has instances expanded. Raises TooManyNodes."""
-    expansion = _Expansion(scope, limits, {}, {})
-    (expanded, *_) = _expanded(root, expansion)
-    if _size(expanded, expansion) > limits.nodes:
-        raise TooManyNodes(root, _size(expanded, expansion))
-    return expanded
+    expansion = _Expansion(scope, limits)
+    (tree, *_) = _expanded(root, expansion)
+    if _size(tree, expansion) > limits.nodes:
+        raise TooManyNodes(root, _size(tree, expansion))
+    return tree
 
 
 def instance_names(entry: Any) -> Iterator[str]:
@@ -69,13 +63,15 @@ def count_instances(instances: Iterable[Any]) -> int:
     return total
 
 
-class _Expansion(NamedTuple):
-    """What one expansion knows. A draft that stands in many places is expanded and measured once."""
+class _Expansion:
+    """What one expansion has done so far: a draft that is in the tree many times is expanded and measured once."""
 
-    scope: Scope
-    limits: Limits
-    done: dict[int, tuple[Draft, list[Draft]]]
-    sizes: dict[int, tuple[Draft, int]]
+    def __init__(self, scope: Scope, limits: Limits) -> None:
+        self.scope = scope
+        self.limits = limits
+        self.expanded: dict[int, tuple[Draft, list[Draft]]] = {}
+        """By identity of the draft, which is kept so that the identity stays its own."""
+        self.sizes: dict[int, tuple[Draft, int]] = {}
 
 
 class _Growing:
@@ -112,7 +108,7 @@ def _expanded(draft: Draft, expansion: _Expansion) -> list[Draft]:
     """The draft expanded, and after it the siblings that its instances put beside it."""
     if not draft.children and draft.definition.type != BRANCH:
         return [draft]
-    known = expansion.done.get(id(draft))
+    known = expansion.expanded.get(id(draft))
     if known is not None:
         return known[1]
     instances = instances_of(draft.definition.values) if draft.definition.type == BRANCH else []
@@ -121,7 +117,7 @@ def _expanded(draft: Draft, expansion: _Expansion) -> list[Draft]:
         result = [_with_children_expanded(part, expansion) for part in (holder, *siblings)]
     else:
         result = [_with_children_expanded(draft, expansion)]
-    expansion.done[id(draft)] = (draft, result)
+    expansion.expanded[id(draft)] = (draft, result)
     return result
 
 
@@ -143,29 +139,28 @@ def _with_instances(draft: Draft, instances: list[Any], expansion: _Expansion) -
     count = count_instances(instances)
     if count > expansion.limits.nodes:
         raise TooManyNodes(draft, count)
-    beside = draft.definition.values.get("instances_relation") == "sibling"
-    kept = {name: child for name, child in draft.children.items() if not _is_instantiated(child)}
-    moved = {name: child for name, child in draft.children.items() if _is_instantiated(child)}
+    is_beside = draft.definition.values.get("instances_relation") == "sibling"
     holder = _Growing(draft.name, _without_instances(draft.definition, is_instance=draft.definition.is_instance))
-    top = _Growing("", holder.definition) if beside else holder
-    holder.children.update(kept)
+    holder.children.update({name: child for name, child in draft.children.items() if not _is_instantiated(child)})
+    top = _Growing("", holder.definition) if is_beside else holder
     generated = _generate(top, _without_instances(draft.definition, is_instance=True), instances)
-    direct = {} if beside else top.children
-    added = {name: child for name, child in moved.items() if name not in direct}
+    moved = {name: child for name, child in draft.children.items() if _is_instantiated(child)}
+    below = {name: child for name, child in moved.items() if is_beside or name not in top.children}
     for instance in generated:
         if not instance.children:
-            instance.children.update(added)
-    if beside:
-        return [
-            holder.finished(),
-            *(child.finished() for child in top.children.values() if isinstance(child, _Growing)),
-        ]
-    result = holder.finished()
-    refined = {
-        name: _refined(child, moved[name], expansion.scope) if name in moved else child
-        for name, child in result.children.items()
+            instance.children.update(below)
+    if is_beside:
+        return [holder.finished(), *top.finished().children.values()]
+    return [_with_refinements(holder.finished(), moved, expansion.scope)]
+
+
+def _with_refinements(holder: Draft, written: Mapping[str, Draft], scope: Scope) -> Draft:
+    """The branch with its instances refined by what is written out for them."""
+    children = {
+        name: _refined(child, written[name], scope) if name in written else child
+        for name, child in holder.children.items()
     }
-    return [result._replace(children=refined)]
+    return holder._replace(children=children)
 
 
 def _generate(top: _Growing, definition: Definition, instances: list[Any]) -> list[_Growing]:
@@ -210,8 +205,9 @@ def _refined_definition(definition: Definition, refinement: Definition, scope: S
         defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
         update = {**_where_present(defaults, definition.values), **update}
     statements = definition.statements + refinement.statements
-    refined = checked(definition.path, statements, overlaid(definition.values, update), scope, definition.is_instance)
-    return blaming(refined, definition, scope) if refined.problems and refinement.statements else refined
+    values = merged_values(definition.values, update)
+    refined = checked_definition(definition.path, statements, values, scope, definition.is_instance)
+    return with_blame(refined, definition, scope) if refined.problems and refinement.statements else refined
 
 
 def _where_present(defaults: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,7 @@
-"""Merge layers: which statements speak of which node, in the order in which they apply."""
+"""Merge layers: collect the statements about each node, base first and overlays in their order, and define the node.
+
+Later statements win, attribute by attribute.
+"""
 
 from collections.abc import Collection, Iterable, Mapping
 from fnmatch import translate
@@ -6,17 +9,18 @@ from re import compile as compile_pattern
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.composing.fold import define
-from sigcat.catalogue.model.definition import Definition, Scope
+from sigcat.catalogue.composing.blame import with_blame
+from sigcat.catalogue.composing.check_definition import checked_definition
+from sigcat.catalogue.model.definition import Definition, Scope, merged_statements
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.vspec_file import Statement
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 Stacks = dict[str, tuple[Statement, ...]]
-"""For every path, the statements of it from the first layer to the last."""
+"""For every path, the statements about it, from the first layer to the last."""
 _LEAST_COMPARED = 20_000
-"""Characters as which a wildcard path counts at least: it has to be made ready, however few paths there are."""
+"""Characters that a wildcard path counts for at least: compiling it costs time, however few paths there are."""
 
 
 class Merged(NamedTuple):
@@ -26,50 +30,58 @@ class Merged(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def merge(
+def merge_layers(
     layers: Iterable[Layer],
     scope: Scope,
     known: Mapping[str, Definition] | None = None,
     limits: Limits = DEFAULT_LIMITS,
 ) -> Merged:
-    """Merge layers in order; later statements win, attribute by attribute.
+    """Merge layers in order.
 
-    `known` are definitions of an earlier merge within the same scope: a node of which the same statements speak
-    keeps its definition, so that a change of one overlay costs little.
+    `known` are definitions of an earlier merge in the same scope: a node with the same statements keeps its
+    definition, so that a change of one overlay costs little.
     """
     stacks: Stacks = {}
     findings: list[Finding] = []
     for layer in layers:
-        _pile(layer, stacks, limits, findings)
+        _add_statements(layer, stacks, limits, findings)
     known = known or {}
     definitions = {path: _definition(path, stack, scope, known.get(path)) for path, stack in stacks.items()}
     return Merged(definitions, tuple(findings))
 
 
 def merge_over(below: Mapping[str, Definition], layer: Layer, scope: Scope, limits: Limits = DEFAULT_LIMITS) -> Merged:
-    """One more layer over definitions that are merged already: those of which it speaks, and no others."""
+    """Merge one more layer over merged definitions. The result has the nodes that the layer has statements about."""
     needed = below if _patterns(layer) else [each.path for each in layer.statements if each.path in below]
     stacks: Stacks = {path: below[path].statements for path in needed}
     findings: list[Finding] = []
-    touched = _pile(layer, stacks, limits, findings)
-    return Merged({path: define(path, stacks[path], scope) for path in touched}, tuple(findings))
+    changed = _add_statements(layer, stacks, limits, findings)
+    return Merged({path: define_node(path, stacks[path], scope) for path in changed}, tuple(findings))
 
 
-def _pile(layer: Layer, stacks: Stacks, limits: Limits, findings: list[Finding]) -> Iterable[str]:
-    """Put the statements of a layer on those below; the result are the paths of which it speaks, in its order."""
-    touched: dict[str, None] = {}
+def define_node(path: str, statements: tuple[Statement, ...], scope: Scope) -> Definition:
+    """Merge the statements about one node, first to last, into a checked definition."""
+    definition = checked_definition(path, statements, merged_statements(statements), scope)
+    if not definition.problems or len(statements) == 1:
+        return definition
+    return with_blame(definition, define_node(path, statements[:-1], scope), scope)
+
+
+def _add_statements(layer: Layer, stacks: Stacks, limits: Limits, findings: list[Finding]) -> Iterable[str]:
+    """Put the statements of a layer on top of those below; the paths that they are about, in the layer's order."""
+    changed: dict[str, None] = {}
     beyond = _beyond_limit(layer, stacks, limits, findings)
     for statement in layer.statements:
         if statement in beyond:
             continue
         for path in _paths(statement, stacks, findings):
             stacks[path] = (*stacks[path], statement) if path in stacks else (statement,)
-            touched[path] = None
-    return touched
+            changed[path] = None
+    return changed
 
 
 def _beyond_limit(layer: Layer, stacks: Stacks, limits: Limits, findings: list[Finding]) -> Collection[Statement]:
-    """The wildcard paths of a layer that are too many for the paths that they would be compared with."""
+    """The wildcard paths of a layer that are over the limit; the limit depends on how much they are compared with."""
     patterns = _patterns(layer)
     if not patterns:
         return ()
@@ -79,25 +91,25 @@ def _beyond_limit(layer: Layer, stacks: Stacks, limits: Limits, findings: list[F
     if len(patterns) <= most:
         return ()
     first = patterns[most]
-    message = f"There are {len(patterns):,} wildcard paths; the limit is {most:,} for as many paths as there are."
+    message = f"There are {len(patterns):,} wildcard paths; the limit for a tree of this size is {most:,}."
     fix = "Name the nodes, or split the overlay."
-    findings.append(codes.TOO_MANY_WILDCARDS.finding(message, *first.origin()[:3], first.path, fix=fix))
+    findings.append(codes.TOO_MANY_WILDCARDS.finding(message, *first.origin().position, first.path, fix=fix))
     return frozenset(patterns[most:])
 
 
 def _patterns(layer: Layer) -> list[Statement]:
-    """The statements of a layer that speak of every node that a wildcard path matches."""
+    """The statements of a layer with wildcard paths: each is about every node that its path matches."""
     return [statement for statement in layer.statements if "*" in statement.path]
 
 
 def _definition(path: str, stack: tuple[Statement, ...], scope: Scope, known: Definition | None) -> Definition:
     if known is not None and known.statements == stack:
         return known
-    return define(path, stack, scope)
+    return define_node(path, stack, scope)
 
 
 def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Iterable[str]:
-    """The path of a statement; for a pattern such as `Vehicle.*.Speed`, every path so far that it matches."""
+    """The path of a statement; for a wildcard path such as `Vehicle.*.Speed`, every path so far that it matches."""
     if "*" not in statement.path:
         return (statement.path,)
     matches = compile_pattern(translate(statement.path)).match
@@ -105,5 +117,7 @@ def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Ite
     if not paths:
         message = f"Pattern {statement.path!r} matches no node."
         fix = "Correct the pattern, or remove it."
-        findings.append(codes.GLOB_MATCHES_NOTHING.finding(message, *statement.origin()[:3], statement.path, fix=fix))
+        findings.append(
+            codes.GLOB_MATCHES_NOTHING.finding(message, *statement.origin().position, statement.path, fix=fix)
+        )
     return paths

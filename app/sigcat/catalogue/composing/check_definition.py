@@ -1,0 +1,146 @@
+"""Check the values of a node: merged values in, a normalized definition with its problems out.
+
+The checks are those that decide whether vss-tools would accept the node; style is left to the linter. A definition
+with problems is kept, so that everything wrong with a tree can be reported at once.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sigcat import codes
+from sigcat.catalogue.composing.attribute_values import CONVERSIONS, EXPECTED, NO_VALUE, text
+from sigcat.catalogue.composing.check_data_attributes import data_problems, shown, unit_problems
+from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
+from sigcat.catalogue.model.definition import (
+    BRANCH,
+    BRANCH_ATTRIBUTES,
+    COMMON_ATTRIBUTES,
+    CORE_ATTRIBUTES,
+    DATA_ATTRIBUTES,
+    STRUCT,
+    TYPES,
+    Definition,
+    Problem,
+    Scope,
+    labels_of,
+)
+from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.names import did_you_mean, last_name, parent_path, with_article
+
+
+def checked_definition(
+    path: str,
+    statements: tuple[Statement, ...],
+    values: Mapping[str, Any],
+    scope: Scope,
+    is_instance: bool = False,
+) -> Definition:
+    """A definition of normalized values, with all problems of them."""
+    problems: list[Problem] = []
+    values = _normalized(path, values, scope, problems)
+    node_type = values.get("type")
+    if node_type not in TYPES:
+        problems.append(_wrong_type(node_type))
+    elif node_type == BRANCH:
+        problems.extend(_instance_problems(values))
+    elif node_type != STRUCT:
+        _check_data(path, values, scope, problems)
+    if node_type in TYPES:
+        _check_core_attributes(values, problems)
+    return Definition(path, statements, values, tuple(problems), is_instance)
+
+
+def resolved_datatype(datatype: str, path: str, structs: Mapping[str, Any]) -> str | None:
+    """The datatype with a struct's name made a full path, or None if there is no such datatype."""
+    if datatype in DATATYPES:
+        return datatype
+    name, suffix = (element_of(datatype), "[]") if is_array(datatype) else (datatype, "")
+    near = {last_name(s): s for s in structs if not path.startswith(s) and path.startswith(parent_path(s))}
+    full = near.get(name, name if name in structs else None)
+    return full + suffix if full else None
+
+
+def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: list[Problem]) -> Mapping[str, Any]:
+    """The values as vss-tools holds them: units by canonical key, datatypes by full path, numbers as numbers."""
+    changed: dict[str, Any] = {}
+    for name, value in values.items():
+        convert = CONVERSIONS.get(name)
+        if convert is None or value is None or (convert is text and type(value) is str):
+            continue
+        converted = convert(value)
+        if converted is NO_VALUE:
+            message = f"`{name}` must be {EXPECTED[name]}, not {shown(value)}."
+            problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message))
+        elif converted is not value:
+            changed[name] = converted
+    changed.update(_references_in_full(path, values, scope))
+    return {**values, **changed} if changed else values
+
+
+def _references_in_full(path: str, values: Mapping[str, Any], scope: Scope) -> Iterator[tuple[str, str]]:
+    """Unit and datatype under the names that the vocabulary and the struct types give them, where these differ."""
+    unit = values.get("unit")
+    if isinstance(unit, str):
+        known = scope.vocabulary.units.get(unit.lower())
+        if known is not None and known.key != unit:
+            yield "unit", known.key
+    datatype = values.get("datatype")
+    if isinstance(datatype, str) and datatype not in DATATYPES:
+        resolved = resolved_datatype(datatype, path, scope.structs)
+        if resolved is not None and resolved != datatype:
+            yield "datatype", resolved
+
+
+def _wrong_type(node_type: Any) -> Problem:
+    one_of = f"one of {', '.join(TYPES)}."
+    if node_type is None:
+        return Problem(codes.TYPE_MISSING_OR_UNKNOWN, "", "The node has no `type`.", f"Add {one_of}")
+    fix = did_you_mean(str(node_type), TYPES) or f"Use {one_of}"
+    return Problem(codes.TYPE_MISSING_OR_UNKNOWN, "type", f"{shown(node_type)} is not a node type.", fix)
+
+
+def _instance_problems(values: Mapping[str, Any]) -> Iterator[Problem]:
+    for steps, entry in labels_of(values):
+        match = re.search(r"\[(\d+),(\d+)\](?!.*\[\d+,\d+\])", str(entry))
+        if match and int(match[1]) > int(match[2]):
+            message = f"Range {match[0]} of {entry!r} runs backwards."
+            fix = f"Write [{match[2]},{match[1]}]."
+            yield Problem(codes.INSTANCES_RUN_BACKWARDS, "instances", message, fix, within=steps)
+
+
+def _check_core_attributes(values: Mapping[str, Any], problems: list[Problem]) -> None:
+    node_type = values["type"]
+    own = BRANCH_ATTRIBUTES if node_type == BRANCH else COMMON_ATTRIBUTES if node_type == STRUCT else DATA_ATTRIBUTES
+    if not own.issuperset(values):
+        for name in values:
+            if name in CORE_ATTRIBUTES and name not in own:
+                message = f"`{name}` has no meaning for {with_article(node_type)}."
+                problems.append(Problem(codes.ATTRIBUTE_WITHOUT_MEANING, name, message, f"Remove `{name}`."))
+    uid = values.get("constUID")
+    if isinstance(uid, str) and not re.fullmatch(r"0x[0-9A-Fa-f]{8}\n?", uid):
+        message = f"`constUID` must be 0x and eight hexadecimal digits, not {uid!r}."
+        problems.append(Problem(codes.IDENTIFIER_MALFORMED, "constUID", message))
+
+
+def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: list[Problem]) -> None:
+    """Add the problems of a node with a datatype; what has the wrong kind of value is not checked further."""
+    unusable = {problem.attribute for problem in problems if problem.rule.id == codes.ATTRIBUTE_OF_WRONG_KIND.id}
+    if "datatype" in unusable:
+        return
+    values = {name: value for name, value in values.items() if name not in unusable} if unusable else values
+    datatype = values.get("datatype")
+    resolved = resolved_datatype(datatype, path, scope.structs) if isinstance(datatype, str) else None
+    if resolved is not None:
+        problems.extend(data_problems(values, resolved, scope))
+        return
+    problems.append(_wrong_datatype(datatype, scope))
+    problems.extend(unit_problems(values, scope))
+
+
+def _wrong_datatype(datatype: Any, scope: Scope) -> Problem:
+    if not isinstance(datatype, str):
+        fix = "Add one, such as uint8, float or string."
+        return Problem(codes.DATATYPE_MISSING, "", "The node has no `datatype`.", fix)
+    fix = did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
+    return Problem(codes.DATATYPE_UNKNOWN, "datatype", f"{datatype!r} is not a datatype.", fix)
