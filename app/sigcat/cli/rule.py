@@ -1,10 +1,17 @@
 """`sigcat rule [CODE]`."""
 
 import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import NotFound
 from sigcat.names import nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.rules.record import Rule
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -12,27 +19,58 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "rule",
         help="list the rules, or explain one",
-        description="List all rules, or say what one checks and why, with good and bad examples.",
+        description=(
+            "List all rules, or say what one checks and why, with good and bad examples. Rules of the configuration are "
+            "among them."
+        ),
     )
     parser.add_argument("code", nargs="?", metavar="CODE", help="code or name of a rule, such as V101")
+    parser.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
     parser.set_defaults(run=show_rule)
 
 
 def show_rule(arguments: argparse.Namespace) -> int:
     """Print the rules. Raises NotFound with the nearest codes and names."""
-    from sigcat.rules.compiled import compiled_rules
-    from sigcat.rules.pages import rule_page
-
-    rules = compiled_rules(INTERFACE_RULES)
+    rules = _rules(arguments.config)
     if arguments.code is None:
         for rule in rules:
-            print(f"{rule.id:5} {rule.severity if rule.default else 'off':8} {rule.title}")
-        return 0
-    wanted = arguments.code
-    found = next((rule for rule in rules if wanted.upper() == rule.id or wanted == rule.name), None)
-    if found is None:
-        near = nearest(wanted, [*(rule.id for rule in rules), *(rule.name for rule in rules)])
-        hint = f" Did you mean {' or '.join(near)}?" if near else ""
-        raise NotFound(f"there is no rule {wanted!r}.{hint}", near)
-    print(rule_page(found), end="")
+            print(_line(rule))
+    else:
+        print(_page(_find(arguments.code, rules)), end="")
     return 0
+
+
+def _rules(config: Path | None) -> "Sequence[Rule]":
+    """The shipped rules and those of the configuration. Raises InputRefused where the latter cannot be used."""
+    from sigcat.rules.linting.configuration import find_configuration, read_configuration
+    from sigcat.rules.linting.options import LintOptions
+    from sigcat.rules.linting.selection import rules_for
+
+    file = config or find_configuration(Path())
+    return rules_for(read_configuration(file) if file is not None else LintOptions())
+
+
+def _find(wanted: str, rules: "Sequence[Rule]") -> "Rule":
+    for rule in rules:
+        if wanted.upper() == rule.id or wanted == rule.name:
+            return rule
+    near = nearest(wanted, [*(rule.id for rule in rules), *(rule.name for rule in rules)])
+    hint = f" Did you mean {' or '.join(near)}?" if near else ""
+    raise NotFound(f"there is no rule {wanted!r}.{hint}", near)
+
+
+def _line(rule: "Rule") -> str:
+    own = f" ({rule.file})" if _is_own(rule) else ""
+    return f"{rule.id:5} {rule.severity if rule.default else 'off':8} {rule.title}{own}"
+
+
+def _page(rule: "Rule") -> str:
+    from sigcat.rules.pages import rule_page
+
+    own = f"\nDefined in {rule.file}, line {rule.line}.\n" if _is_own(rule) else ""
+    return rule_page(rule) + own
+
+
+def _is_own(rule: "Rule") -> bool:
+    """Whether the rule is one of the company that uses sigcat."""
+    return Path(rule.file).parent != INTERFACE_RULES

@@ -21,13 +21,15 @@ from sigcat.findings import SEVERITIES, Finding, Severity
 from sigcat.names import did_you_mean
 
 MAKERS = frozenset(("composition", "configuration", "export", "function", "integration", "lint", "request"))
-"""What may stand as `check` where the finding is not made by a check of this room."""
+"""Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""
 SIGNALS = ("sensor", "actuator", "attribute")
 
 _CODE = r"[A-Z]+[0-9]{3}"
 _NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
 _REQUIRED = ("name", "title", "severity", "why", "check", "source")
 _KEYS = (*_REQUIRED, "category", "default", "scope", "nodes", "options", "message", "fix", "good", "bad", "example")
+_KINDS: Mapping[str, type] = {"message": str, "fix": str, "category": str, "default": bool, "options": dict}
+_KIND_NAMES: Mapping[type, str] = {str: "a text", bool: "true or false", dict: "a mapping"}
 _NODE_KEYS = ("types", "datatypes", "interfaces", "path")
 
 
@@ -77,7 +79,7 @@ class RuleFile(NamedTuple):
 
 
 class _Bad(Exception):
-    """A record cannot be used; the text says why, `key` where."""
+    """A record cannot be used: the text says why, `key` at which field."""
 
     def __init__(self, message: str, key: str = "", fix: str = "") -> None:
         super().__init__(message)
@@ -99,7 +101,7 @@ def load_rule_files(paths: Iterable[Path], *, trusted: bool) -> tuple[Rule, ...]
         findings.extend(file.findings)
         for rule in file.rules:
             if rule.id in rules:
-                message = f"Rule {rule.id} stands in {rules[rule.id].file} too."
+                message = f"Rule {rule.id} is in {rules[rule.id].file} too."
                 findings.append(codes.RULE_UNUSABLE.finding(message, rule.file, rule.line, 1, rule.id))
             rules[rule.id] = rule
     if findings:
@@ -114,10 +116,10 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
     if document.root is None:
         return RuleFile((), tuple(findings))
     if not isinstance(document.root, MappingNode):
-        message = "A file of rules is a mapping of codes to records."
+        message = "A file of rules must be a mapping of codes to records."
         return RuleFile((), (codes.RULE_UNUSABLE.finding(message, name, 1, 1),))
     findings.extend(
-        codes.RULE_UNUSABLE.finding(f"Rule {key.value} is given twice.", name, *position(key), key.value)
+        codes.RULE_UNUSABLE.finding(f"Rule {key.value} is defined twice.", name, *position(key), key.value)
         for key in duplicate_keys(document.root)
     )
     with collector_paused():
@@ -146,8 +148,8 @@ def _records(root: MappingNode, name: str, findings: list[Finding], *, trusted: 
         except Unbuildable as error:
             findings.append(codes.RULE_UNUSABLE.finding(str(error), name, *position(error.node), code))
         except _Bad as error:
-            place = _position_of(node, error.key) or (line, column)
-            findings.append(codes.RULE_UNUSABLE.finding(str(error), name, *place, code, fix=error.fix))
+            at = _position_of(node, error.key) or (line, column)
+            findings.append(codes.RULE_UNUSABLE.finding(str(error), name, *at, code, fix=error.fix))
     return rules
 
 
@@ -158,10 +160,17 @@ def _position_of(node: Any, key: str) -> tuple[int, int] | None:
 
 def _rule(code: str, values: Any, category: str, file: str, line: int, *, trusted: bool) -> Rule:
     if not re.fullmatch(_CODE, code):
-        raise _Bad(f"{code!r} is no code of a rule.", fix="Use capital letters and three digits, such as ACME001.")
+        raise _Bad(
+            f"The code of a rule must be capital letters and three digits, not {code!r}.",
+            fix="Use one such as ACME001.",
+        )
     if not isinstance(values, dict):
-        raise _Bad(f"Rule {code} has no fields: a mapping belongs here.")
+        raise _Bad(f"Rule {code} must be a mapping of fields.")
     _check_keys(code, values)
+    if trusted and values.get("example") is not False and not (values.get("good") and values.get("bad")):
+        raise _Bad(
+            f"Rule {code} must have `good` and `bad` examples.", fix="Add them, or `example: false` if none is a text."
+        )
     return Rule(
         code,
         values["name"],
@@ -188,40 +197,42 @@ def _rule(code: str, values: Any, category: str, file: str, line: int, *, truste
 def _check_keys(code: str, values: dict[str, Any]) -> None:
     for key in values:
         if key not in _KEYS:
-            raise _Bad(f"Rule {code} has the unknown field {key!r}.", key, did_you_mean(str(key), _KEYS))
+            raise _Bad(f"Unknown field {key!r} of rule {code}.", key, did_you_mean(str(key), _KEYS))
     for key in _REQUIRED:
         if not isinstance(values.get(key), str) or not values[key]:
-            raise _Bad(f"Rule {code} needs a text as {key!r}.", key)
+            raise _Bad(f"Rule {code} must have a text as `{key}`.", key)
     if values["severity"] not in SEVERITIES:
-        raise _Bad(f"{values['severity']!r} is no severity.", "severity", f"Use one of {', '.join(SEVERITIES)}.")
+        raise _Bad(f"`severity` must be one of {', '.join(SEVERITIES)}, not {values['severity']!r}.", "severity")
     if values.get("scope", "node") not in get_args(Scope):
         raise _Bad(f"`scope` must be one of {', '.join(get_args(Scope))}, not {values['scope']!r}.", "scope")
     if not re.fullmatch(_NAME, values["name"]):
-        raise _Bad(f"Name {values['name']!r} is not in kebab-case.", "name")
-    for key, kind in (("message", str), ("fix", str), ("category", str), ("default", bool), ("options", dict)):
+        raise _Bad(
+            f"`name` must be in kebab-case, not {values['name']!r}.", "name", "Use a name such as unit-without-key."
+        )
+    for key, kind in _KINDS.items():
         if key in values and not isinstance(values[key], kind):
-            raise _Bad(f"{key!r} of rule {code} has the wrong type.", key)
+            raise _Bad(f"`{key}` must be {_KIND_NAMES[kind]}, not {values[key]!r}.", key)
 
 
 def _nodes(values: Any) -> Nodes:
     if not isinstance(values, dict):
-        raise _Bad("`nodes` takes a mapping.", "nodes")
+        raise _Bad(f"`nodes` must be a mapping, not {values!r}.", "nodes")
     for key in values:
         if key not in _NODE_KEYS:
-            raise _Bad(f"`nodes` has the unknown field {key!r}.", "nodes", did_you_mean(str(key), _NODE_KEYS))
+            raise _Bad(f"Unknown field {key!r} in `nodes`.", "nodes", did_you_mean(str(key), _NODE_KEYS))
     types = frozenset(_names(values, "types"))
     if "signals" in types:
         types = types - {"signals"} | frozenset(SIGNALS)
     path = values.get("path", "")
     if not isinstance(path, str):
-        raise _Bad("`path` of `nodes` takes a glob such as Vehicle.Body.*.", "nodes")
+        raise _Bad(f"`path` must be a glob such as Vehicle.Body.*, not {path!r}.", "nodes")
     return Nodes(types, frozenset(_names(values, "datatypes")), frozenset(_names(values, "interfaces")), path)
 
 
 def _names(values: dict[str, Any], key: str) -> list[str]:
     names = values.get(key, [])
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        raise _Bad(f"{key!r} of `nodes` takes a list of names.", "nodes")
+        raise _Bad(f"`{key}` must be a list of names, not {names!r}.", "nodes")
     return names
 
 
