@@ -64,7 +64,7 @@ def test_a_configuration_may_be_named(folder, capsys):
 @pytest.mark.usefixtures("configured")
 def test_a_rule_that_cannot_be_used_is_reported_at_its_line(folder, capsys):
     (folder / "our-rules.yaml").write_text(OWN.replace("severity: warning", "severity: grave"))
-    assert main(["rule", "ACME001"]) == 1
+    assert main(["rule", "ACME001"]) == 2
     error = capsys.readouterr().err
     assert "our-rules.yaml:4:3: error L010 `severity` must be one of error, warning, info, not 'grave'." in error
 

@@ -9,9 +9,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.output import discard_output, write_text
+from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.tree_options import add_many
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import InputRefused
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -90,9 +90,7 @@ def lint(arguments: argparse.Namespace) -> int:
     try:
         return _lint(arguments)
     except InputRefused as error:  # the configuration, the rules or the baseline: nothing was linted
-        for finding in error.findings:
-            print(finding.line_of_text, file=sys.stderr)
-        raise UsageError(str(error)) from None
+        raise could_not_run(error) from None
     finally:
         if was_enabled:
             gc.enable()

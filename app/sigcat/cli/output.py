@@ -6,7 +6,7 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 
 
 def write_text(text: str, output: Path | None) -> None:
@@ -84,3 +84,10 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+def could_not_run(error: InputRefused) -> UsageError:
+    """What a command raises whose configuration or rules cannot be used; the findings are printed."""
+    for finding in error.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    return UsageError(str(error))

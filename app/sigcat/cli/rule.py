@@ -4,8 +4,9 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.output import could_not_run
 from sigcat.data import INTERFACE_RULES
-from sigcat.errors import NotFound
+from sigcat.errors import InputRefused, NotFound
 from sigcat.names import nearest
 
 if TYPE_CHECKING:
@@ -41,13 +42,16 @@ def show_rule(arguments: argparse.Namespace) -> int:
 
 
 def _rules(config: Path | None) -> "Sequence[Rule]":
-    """The shipped rules and those of the configuration. Raises InputRefused where the latter cannot be used."""
+    """The shipped rules and those of the configuration. Raises UsageError where the latter cannot be used."""
     from sigcat.rules.linting.configuration import find_configuration, read_configuration
     from sigcat.rules.linting.options import LintOptions
     from sigcat.rules.linting.selection import rules_for
 
     file = config or find_configuration(Path())
-    return rules_for(read_configuration(file) if file is not None else LintOptions())
+    try:
+        return rules_for(read_configuration(file) if file is not None else LintOptions())
+    except InputRefused as error:
+        raise could_not_run(error) from None
 
 
 def _find(wanted: str, rules: "Sequence[Rule]") -> "Rule":
