@@ -85,16 +85,17 @@ def test_every_example_validates_under_the_published_schema(path):
 
 
 @pytest.mark.parametrize(
-    ("name", "cycle"), [("core_acc", 50), ("eco_control_mpc", 500), ("wheel_speed_calculation", 10)]
+    ("name", "cycle", "previous"),
+    [("core_acc", 50, None), ("eco_control_mpc", 500, "CoreAcc_Step"), ("wheel_speed_calculation", 10, None)],
 )
-def test_calls_come_from_the_scheduling_overlay(name, cycle):
+def test_calls_come_from_the_scheduling_overlay(name, cycle, previous):
     document = example(name)
     function = document["FunctionInfo"]["FunctionName"]
     calls = {call["Name"]: call for call in document["ComponentList"][0]["functionList"]}
     assert list(calls) == [f"{function}_Init", f"{function}_Step", f"{function}_Terminate"]
     assert [call["Runtype"] for call in calls.values()] == ["Init", "Cyclic", "Shutdown"]
     assert calls[f"{function}_Step"]["Cycletime"] == cycle
-    assert calls[f"{function}_Step"]["PrevRunnable"] == f"{function}_Init"
+    assert calls[f"{function}_Step"].get("PrevRunnable") == previous
     assert calls[f"{function}_Init"]["Scheduling"] == "Non-Preemptive"
 
 
