@@ -73,7 +73,7 @@ def derive_all(folder: Path) -> None:
     """Everything, from the files of the set to the files of the platform."""
     from sigcat.adapter.autosar_adaptive.arxml.generate import generate
     from sigcat.catalogue.composing.compose import read_catalogue
-    from sigcat.function.build.build import build_function
+    from sigcat.function.function_file import build_function
     from sigcat.integration.autosar_adaptive.derive import derive
     from sigcat.integration.autosar_adaptive.model import to_json
 

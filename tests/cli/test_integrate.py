@@ -111,4 +111,4 @@ def test_a_document_of_another_kind_is_one_finding_that_says_what_it_is(command,
     assert main(list(command)) == 1
     told = capsys.readouterr().err.splitlines()
     assert len(told) == 2
-    assert f"This is {kind}" in told[0]
+    assert f", not {kind}." in told[0]

@@ -11,7 +11,7 @@ import pytest
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.errors import InputRefused
-from sigcat.function.build.build import build_function, check_function
+from sigcat.function.function_file import build_function, check_function
 from sigcat.function.function_json.model import function_schema, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.published.schemas import schema
@@ -337,15 +337,15 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
     [
         (
             "{path: Vehicle.Speed, role: consumed, init: true}",
-            ("F024", "init", "True is no value of 'Vehicle.Speed'. A number belongs here."),
+            ("F024", "init", "`init` of 'Vehicle.Speed' must be a number, not True."),
         ),
         (
             "{path: Vehicle.Speed, role: consumed, min: 80, max: 70, init: 0}",
-            ("F023", "min", "The range from 80 to 70 is upside down. Exchange `min` and `max`."),
+            ("F023", "min", "The range of 'Speed' must ascend, not run from 80 to 70. Exchange `min` and `max`."),
         ),
         (
             "{path: Vehicle.Speed, role: consumed, unit: km/hour}",
-            ("F021", "unit", "'km/hour' is no unit. Use 'km/h' or one that it converts to: m/s."),
+            ("F021", "unit", "Unknown unit 'km/hour'. Use 'km/h' or one that it converts to: m/s."),
         ),
         (
             "{path: Vehicle.Function.CoreAcc.Error.AliveError, role: consumed}",
@@ -353,8 +353,8 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
                 "F011",
                 "path",
                 (
-                    "'Vehicle.Function.CoreAcc.Error.AliveError' is an error interface, not a data interface. "
-                    "List it under errors, safetyReactions or modes."
+                    "'Vehicle.Function.CoreAcc.Error.AliveError' must be a data interface, not an error interface. "
+                    "List it under `errors`, `safetyReactions` or `modes`."
                 ),
             ),
         ),
@@ -364,7 +364,7 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
                 "F041",
                 "timeoutError",
                 (
-                    "The function does not declare the time-out error 'CoreAcc_ProposalTimeout_ErrorSts' of 'Speed'. "
+                    "The time-out error of 'Speed' must be one that the function declares, not 'CoreAcc_ProposalTimeout_ErrorSts'. "
                     "Add it to the errors of the call."
                 ),
             ),

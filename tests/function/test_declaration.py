@@ -6,8 +6,8 @@ import jsonschema
 import pytest
 import yaml
 
-from sigcat.function.build.build import build, check_function
 from sigcat.function.declaration.declaration import declaration_schema, read_declaration
+from sigcat.function.function_file import check_function, checked_file
 from tests.function.shipped import FUNCTIONS, interfaces
 
 HEAD = "function: F\ndescription: Does.\nresponsible: Team\ncomponents: [{name: F, runnables: [F_Step]}]\n"
@@ -60,8 +60,8 @@ def test_a_misspelled_key_is_one_finding_where_it_stands():
 def test_a_word_that_yaml_reads_as_a_boolean_is_explained():
     text = HEAD + "modes: {active: [{mode: OFF, description: Off., runnables: []}]}\n"
     finding = read_declaration(text.encode(), "f").findings[0]
-    assert finding.message == "False is no value for `mode`: a text belongs here."
-    assert "put quotes around" in finding.fix
+    assert finding.message == "`mode` must be a text, not False."
+    assert "Put quotes around" in finding.fix
 
 
 @pytest.mark.parametrize("text", ["- 1", "5", "text", "~"])
@@ -82,7 +82,7 @@ def test_of_an_own_interface_the_last_name_is_enough():
     full = next(path for path in FUNCTIONS if path.parent.name == "core_acc").read_text(encoding="utf-8")
     short = re.sub(r"CoreAcc_(\w+?)_ErrorSts|(AccReqInvalid)_SftyCondSts|CoreAcc_(?:Mode_)?(\w+)", r"\1\2\3", full)
     assert "CoreAcc_" not in short
-    built, of_short = (build(read_declaration(text.encode(), "f.yaml"), interfaces()) for text in (full, short))
+    built, of_short = (checked_file(text.encode(), "f.yaml", interfaces()) for text in (full, short))
     assert of_short.function
     assert built.function
     assert of_short.findings == built.findings == ()
@@ -103,15 +103,15 @@ def test_a_last_name_that_only_another_function_has_is_not_meant():
     [
         (
             "version: 1.0",
-            "1.0 is no value for `version`: a text belongs here. It is read as a number: put quotes around a text.",
+            "`version` must be a text, not 1.0. Put quotes around it: it is read as a number.",
         ),
         (
             "define: {types: {Line: {description: A., fields: {X: {datatype: float, description: X.}}}}}",
-            "'Line' is no name that belongs here. Write a path, with a branch above the name: 'Branch.Line', for example.",
+            "'Line' must be a path. Write a branch above the name, such as 'Branch.Line'.",
         ),
         (
             "modes: {zzz: 1}",
-            "'zzz' is not a key that belongs here. Known here are interfaces, active.",
+            "Unknown key 'zzz'. Use one of interfaces, active.",
         ),
     ],
 )

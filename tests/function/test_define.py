@@ -12,11 +12,10 @@ import yaml
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, UsageError
-from sigcat.function.build.build import build_function, check_function
-from sigcat.function.build.overlay import overlay_of
-from sigcat.function.checks.validate import validate_function_json
 from sigcat.function.declaration.declaration import declaration_schema, read_declaration
 from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold
+from sigcat.function.extension.overlay import overlay_of
+from sigcat.function.function_file import build_function, check_function, check_function_json
 from sigcat.function.function_json.model import to_json
 from sigcat.rules.linting.lint import lint_paths
 from tests.function.shipped import interfaces
@@ -76,7 +75,7 @@ def test_the_document_remembers_the_file_that_defines_and_validates_with_its_ove
     types.write_text(made.types)
     catalogue = read_catalogue(ROOT_FILE, [overlay], units=UNITS, types=[types])
     assert catalogue.findings == ()
-    assert validate_function_json(to_json(function), "f.json", catalogue) == ()
+    assert check_function_json(to_json(function), "f.json", catalogue).findings == ()
 
 
 def test_the_overlay_says_what_the_file_says(tmp_path):

@@ -4,7 +4,9 @@ import time
 
 import pytest
 
-from sigcat.function.document.document import pointer_text, read_json, read_yaml
+from sigcat.function.document.document import pointer_text
+from sigcat.function.document.read_json import read_json
+from sigcat.function.document.read_yaml import read_yaml
 from sigcat.limits import Limits
 from tests.timing import is_within
 
@@ -13,34 +15,34 @@ YAML = b"a:\n  - 1\n  - b/c: x\nd:\n  e: 5\n"
 
 
 @pytest.mark.parametrize(
-    ("pointer", "place"),
+    ("pointer", "position"),
     [((), (1, 1)), (("a",), (2, 8)), (("a", 0), (2, 9)), (("a", 1), (2, 12)), (("a", 1, "b/c"), (2, 20)), (("d~",), (3, 9))],
 )  # fmt: skip
-def test_every_value_of_json_has_a_place(pointer, place):
-    assert read_json(JSON, "f").place(pointer) == place
+def test_every_value_of_json_has_a_position(pointer, position):
+    assert read_json(JSON, "f").position(pointer) == position
 
 
 @pytest.mark.parametrize(
-    ("pointer", "place"),
+    ("pointer", "position"),
     [((), (1, 1)), (("a",), (1, 1)), (("a", 0), (2, 5)), (("a", 1, "b/c"), (3, 10)), (("d", "e"), (5, 6))],
 )
-def test_every_value_of_yaml_has_a_place(pointer, place):
-    assert read_yaml(YAML, "f").place(pointer) == place
+def test_every_value_of_yaml_has_a_position(pointer, position):
+    assert read_yaml(YAML, "f").position(pointer) == position
 
 
-def test_a_key_has_a_place_of_its_own_and_an_item_that_of_its_value():
-    assert read_json(JSON, "f").place(("a", 1, "b/c"), of_key=True) == (2, 13)
-    assert read_yaml(YAML, "f").place(("d", "e"), of_key=True) == (5, 3)
-    assert read_json(JSON, "f").place(("a", 0), of_key=True) == (2, 9)
-    assert read_yaml(YAML, "f").place(("a", 0), of_key=True) == (2, 5)
+def test_a_key_has_a_position_of_its_own_and_an_item_that_of_its_value():
+    assert read_json(JSON, "f").position(("a", 1, "b/c"), of_key=True) == (2, 13)
+    assert read_yaml(YAML, "f").position(("d", "e"), of_key=True) == (5, 3)
+    assert read_json(JSON, "f").position(("a", 0), of_key=True) == (2, 9)
+    assert read_yaml(YAML, "f").position(("a", 0), of_key=True) == (2, 5)
 
 
 @pytest.mark.parametrize("read", [read_json, read_yaml])
-def test_what_is_not_there_has_the_place_of_what_is_around_it(read):
+def test_what_is_not_there_has_the_position_of_what_is_around_it(read):
     data = JSON if read is read_json else YAML
     document = read(data, "f")
-    assert document.place(("a", 1, "missing", 3)) == document.place(("a", 1))
-    assert document.place(("nothing",)) == (1, 1)
+    assert document.position(("a", 1, "missing", 3)) == document.position(("a", 1))
+    assert document.position(("nothing",)) == (1, 1)
 
 
 def test_pointers_are_escaped():
@@ -53,7 +55,7 @@ def test_json_that_yaml_would_not_take_is_read():
     document = read_json(text.encode(), "f")
     assert document.findings == ()
     assert document.value["x"] == "😀"
-    assert document.place(("k" * 2000,)) == (1, 2027)
+    assert document.position(("k" * 2000,)) == (1, 2027)
 
 
 BAD_JSON = [

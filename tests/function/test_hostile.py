@@ -9,9 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sigcat.function.build.build import build_function, check_function
-from sigcat.function.checks.validate import read_function_json, validate_function_json
 from sigcat.function.document.document import Pointer
+from sigcat.function.function_file import build_function, check_function, check_function_json
 from sigcat.function.function_json.model import to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 
@@ -37,7 +36,7 @@ PLACES = [pointer for pointer in pointers(FUNCTION) if pointer]
 @QUICKLY
 @given(st.binary(max_size=300))
 def test_any_bytes_are_answered_with_findings(data):
-    assert validate_function_json(data, "f.json")
+    assert check_function_json(data, "f.json").findings
     assert check_function(data, "f.yaml", interfaces())
 
 
@@ -53,7 +52,7 @@ def test_any_value_anywhere_is_answered_with_findings_that_have_a_place(pointer,
         data = json.dumps(document, allow_nan=False).encode()
     except ValueError:
         data = json.dumps(document).encode()
-    validated = read_function_json(data, "f.json", interfaces())
+    validated = check_function_json(data, "f.json", interfaces())
     assert all(finding.line for finding in validated.findings)
     if validated.function is not None:
         to_json(validated.function)
@@ -103,7 +102,7 @@ def test_ten_thousand_signals_are_built_and_validated_quickly():
     function, _ = quickly(lambda: build_function(large(10_000), "f.yaml", interfaces()))
     data = quickly(lambda: to_json(function))
     assert len(data) > 3_000_000
-    assert len(quickly(lambda: validate_function_json(data, "f.json", interfaces()))) == 10_000
+    assert len(quickly(lambda: check_function_json(data, "f.json", interfaces()).findings)) == 10_000
 
 
 def test_ten_thousand_wrong_signals_are_told_quickly():
@@ -124,7 +123,7 @@ def test_ten_thousand_calls_are_put_in_order_quickly(previous, rule, count):
         {**call, "Name": f"CoreAcc_Step{i}", "PrevRunnable": previous.format(i + 1)} for i in range(10_000)
     ]
     data = json.dumps(document).encode()
-    found = quickly(lambda: validate_function_json(data, "f.json"))
+    found = quickly(lambda: check_function_json(data, "f.json").findings)
     assert sum(finding.rule == rule for finding in found) == count
 
 
@@ -198,7 +197,7 @@ def test_a_mark_of_byte_order_is_taken():
 def test_another_version_of_the_format_is_one_clear_finding(version, rules, fix):
     document = json.loads(json.dumps(FUNCTION))
     document["MetaInfo"]["SchemaVersion"] = version
-    found = validate_function_json(json.dumps(document, indent=1).encode(), "f.json", interfaces())
+    found = check_function_json(json.dumps(document, indent=1).encode(), "f.json", interfaces()).findings
     assert [finding.rule for finding in found] == rules
     assert {(finding.pointer, finding.line > 1) for finding in found} <= {("/MetaInfo/SchemaVersion", True)}
     assert all(finding.fix.startswith(fix) for finding in found)

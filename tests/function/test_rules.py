@@ -1,14 +1,10 @@
 """Every rule about function files does what its own examples say."""
 
-import re
-from pathlib import Path
-
 import pytest
 
 from sigcat.data import INTERFACE_RULES
-from sigcat.function.build.build import check_function
-from sigcat.function.document.severities import SEVERITIES
-from sigcat.function.sets.sets import check_functions
+from sigcat.function.function_file import check_function
+from sigcat.function.sets.check_set import check_functions
 from sigcat.rules.record import load_rule_files
 from tests.function.shipped import interfaces
 
@@ -36,15 +32,3 @@ def test_a_bad_example_has_a_finding_of_its_rule_with_a_place(rule, text):
     own = [finding for finding in findings if finding.rule == rule.id]
     assert own, [(finding.rule, finding.message) for finding in findings]
     assert all(finding.message and finding.line and finding.column for finding in own)
-
-
-@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.id)
-def test_code_and_record_agree_on_the_severity(rule):
-    assert SEVERITIES[rule.id] == rule.severity
-
-
-def test_every_code_that_this_room_emits_has_a_record():
-    emitted = set()
-    for file in (Path(__file__).parents[2] / "app" / "sigcat" / "function").rglob("*.py"):
-        emitted.update(re.findall(r'"(F[01][0-9]{2})"', file.read_text(encoding="utf-8")))
-    assert emitted == {rule.id for rule in RULES} == set(SEVERITIES)

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from sigcat.cli import main
-from sigcat.function.build.build import build_function
+from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
-from sigcat.function.sets.sets import check_functions, check_set, read_set
+from sigcat.function.sets.check_set import check_functions, check_set, read_set
 from tests.function.shipped import FUNCTIONS, interfaces
 
 LANES = (Path(__file__).parent / "lane_keeping.function.yaml").read_bytes()

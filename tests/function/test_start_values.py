@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from sigcat.function.build.build import build_function
+from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.integrate import integrate
 from sigcat.integration.platforms import PLATFORMS

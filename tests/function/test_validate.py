@@ -6,8 +6,7 @@ from typing import Any
 
 import pytest
 
-from sigcat.function.build.build import build_function, check_function
-from sigcat.function.checks.validate import read_function_json, validate_function_json
+from sigcat.function.function_file import build_function, check_function, check_function_json
 from sigcat.function.function_json.model import milliseconds, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.needs import published, published_files
@@ -31,7 +30,7 @@ def document(**changes: Any) -> bytes:
 
 
 def rules(data: bytes) -> list[str]:
-    return [finding.rule for finding in validate_function_json(data, "f.json") if finding.rule != "F050"]
+    return [finding.rule for finding in check_function_json(data, "f.json").findings if finding.rule != "F050"]
 
 
 # -- what we write ------------------------------------------------------------------------------------------------
@@ -40,13 +39,13 @@ def rules(data: bytes) -> list[str]:
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_what_sigcat_writes_has_nothing_to_be_said_about(path):
     function, _ = build_function(path.read_bytes(), str(path), interfaces())
-    assert validate_function_json(to_json(function), "f.json", interfaces()) == ()
+    assert check_function_json(to_json(function), "f.json", interfaces()).findings == ()
 
 
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_what_sigcat_writes_is_read_back_to_the_same_bytes(path):
     function, _ = build_function(path.read_bytes(), str(path), interfaces())
-    again = read_function_json(to_json(function), "f.json").function
+    again = check_function_json(to_json(function), "f.json").function
     assert again is not None
     assert to_json(again) == to_json(function)
 
@@ -56,7 +55,7 @@ def test_what_sigcat_writes_is_read_back_to_the_same_bytes(path):
 
 @pytest.fixture(scope="module")
 def findings():
-    return validate_function_json(published(PUBLISHED), "core.json", interfaces())
+    return check_function_json(published(PUBLISHED), "core.json", interfaces()).findings
 
 
 @published_files
@@ -105,14 +104,14 @@ def test_they_are_found_where_they_stand(findings, pointer, expected):
 
 @published_files
 def test_without_a_catalogue_it_is_judged_by_itself(findings):
-    alone = validate_function_json(published(PUBLISHED), "core.json")
+    alone = check_function_json(published(PUBLISHED), "core.json").findings
     assert {f.rule for f in alone} == {f.rule for f in findings}
     assert not any("Vehicle." in f.message for f in alone)
 
 
 @published_files
 def test_it_keeps_its_content_when_written_again():
-    function = read_function_json(published(PUBLISHED), "core.json").function
+    function = check_function_json(published(PUBLISHED), "core.json").function
     assert function is not None
     original, again = json.loads(published(PUBLISHED)), json.loads(to_json(function))
     assert _without_null(again) == _without_null(original)
@@ -129,7 +128,7 @@ def _without_null(value: Any) -> Any:
 
 def test_defects_of_structure_are_findings_all_at_once():
     data = document(FunctionInfo={"FunctionName": 5}, Datatypes=[{"typeRef": "UInt8", "category": "primitive"}])
-    found = validate_function_json(data, "f.json")
+    found = check_function_json(data, "f.json").findings
     assert [(finding.rule, finding.pointer, finding.line) for finding in found] == [
         ("F002", "/FunctionInfo", 3),
         ("F002", "/FunctionInfo", 3),
@@ -147,7 +146,7 @@ def test_python_names_are_no_names_of_the_wire_format():
 def test_foreign_keys_are_allowed_and_kept():
     data = document(MetaInfo={"Ticket": {"id": 7}}, Extra=[1.5, None, "x"])
     assert rules(data) == []
-    function = read_function_json(data, "f.json").function
+    function = check_function_json(data, "f.json").function
     assert function is not None
     again = json.loads(to_json(function))
     assert (again["MetaInfo"], again["Extra"]) == ({"Ticket": {"id": 7}}, [1.5, None, "x"])
@@ -155,7 +154,7 @@ def test_foreign_keys_are_allowed_and_kept():
 
 def test_a_misspelled_key_is_answered_with_the_right_one():
     call = {**CALL, "PrevRunable": "Acc_Init"}
-    found = validate_function_json(document(ComponentList=[{"Name": "Acc", "functionList": [call]}]), "f.json")
+    found = check_function_json(document(ComponentList=[{"Name": "Acc", "functionList": [call]}]), "f.json").findings
     fixes = [finding.fix for finding in found if finding.rule == "F003"]
     assert fixes == ["Did you mean 'PrevRunnable'?"]
 
@@ -180,7 +179,7 @@ def test_paths_units_and_ranges_are_compared_with_the_catalogue():
     text = to_json(function).decode()
     text = text.replace('"Max": 276.9', '"Max": 300').replace("Vehicle.Mass", "Vehicle.Mas")
     text = text.replace('"Units": "radians"', '"Units": "rad"')
-    found = validate_function_json(text.encode(), "f.json", interfaces())
+    found = check_function_json(text.encode(), "f.json", interfaces()).findings
     assert [finding.rule for finding in found] == ["F022", "F094", "F010"]
 
 

@@ -62,7 +62,7 @@ def test_a_mismatch_is_red_and_told_beside_its_line(site: Ask, proposing: str) -
 def test_two_providers_of_one_signal_are_told(site: Ask, proposing: str) -> None:
     twin = proposing.replace("EcoControlMpc", "Rival")
     page = connected(site, ("mpc.json", proposing), ("rival.json", twin)).text
-    assert re.search(r"F104</a>\s*<p>Rival provides", page)
+    assert re.search(r"F104</a>\s*<p>[^<]* must have one provider; EcoControlMpc and Rival provide it", page)
 
 
 def test_findings_stand_beside_the_lines_of_each_posted_file(site: Ask) -> None:

@@ -84,7 +84,7 @@ def _add_validate(actions: Actions) -> None:
 
 def build(arguments: argparse.Namespace) -> int:
     """Write the Function JSON; warnings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.function.build.build import build_function
+    from sigcat.function.function_file import build_function
     from sigcat.function.function_json.model import to_json
 
     data = arguments.file.read_bytes()
@@ -114,7 +114,7 @@ def new(arguments: argparse.Namespace) -> int:
 
 def overlay(arguments: argparse.Namespace) -> int:
     """Write the overlay; warnings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.function.build.overlay import overlay_of
+    from sigcat.function.extension.overlay import overlay_of
 
     made = overlay_of(arguments.file.read_bytes(), str(arguments.file), read_tree(arguments))
     if made.types and arguments.types_output is None:
@@ -130,7 +130,7 @@ def overlay(arguments: argparse.Namespace) -> int:
 
 def validate(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if a file cannot be used, or files cannot be used together."""
-    from sigcat.function.sets.sets import check_functions
+    from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in arguments.files]
     findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1)

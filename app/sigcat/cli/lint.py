@@ -148,7 +148,7 @@ def _check_functions(files: "Sequence[tuple[bytes, str]]", is_whole: bool) -> "S
     """Check function files against the shipped catalogue; loaded only when there are any."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.catalogue.hosting.sources import shipped_sources
-    from sigcat.function.sets.sets import check_functions
+    from sigcat.function.sets.check_set import check_functions
 
     return check_functions(files, load(shipped_sources()[0]), is_whole=is_whole)
 

@@ -1,4 +1,4 @@
-"""A function declared once in, Function JSON and findings out.
+"""Function files in; checked functions, Function JSON and findings out.
 
-Documents with positions, models, declaration, building, checks, sets.
+Read with positions, extend the catalogue, resolve each interface, check, write: function_file.py is the whole way.
 """

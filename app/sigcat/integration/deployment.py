@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sigcat.function.document.form import DeclarationModel, Text
+from sigcat.function.declaration.form import DeclarationModel, Text
 
 
 class Deployment(DeclarationModel):

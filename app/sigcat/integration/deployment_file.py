@@ -6,7 +6,7 @@ from pydantic import Field, ValidationError, create_model
 
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors, in_order
-from sigcat.function.document.document import read_yaml
+from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.integration.deployment import Deployment
 from sigcat.integration.platforms import PLATFORMS

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from sigcat.findings import Finding
-    from sigcat.function.document.form import DeclarationModel
+    from sigcat.function.declaration.form import DeclarationModel
     from sigcat.function.function_json.model import FunctionJson
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry

@@ -7,14 +7,13 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
-from sigcat.file_kind import is_json
 from sigcat.findings import Finding, has_errors, in_order
-from sigcat.function.build.build import build
-from sigcat.function.checks.validate import validated
-from sigcat.function.declaration.declaration import Declared, read_declaration
-from sigcat.function.document.document import Document, read_json
+from sigcat.function.declaration.declaration import Declared
+from sigcat.function.document.document import Document
+from sigcat.function.extension.defined_nodes import Definitions
+from sigcat.function.extension.extended_catalogue import extended
+from sigcat.function.function_file import check_declaration, check_document, read_function_file
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.sets.sets import with_definitions
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 
@@ -33,13 +32,11 @@ def read_functions(
 
     Only `function.yaml` needs a catalogue. Raises InputRefused with every finding of every file if there are errors.
     """
-    read = [
-        read_json(data, name, limits) if is_json(data, name) else read_declaration(data, name, limits)
-        for data, name in files
-    ]
+    read = [read_function_file(data, name, limits) for data, name in files]
     declared = [each for each in read if isinstance(each, Declared)]
-    over = with_definitions(declared, catalogue()) if declared else None
-    made = [_of_json(each) if isinstance(each, Document) else _of_declaration(each, over) for each in read]
+    over, definitions = extended(catalogue(), declared) if declared else (None, ())
+    own = iter(definitions)
+    made = [_of_json(each) if isinstance(each, Document) else _of_declaration(each, next(own), over) for each in read]
     findings = in_order([finding for _, found in made for finding in found])
     functions = tuple(function for function, _ in made if function is not None)
     if has_errors(findings) or len(functions) < len(made):
@@ -53,15 +50,18 @@ def read_functions(
 
 def _of_json(document: Document) -> tuple[FunctionJson | None, tuple[Finding, ...]]:
     """Integration JSON for ROS 2 is Function JSON with more, and would be taken for a function."""
-    function, findings = validated(document, None)
+    checked = check_document(document, None)
+    function, findings = checked.function, checked.findings
     if function is not None and "CommunicationList" in (function.model_extra or {}):
-        message = "This is Integration JSON already; functions are integrated from Function JSON or function.yaml."
-        place = document.place(("CommunicationList",))
-        found = codes.FIELD_UNKNOWN.finding(message, document.name, *place, pointer="/CommunicationList")
-        return None, (*findings, found)
+        message = "The document must be Function JSON, not Integration JSON, which is integrated already."
+        fix = "Give the Function JSON or the function.yaml that it was made from."
+        return None, (*findings, document.finding(codes.FIELD_UNKNOWN, ("CommunicationList",), message, fix))
     return function, findings
 
 
-def _of_declaration(declared: Declared, over: Catalogue | None) -> tuple[FunctionJson | None, tuple[Finding, ...]]:
+def _of_declaration(
+    declared: Declared, definitions: Definitions, over: Catalogue | None
+) -> tuple[FunctionJson | None, tuple[Finding, ...]]:
     assert over is not None
-    return build(declared, over)
+    checked = check_declaration(declared, definitions, over)
+    return checked.sound_function, checked.findings

@@ -6,7 +6,7 @@ Each line below is one difference, with its reason. What does not stand there is
 import json
 from pathlib import Path
 
-from sigcat.function.checks.validate import read_function_json
+from sigcat.function.function_file import check_function_json
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from tests.integration.autosar_adaptive.sets import derive
@@ -62,7 +62,7 @@ DIFFERENCES = (
 
 
 def document(deployment=None):
-    function = read_function_json(published(FUNCTION), FUNCTION).function
+    function = check_function_json(published(FUNCTION), FUNCTION).function
     assert function is not None
     return json.loads(to_json(derive([function], deployment or read_deployment(DEPLOYMENT.read_bytes(), "d")).model))
 
@@ -116,7 +116,7 @@ def test_what_the_authors_typed_by_hand_is_derived_but_for_what_the_deployment_s
 
 
 def test_without_a_deployment_each_signal_without_a_path_is_told():
-    function = read_function_json(published(FUNCTION), FUNCTION).function
+    function = check_function_json(published(FUNCTION), FUNCTION).function
     assert function is not None
     findings = derive([function], DEFAULT_DEPLOYMENT).findings
     assert [finding.rule for finding in findings] == ["A002"] * 6

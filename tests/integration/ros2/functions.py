@@ -3,7 +3,7 @@
 import json
 from functools import cache
 
-from sigcat.function.build.build import build_function
+from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from sigcat.integration.ros2.derive import derive

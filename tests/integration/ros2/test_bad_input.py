@@ -107,7 +107,7 @@ def test_integration_json_is_no_function():
     data = to_json(derive([function(signal())]).model)
     with pytest.raises(InputRefused, match="cannot be integrated") as refused:
         read_functions([(data, "ros2.json")], no_catalogue)
-    assert any("Integration JSON already" in finding.message for finding in refused.value.findings)
+    assert any("not Integration JSON" in finding.message for finding in refused.value.findings)
 
 
 def test_a_document_is_read_back_and_a_defect_has_its_place():

@@ -8,7 +8,7 @@ import json
 import jsonschema
 import pytest
 
-from sigcat.function.checks.validate import read_function_json
+from sigcat.function.function_file import check_function_json
 from sigcat.integration.ros2.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
 from tests.needs import published, published_files
@@ -98,7 +98,7 @@ def by_hand():
 
 def derived_from_theirs():
     data = published("function_model_core_acc.json")
-    return document([read_function_json(data, "core_acc.json").function], settings(topics="function"))
+    return document([check_function_json(data, "core_acc.json").function], settings(topics="function"))
 
 
 def rows(made):

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
-from sigcat.function.document.document import read_json
+from sigcat.function.document.read_json import read_json
 from sigcat.limits import Limits
 
 LARGEST_SET = 500
@@ -52,9 +52,7 @@ def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Ma
         more = ", and `deployment` if wanted" if "deployment" in keys else ""
         message = f"A set has `functions`, a list of 1 to {LARGEST_SET}{more}; nothing else."
         at = (unknown[0],) if unknown else ("functions",)
-        raise InputRefused(
-            message, (codes.FIELD_UNKNOWN.finding(message, name, *document.place(at), pointer=f"/{at[0]}"),)
-        )
+        raise InputRefused(message, (document.finding(codes.FIELD_UNKNOWN, at, message),))
     return value
 
 

@@ -11,9 +11,9 @@ from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.build.build import build_function, check_function
+from sigcat.function.function_file import build_function, check_function
 from sigcat.function.function_json.model import FunctionJson, to_json
-from sigcat.function.sets.sets import check_functions
+from sigcat.function.sets.check_set import check_functions
 from sigcat.limits import Limits
 
 router = APIRouter(prefix="/api/v1/functions", tags=["functions"])

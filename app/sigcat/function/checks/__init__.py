@@ -1,4 +1,4 @@
-"""A function in, findings out: what is wrong within it, and against the catalogue.
+"""A resolved function in; problems out: of the function in itself, its conventions, and beside the catalogue.
 
-For built functions and for Function JSON from anywhere.
+Problems that only follow from others are left out.
 """

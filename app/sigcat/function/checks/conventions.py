@@ -7,14 +7,24 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
+from sigcat import codes
 from sigcat.asil import LEVELS, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.function.checks.against import check_against
+from sigcat.findings import RuleCode
+from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.datatypes import BY_REFERENCE, agree, c_type, proposed_reference, reference_type
 from sigcat.function.function_json.model import CONSUMER, PROVIDER, Datatype, FunctionJson, Parameter
-from sigcat.function.function_json.walk import contracts, data, errors, parameters, references, runnables
+from sigcat.function.function_json.walk import (
+    contracts,
+    data,
+    errors,
+    parameters,
+    references,
+    runnables,
+    safety_reactions,
+)
 from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
@@ -53,11 +63,19 @@ def _c_definitions(function: FunctionJson) -> Problems:
         row = BY_REFERENCE.get(datatype.reference)
         if meant is None:
             fix = f"Write {row.c!r}." if row else "Write a type of C, such as 'uint16_t'."
-            yield Problem("F081", pointer, f"{datatype.c_definition!r} is no type of C.", fix, datatype.reference)
+            yield Problem(
+                codes.NOT_A_TYPE_OF_C,
+                pointer,
+                f"`cDef` must be a type of C, not {datatype.c_definition!r}.",
+                fix,
+                Subject("datatype", datatype.reference),
+            )
         elif promised is not None and not agree(promised, meant):
             fix = f"Name it {proposed_reference(meant)!r}, or define it as {row.c!r}." if row else ""
-            message = f"{datatype.reference!r} is defined as {datatype.c_definition!r}, which is something else."
-            yield Problem("F082", pointer, message, fix, datatype.reference)
+            message = f"{datatype.reference!r} must be defined as its name says, not as {datatype.c_definition!r}."
+            yield Problem(
+                codes.TYPE_NAME_CONTRADICTS_DEFINITION, pointer, message, fix, Subject("datatype", datatype.reference)
+            )
 
 
 def _unused_types(function: FunctionJson) -> Problems:
@@ -65,7 +83,13 @@ def _unused_types(function: FunctionJson) -> Problems:
     for i, datatype in enumerate(function.datatypes):
         if datatype.reference not in used:
             message = f"Nothing refers to the datatype {datatype.reference!r}."
-            yield Problem("F083", ("Datatypes", i, "typeRef"), message, "Remove it.", datatype.reference)
+            yield Problem(
+                codes.TYPE_UNUSED,
+                ("Datatypes", i, "typeRef"),
+                message,
+                "Remove it.",
+                Subject("datatype", datatype.reference),
+            )
 
 
 # -- levels and spellings -----------------------------------------------------------------------------------------
@@ -73,50 +97,59 @@ def _unused_types(function: FunctionJson) -> Problems:
 
 def _asil_levels(function: FunctionJson) -> Problems:
     for pointer, _, runnable in runnables(function):
-        yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, runnable.name)
+        yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, Subject("scheduling", runnable.name))
     for pointer, _, item in data(function):
         key = "AsilInfo" if "DataQList" in pointer else "AsilLevel"
-        yield from _asil((*pointer, key), item.asil_level, item.name)
+        yield from _asil((*pointer, key), item.asil_level, Subject("data", item.name))
     for pointer, _, parameter in parameters(function):
-        yield from _asil((*pointer, "Asillevel"), parameter.asil_level, parameter.name)
+        yield from _asil((*pointer, "Asillevel"), parameter.asil_level, Subject("data", parameter.name))
     for pointer, _, error in errors(function):
         if error.asil_level is not None:
-            yield from _asil((*pointer, "AsilLevel"), error.asil_level, error.name)
+            yield from _asil((*pointer, "AsilLevel"), error.asil_level, Subject("error", error.name))
+    for pointer, _, reaction in safety_reactions(function):
+        if reaction.asil_level is not None:
+            yield from _asil((*pointer, "AsilLevel"), reaction.asil_level, Subject("safety_reaction", reaction.name))
 
 
-def _asil(pointer: Pointer, text: str | None, name: str) -> Problems:
+def _asil(pointer: Pointer, text: str | None, subject: Subject) -> Problems:
     level = level_of(text)
     if text is None:
-        yield Problem("F090", pointer, f"{name} has no ASIL.", "State one; QM where there is no requirement.", name)
+        fix = "State one; QM where there is no requirement."
+        yield Problem(codes.ASIL_OF_ELEMENT_MISSING, pointer, f"{subject.name} has no ASIL.", fix, subject)
     elif level is None:
         message = f"`{pointer[-1]}` must be {either(LEVELS)}, not {text!r}."
-        yield Problem("F091", pointer, message, "Write one of these; until then it counts as not stated.", name)
+        fix = "Write one of these; until then it counts as not stated."
+        yield Problem(codes.ASIL_MISSPELLED, pointer, message, fix, subject)
     elif text != level:
-        yield Problem(
-            "F091", pointer, f"`{pointer[-1]}` must be spelled {level!r}, not {text!r}.", f"Write {level!r}.", name
-        )
+        message = f"`{pointer[-1]}` must be spelled {level!r}, not {text!r}."
+        yield Problem(codes.ASIL_MISSPELLED, pointer, message, f"Write {level!r}.", subject)
 
 
 def _priorities(function: FunctionJson) -> Problems:
     for pointer, _, runnable in runnables(function):
         if runnable.priority and not re.fullmatch(r"-?\d+", runnable.priority.strip()):
-            message = f"The priority of {runnable.name} is the text {runnable.priority!r}, which no scheduler can use."
+            message = f"The priority of {runnable.name} must be a number, not {runnable.priority!r}."
             fix = "Write a number; a higher one runs first."
-            yield Problem("F092", (*pointer, "Priority"), message, fix, runnable.name)
+            yield Problem(
+                codes.PRIORITY_NO_NUMBER, (*pointer, "Priority"), message, fix, Subject("scheduling", runnable.name)
+            )
 
 
 def _spellings(function: FunctionJson) -> Problems:
     for pointer, _, item in data(function):
-        yield from _spelling((*pointer, "Role"), item.role, (CONSUMER, PROVIDER), "F097", item.name)
+        subject = Subject("data", item.name)
+        yield from _spelling(codes.ROLE_MISSPELLED, (*pointer, "Role"), item.role, (CONSUMER, PROVIDER), subject)
+    rule = codes.RUN_TYPE_OR_SCHEDULING_MISSPELLED
     for pointer, _, runnable in runnables(function):
-        yield from _spelling((*pointer, "Runtype"), runnable.run_type, RUN_TYPES, "F098", runnable.name)
-        yield from _spelling((*pointer, "Scheduling"), runnable.scheduling, SCHEDULING, "F098", runnable.name)
+        subject = Subject("scheduling", runnable.name)
+        yield from _spelling(rule, (*pointer, "Runtype"), runnable.run_type, RUN_TYPES, subject)
+        yield from _spelling(rule, (*pointer, "Scheduling"), runnable.scheduling, SCHEDULING, subject)
 
 
-def _spelling(pointer: Pointer, text: str, known: tuple[str, ...], rule: str, name: str) -> Problems:
+def _spelling(rule: RuleCode, pointer: Pointer, text: str, known: tuple[str, ...], subject: Subject) -> Problems:
     if text and text not in known:
-        fix = did_you_mean(text, known) or f"Use one of {', '.join(known)}."
-        yield Problem(rule, pointer, f"{text!r} is not one of the usual words for `{pointer[-1]}`.", fix, name)
+        message = f"`{pointer[-1]}` must be {either(known)}, not {text!r}."
+        yield Problem(rule, pointer, message, did_you_mean(text, known), subject)
 
 
 # -- texts --------------------------------------------------------------------------------------------------------
@@ -126,8 +159,13 @@ def _responsible(function: FunctionJson) -> Problems:
     text = function.info.function_responsible
     words = {word.strip(",.").lower() for word in text.split()}
     if _PERSON.fullmatch(text) and not words & _GROUPS:
-        message = f"{text!r} looks like a person; people change teams, and their names are personal data."
-        yield Problem("F099", ("FunctionInfo", "FunctionResponsible"), message, "Name the team that answers for it.")
+        message = f"The responsible must be a team, not a person as {text!r} seems to be."
+        yield Problem(
+            codes.RESPONSIBLE_IS_A_PERSON,
+            ("FunctionInfo", "FunctionResponsible"),
+            message,
+            "Name the team that answers for it.",
+        )
 
 
 def _descriptions(function: FunctionJson) -> Problems:
@@ -138,9 +176,9 @@ def _descriptions(function: FunctionJson) -> Problems:
         described += [((*pointer, "ErrorList", i), item.description) for i, item in enumerate(contract.errors or ())]
     for pointer, text in described:
         if not _SENTENCE.fullmatch(text.strip()):
-            message = f"The description {_short(text)!r} is no sentence."
+            message = f"The description must be a sentence, not {_short(text)!r}."
             fix = "Start with a capital and end with a period."
-            yield Problem("F096", (*pointer, "Description"), message, fix)
+            yield Problem(codes.DESCRIPTION_NO_SENTENCE, (*pointer, "Description"), message, fix)
 
 
 def _short(text: str) -> str:
@@ -155,8 +193,14 @@ def _mentions(function: FunctionJson) -> Problems:
         for word in _MENTION.findall(runnable.priority):
             meant = lowered.get(word.lower())
             if meant and word not in names:
-                message = f"{word!r} is spelled differently from the call {meant!r}."
-                yield Problem("F034", (*pointer, "Priority"), message, f"Write {meant!r}.", runnable.name)
+                message = f"The call must be spelled {meant!r}, not {word!r}."
+                yield Problem(
+                    codes.CALL_MISSPELLED_IN_TEXT,
+                    (*pointer, "Priority"),
+                    message,
+                    f"Write {meant!r}.",
+                    Subject("scheduling", runnable.name),
+                )
 
 
 # -- units and paths ----------------------------------------------------------------------------------------------
@@ -167,7 +211,7 @@ def _paths(function: FunctionJson) -> Problems:
         if item.vss_path is None and not (item.model_extra or {}).get("VssPath"):
             message = f"{item.name!r} names no path of the catalogue (`VssPath`)."
             fix = "With a path, its datatype, unit and range can be checked and need not be typed."
-            yield Problem("F095", pointer, message, fix, item.name)
+            yield Problem(codes.DATA_WITHOUT_PATH, pointer, message, fix, Subject("data", item.name))
 
 
 def _units(function: FunctionJson, catalogue: Catalogue | None) -> Problems:
@@ -184,21 +228,32 @@ def _units(function: FunctionJson, catalogue: Catalogue | None) -> Problems:
         if node and unit:
             relation = "is" if is_known else "seems to be"
             message = f"{item.name!r} has no unit; it {relation} {node.path!r}, which is in {unit!r}."
-            yield Problem("F093", (*pointer, "Units"), message, f"Write {unit!r}.", item.name)
+            yield Problem(
+                codes.UNIT_MISSING, (*pointer, "Units"), message, f"Write {unit!r}.", Subject("data", item.name)
+            )
         elif kind is not None and kind.kind == "floating" and not is_known:
             message = f"{item.name!r} is a physical value without a unit."
-            yield Problem("F093", (*pointer, "Units"), message, "Write the key of its unit, such as 'kg'.", item.name)
+            yield Problem(
+                codes.UNIT_MISSING,
+                (*pointer, "Units"),
+                message,
+                "Write the key of its unit, such as 'kg'.",
+                Subject("data", item.name),
+            )
 
 
 def _known_unit(pointer: Pointer, name: str, unit: str, catalogue: Catalogue | None) -> Problems:
+    subject = Subject("data", name)
     if unit.lower() in _NO_UNITS:
+        message = f"The unit of {name!r} must be a unit, not {unit!r}, which is a kind of datatype."
         fix = "Leave the unit out, and list the values in the datatype (`Symbols`)."
-        yield Problem("F094", pointer, f"{unit!r}, the unit of {name!r}, is a kind of datatype, not a unit.", fix, name)
+        yield Problem(codes.UNIT_NOT_IN_CATALOGUE, pointer, message, fix, subject)
     elif catalogue is not None and catalogue.vocabulary.unit(unit) is None:
         keys = [known.key for known in catalogue.vocabulary.distinct_units]
         longer = [key for key in keys if key.lower().startswith(unit.lower()) and key.isalpha()]
+        message = f"The unit of {name!r} must be one of the catalogue, not {unit!r}."
         fix = f"Did you mean {longer[0]!r}?" if longer and len(unit) > 1 else did_you_mean(unit, keys)
-        yield Problem("F094", pointer, f"{unit!r}, the unit of {name!r}, is no unit of the catalogue.", fix, name)
+        yield Problem(codes.UNIT_NOT_IN_CATALOGUE, pointer, message, fix, subject)
 
 
 def _alike(name: str, by_ending: dict[str, Node]) -> Node | None:
@@ -232,7 +287,9 @@ def _lost_ranges(function: FunctionJson) -> Problems:
                 f"which holds {float(low):g} to {float(high):g}."
             )
             fix = "Choose a larger datatype or another scale, or narrow the range."
-            yield Problem("F020", (*pointer, "Datatype"), message, fix, item.name)
+            yield Problem(
+                codes.CONVERSION_LOSES_RANGE, (*pointer, "Datatype"), message, fix, Subject("data", item.name)
+            )
 
 
 def _integers(datatype: Datatype) -> tuple[int, int] | None:

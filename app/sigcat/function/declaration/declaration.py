@@ -6,9 +6,10 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import BeforeValidator, Field, ValidationError
 
 from sigcat.findings import Finding
-from sigcat.function.declaration.definitions import DefineItem
-from sigcat.function.document.document import Document, read_yaml
-from sigcat.function.document.form import Asil, DeclarationModel, Duration, Natural, Text
+from sigcat.function.declaration.define_section import DefineSection
+from sigcat.function.declaration.form import Asil, DeclarationModel, Duration, Natural, Text
+from sigcat.function.document.document import Document
+from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.function_json.wire import Integer, Number
 from sigcat.limits import DEFAULT_LIMITS, Limits
@@ -83,7 +84,7 @@ class ErrorItem(DeclarationModel):
 
 
 class ReactionItem(DeclarationModel):
-    """A safety condition that the call is told of. Its fields stand in the catalogue."""
+    """A safety condition that the call reacts to. Its fields stand in the catalogue."""
 
     interface: Text = Field(description="Interface name or path of the safety reaction.")
 
@@ -120,7 +121,7 @@ class RunnableItem(DeclarationModel):
     )
     safety_reactions: list[
         Annotated[ReactionItem, BeforeValidator(_reference, json_schema_input_type=str | ReactionItem)]
-    ] = Field([], description="Safety conditions that it is told of.")
+    ] = Field([], description="Safety conditions that it reacts to.")
     methods: list[MethodItem] = Field([], description="Methods that it uses or offers.")
 
 
@@ -160,7 +161,7 @@ class Declaration(DeclarationModel):
     date: dt.date | None = Field(None, description="Date of the document, as 2025-09-12.")
     components: list[ComponentItem] = Field(min_length=1, description="Components of the function.")
     modes: ModesItem | None = Field(None, description="Modes of the function.")
-    define: DefineItem | None = Field(None, description="Interfaces that the catalogue does not have yet.")
+    define: DefineSection | None = Field(None, description="Interfaces that the catalogue does not have yet.")
 
 
 class Declared(NamedTuple):

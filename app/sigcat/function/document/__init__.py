@@ -1,4 +1,4 @@
-"""Bytes in, a document out whose every value knows its line and column.
+"""Bytes of YAML or JSON in; a value out that knows its line and column, with findings of its structure.
 
-Also the findings about structure that both kinds of function file share.
+Also what every later stage reports in: problems with their subjects.
 """

@@ -1,4 +1,4 @@
-"""Structural defects of a document, as the models report them, turned into findings with a place."""
+"""Structural defects of a document, as the models report them, turned into findings with a position."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -8,48 +8,60 @@ from typing import Any, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
+from sigcat import codes
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.findings import Finding
-from sigcat.function.document.document import Document, Pointer, pointer_text
+from sigcat.function.document.document import Document, Pointer
 from sigcat.names import did_you_mean, nearest
 
 _EXPECTED = {
-    "string_type": "a text belongs here",
-    "int_type": "a whole number belongs here",
-    "integer_type": "a whole number belongs here",
-    "number_type": "a finite number belongs here",
-    "bool_type": "true or false belongs here",
-    "list_type": "a list belongs here",
-    "tuple_type": "a list belongs here",
-    "dict_type": "a mapping belongs here",
-    "model_type": "a mapping belongs here",
-    "model_attributes_type": "a mapping belongs here",
-    "date_type": "a date such as 2025-09-12 belongs here",
-    "string_unicode": "a text of Unicode characters belongs here",
+    "string_type": "a text",
+    "int_type": "a whole number",
+    "integer_type": "a whole number",
+    "number_type": "a finite number",
+    "bool_type": "true or false",
+    "list_type": "a list",
+    "tuple_type": "a list",
+    "dict_type": "a mapping",
+    "model_type": "a mapping",
+    "model_attributes_type": "a mapping",
+    "date_type": "a date such as 2025-09-12",
+    "string_unicode": "a text of Unicode characters",
 }
+"""What a value must be, by the kind of the error that pydantic reports."""
 _PATTERNS = {
-    r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0 belong here",
-    r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits belongs here",
+    r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0",
+    r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits",
 }
 """What patterns of the models ask for."""
+_BOUNDS = {
+    "greater_than_equal": ("ge", "{} or more"),
+    "greater_than": ("gt", "more than {}"),
+    "less_than_equal": ("le", "{} or less"),
+    "less_than": ("lt", "less than {}"),
+}
 _KINDS = (
-    (frozenset(("FunctionInformation",)), "Integration JSON for AUTOSAR adaptive", "`sigcat generate arxml` takes it."),
+    (
+        frozenset(("FunctionInformation",)),
+        "Integration JSON for AUTOSAR adaptive",
+        "Run `sigcat generate arxml` on it.",
+    ),
     (
         frozenset(("FunctionInfo", "CommunicationList")),
         "Integration JSON for ROS 2",
-        "It is made for build tools of ROS 2.",
+        "Give it to build tools of ROS 2.",
     ),
-    (frozenset(("FunctionInfo",)), "Function JSON", "`sigcat function validate` and `sigcat integrate` take it."),
+    (frozenset(("FunctionInfo",)), "Function JSON", "Run `sigcat function validate` or `sigcat integrate` on it."),
     (
         frozenset(("function", "components")),
         "a function.yaml",
-        "`sigcat function build` and `sigcat integrate` take it.",
+        "Run `sigcat function build` or `sigcat integrate` on it.",
     ),
 )
 """Keys by which documents of other kinds are known, the more special first; what they are, and what takes them."""
 _MOST_DEFECTS = 1_000
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-_YAML_WORDS = "YAML reads words such as OFF, ON, YES and NO as true or false: put quotes around a text."
+_YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
 
 def structural_findings(error: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
@@ -59,7 +71,8 @@ def structural_findings(error: ValidationError, document: Document, model: type[
     """
     if other := _of_another_kind(document.value, model):
         title, fix = other
-        yield Finding("F003", "error", f"This is {title}, which does not belong here.", document.name, 1, 1, fix=fix)
+        message = f"The document must be {_title(model)}, not {title}."
+        yield codes.FIELD_UNKNOWN.finding(message, document.name, 1, 1, fix=fix)
         return
     defects = error.errors(include_url=False, include_context=True)
     meant = set(_meant(defects, model))
@@ -68,8 +81,8 @@ def structural_findings(error: ValidationError, document: Document, model: type[
         pointer = _existing(defect["loc"], document.value)
         yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
     if len(defects) > _MOST_DEFECTS:
-        message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong. Settle the others first."
-        yield Finding("F004", "error", message, document.name)
+        message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong."
+        yield codes.VALUE_UNFIT.finding(message, document.name, fix="Mend the others first.")
 
 
 def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | None:
@@ -83,7 +96,13 @@ def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | No
     is_node = any(
         isinstance(item, dict) and item.get("type") in TYPES for key, item in value.items() if key not in known
     )
-    return ("a vspec file", "`sigcat lint` and `sigcat export` take it.") if is_node else None
+    return ("a vspec file", "Run `sigcat lint` or `sigcat export` on it.") if is_node else None
+
+
+def _title(model: type[BaseModel]) -> str:
+    """What a document of a model is called."""
+    known = fields_of(model).keys()
+    return next((title for signs, title, _ in _KINDS if signs <= known), f"a {model.__name__.lower()}")
 
 
 def _meant(defects: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
@@ -99,46 +118,49 @@ def _finding(
     kind: str, location: Pointer, pointer: Pointer, defect: Any, document: Document, model: type[BaseModel]
 ) -> Finding:
     key = str(location[-1]) if location else ""
-    place = document.place(pointer)
     if kind == "missing":
-        message = f"{key!r} is missing."
-        return Finding("F002", "error", message, document.name, *place, pointer=pointer_text(pointer))
+        return document.finding(codes.FIELD_MISSING, pointer, f"{key!r} is missing.")
     if kind == "extra_forbidden":
         beside = _keys_beside(location, model)
-        fix = did_you_mean(key, beside) or (f"Known here are {', '.join(beside)}." if beside else "")
-        message = f"{key!r} is not a key that belongs here."
-        place = document.place(pointer, of_key=True)
-        return Finding("F003", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+        fix = did_you_mean(key, beside) or (f"Use one of {', '.join(beside)}." if beside else "")
+        return document.finding(codes.FIELD_UNKNOWN, pointer, f"Unknown key {key!r}.", fix, of_key=True)
     if key == "[key]":
-        message = f"{_shown(defect['input'])} is no name that belongs here."
-        fix = "Names are letters and digits, a letter first; a path has points between them."
-        if _WORD.fullmatch(str(defect["input"])):  # a good name, where a path is asked for
-            fix = f"Write a path, with a branch above the name: 'Branch.{defect['input']}', for example."
-        return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
-    value = defect["input"]
-    expected = _EXPECTED.get(kind) or _worded(defect)
-    fix = _unquoted(value) if kind == "string_type" else ""
-    message = f"{_shown(value)} is no value for {_named(pointer)}: {expected}."
-    return Finding("F004", "error", message, document.name, *place, pointer=pointer_text(pointer), fix=fix)
+        return _bad_name(str(defect["input"]), pointer, document)
+    message = f"{_named(pointer)} must {_wanted(kind, defect)}, not {_shown(defect['input'])}."
+    fix = _unquoted(defect["input"]) if kind == "string_type" else ""
+    return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
+
+
+def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
+    """A name that the author chose, where one of another form is wanted."""
+    if _WORD.fullmatch(name):  # a good name, where a path is asked for
+        message, fix = f"{_shown(name)} must be a path.", f"Write a branch above the name, such as 'Branch.{name}'."
+    else:
+        message = f"A name must be letters, digits and underscores after a letter, not {_shown(name)}."
+        fix = "Write a path with points between its names."
+    return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
 
 
 def _unquoted(value: Any) -> str:
     """What to do about a value that was meant as a text."""
     if isinstance(value, bool):
         return _YAML_WORDS
-    return "It is read as a number: put quotes around a text." if isinstance(value, int | float) else ""
+    return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
 
 
-def _worded(defect: Any) -> str:
-    """What pydantic says, as the rest of a sentence: `Input should be 'A' or 'B'` → `it has to be 'A' or 'B'`."""
+def _wanted(kind: str, defect: Any) -> str:
+    """What a value must do, as the rest of a sentence: `be a text`, `be 'A' or 'B'`, `have at least 1 item`."""
+    if kind in _EXPECTED:
+        return f"be {_EXPECTED[kind]}"
+    context = defect.get("ctx") or {}
+    if kind in _BOUNDS:
+        bound, words = _BOUNDS[kind]
+        return f"be {words.format(context[bound])}"
+    if context.get("pattern") in _PATTERNS:
+        return f"be {_PATTERNS[context['pattern']]}"
     message: str = defect["msg"].removesuffix(".")
-    pattern = (defect.get("ctx") or {}).get("pattern")
-    if pattern in _PATTERNS:
-        return _PATTERNS[pattern]
-    for prefix in ("Input should be ", "String should ", "List should ", "Tuple should "):
-        if message.startswith(prefix):
-            return ("it has to be " if prefix.startswith("Input") else "it has to ") + message.removeprefix(prefix)
-    return message[:1].lower() + message[1:]
+    subject, should, rest = message.partition(" should ")
+    return rest if should else f"be valid ({subject[:1].lower()}{subject[1:]})"
 
 
 def _existing(location: Pointer, value: Any) -> Pointer:
@@ -208,12 +230,14 @@ def _model_in(annotation: Any) -> type[BaseModel] | None:
 def _named(pointer: Pointer) -> str:
     names = [part for part in pointer if isinstance(part, str)]
     if not names:
-        return "the document"
-    return f"`{names[-1]}`" if isinstance(pointer[-1], str) else f"an entry of `{names[-1]}`"
+        return "The document"
+    return f"`{names[-1]}`" if isinstance(pointer[-1], str) else f"An entry of `{names[-1]}`"
 
 
 def _shown(value: Any) -> str:
     if isinstance(value, dict | list):
-        return "A mapping" if isinstance(value, dict) else "A list"
+        return "a mapping" if isinstance(value, dict) else "a list"
+    if value is None:
+        return "empty"
     text = repr(value)
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -1,4 +1,4 @@
-"""The models of Function JSON: the published schema and its superset.
+"""Function JSON in; a resolved function out, and back to the same bytes.
 
-JSON in, frozen models out, and back, byte for byte.
+The models are the published schema and what later stages need beside it.
 """

@@ -347,7 +347,7 @@ class Symbol(WireModel):
 
 
 class ModeInterface(WireModel):
-    """The interface over which a function is told its mode (In), or tells it (Out)."""
+    """The interface over which a function receives its mode (In), or reports it (Out)."""
 
     name: str = described("Name", "Name of the interface: <FunctionName>_Mode_In or _Mode_Out.", source=TABLE)
     description: str = described("Description", "What the interface says.", source=TABLE)

@@ -13,60 +13,68 @@ from sigcat.function.function_json.model import (
     Method,
     Parameter,
     Runnable,
+    SafetyReaction,
     Signal,
 )
 
 
-class Placed(NamedTuple):
-    """A call and its place."""
+class Located(NamedTuple):
+    """A call, and where it stands."""
 
     pointer: Pointer
     component: Component
     runnable: Runnable
 
 
-def runnables(function: FunctionJson) -> Iterator[Placed]:
+def runnables(function: FunctionJson) -> Iterator[Located]:
     """Every call."""
     for i, component in enumerate(function.components):
         for j, runnable in enumerate(component.runnables):
-            yield Placed(("ComponentList", i, "functionList", j), component, runnable)
+            yield Located(("ComponentList", i, "functionList", j), component, runnable)
 
 
-def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Contract]]:
+def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Contract]]:
     """Every contract, with the call that it belongs to."""
-    for placed in runnables(function):
-        for index, contract in enumerate(placed.runnable.contracts or ()):
-            yield (*placed.pointer, "funcContractList", index), placed, contract
+    for located in runnables(function):
+        for index, contract in enumerate(located.runnable.contracts or ()):
+            yield (*located.pointer, "funcContractList", index), located, contract
 
 
-def data(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Signal | DataQueue]]:
+def data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
     """Every signal and every queue."""
-    for pointer, placed, contract in contracts(function):
+    for pointer, located, contract in contracts(function):
         for index, signal in enumerate(contract.signals or ()):
-            yield (*pointer, "SignalList", index), placed, signal
+            yield (*pointer, "SignalList", index), located, signal
         for index, queue in enumerate(contract.queues or ()):
-            yield (*pointer, "DataQList", index), placed, queue
+            yield (*pointer, "DataQList", index), located, queue
 
 
-def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Parameter]]:
+def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Parameter]]:
     """Every parameter."""
-    for pointer, placed, contract in contracts(function):
+    for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.parameters or ()):
-            yield (*pointer, "ParameterList", index), placed, item
+            yield (*pointer, "ParameterList", index), located, item
 
 
-def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Method]]:
+def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Method]]:
     """Every method."""
-    for pointer, placed, contract in contracts(function):
+    for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.methods or ()):
-            yield (*pointer, "MethodList", index), placed, item
+            yield (*pointer, "MethodList", index), located, item
 
 
-def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Placed, Error]]:
+def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Error]]:
     """Every error."""
-    for pointer, placed, contract in contracts(function):
+    for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.errors or ()):
-            yield (*pointer, "ErrorList", index), placed, item
+            yield (*pointer, "ErrorList", index), located, item
+
+
+def safety_reactions(function: FunctionJson) -> Iterator[tuple[Pointer, Located, SafetyReaction]]:
+    """Every safety reaction."""
+    for pointer, located, contract in contracts(function):
+        for index, item in enumerate(contract.safety_reactions or ()):
+            yield (*pointer, "SafetyReactionList", index), located, item
 
 
 def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
@@ -74,11 +82,11 @@ def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
     for pointer, _, contract in contracts(function):
         for key, items in _lists(contract):
             for index, item in enumerate(items or ()):
-                place = (*pointer, key, index)
+                at = (*pointer, key, index)
                 if key == "MethodList":
-                    yield from _arguments(place, item)
+                    yield from _arguments(at, item)
                 else:
-                    yield (*place, "Datatype"), item.datatype
+                    yield (*at, "Datatype"), item.datatype
     for index, interface in enumerate(function.mode_interfaces or ()):
         yield ("ModeInterfaceList", index, "Datatype"), interface.datatype
     for index, datatype in enumerate(function.datatypes):
@@ -99,7 +107,7 @@ def _lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | None], ...]
     )
 
 
-def _arguments(place: Pointer, method: Any) -> Iterator[tuple[Pointer, str]]:
+def _arguments(at: Pointer, method: Any) -> Iterator[tuple[Pointer, str]]:
     for key, items in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
         for index, item in enumerate(items):
-            yield (*place, key, index, "Datatype"), item.datatype
+            yield (*at, key, index, "Datatype"), item.datatype

@@ -1,4 +1,4 @@
-"""Several functions in, their wiring and what does not fit out.
+"""Checked functions in; how they are connected, and what does not fit between them, out.
 
-Who provides what to whom, and what comes from outside.
+A function that fits alone may not fit with the others.
 """

@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.function.checks.fit import Datum, End, Misfit, misfits
 from sigcat.function.function_json.model import Contract, FunctionJson, Runnable
 from sigcat.function.function_json.walk import data
+from sigcat.function.sets.fit import Datum, End, Misfit, misfits
 
 __all__ = ["End", "Link", "Wiring", "calls_of", "connect", "data_of"]
 
@@ -82,7 +82,7 @@ def data_of(contract: Contract) -> Iterator[Datum]:
 
 def ends_of(function: FunctionJson) -> Iterator[End]:
     """Every signal and queue of a function, each once for each call that uses it."""
-    return (End(function, pointer, placed.runnable, signal) for pointer, placed, signal in data(function))
+    return (End(function, pointer, located.runnable, signal) for pointer, located, signal in data(function))
 
 
 def by_path(ends: Iterable[End]) -> dict[str, list[End]]:

@@ -9,7 +9,8 @@ from pydantic import ValidationError
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
-from sigcat.function.document.document import Document, Pointer, pointer_text, read_json
+from sigcat.function.document.document import Document, Pointer, pointer_text
+from sigcat.function.document.read_json import read_json
 from sigcat.function.document.structure import structural_findings
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
@@ -82,14 +83,7 @@ class Defect(NamedTuple):
 
 
 def _finding(defect: Defect, document: Document) -> Finding:
-    place = document.place(defect.pointer)
-    return codes.NOT_WRITABLE_AS_ARXML.finding(
-        defect.message,
-        document.name,
-        *place,
-        pointer=pointer_text(defect.pointer),
-        fix=defect.fix,
-    )
+    return document.finding(codes.NOT_WRITABLE_AS_ARXML, defect.pointer, defect.message, defect.fix)
 
 
 def _defects(model: IntegrationModel) -> Iterator[Defect]:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sigcat.function.document.form import DeclarationModel, Text
+from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]

@@ -4,7 +4,7 @@ from pydantic import ValidationError
 
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
-from sigcat.function.document.document import read_json
+from sigcat.function.document.read_json import read_json
 from sigcat.function.document.structure import structural_findings
 from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.limits import DEFAULT_LIMITS, Limits

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sigcat.function.document.form import DeclarationModel, Natural, Text
+from sigcat.function.declaration.form import DeclarationModel, Natural, Text
 
 RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100)]
 Topics = Literal["signal", "branch", "function"]

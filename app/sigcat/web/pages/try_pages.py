@@ -15,9 +15,7 @@ from sigcat.data import OVERLAYS
 from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import is_json
 from sigcat.findings import Finding
-from sigcat.function.build.build import build
-from sigcat.function.checks.validate import read_function_json
-from sigcat.function.declaration.declaration import read_declaration
+from sigcat.function.function_file import check_function_json, checked_file
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.limits import Limits
 from sigcat.names import nearest
@@ -134,10 +132,10 @@ def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits
         is_tree = kind == "tree"
         return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
     if is_json(data, FILE):
-        validated = read_function_json(data, "function.json", catalogue, limits)
-        return Tried(validated.findings, validated.function)
-    built = build(read_declaration(data, FILE, limits), catalogue)
-    return Tried(built.findings, built.function)
+        document = check_function_json(data, "function.json", catalogue, limits)
+        return Tried(document.findings, document.function)
+    declaration = checked_file(data, FILE, catalogue, limits)
+    return Tried(declaration.findings, declaration.sound_function)
 
 
 def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:

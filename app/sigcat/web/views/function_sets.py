@@ -9,7 +9,7 @@ from typing import NamedTuple
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.sets.sets import check_set, read_set
+from sigcat.function.sets.check_set import check_set, read_set
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.web.forms import PostedFile

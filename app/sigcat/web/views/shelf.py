@@ -9,8 +9,7 @@ from sigcat.catalogue.model.interfaces import FUNCTION_BRANCH
 from sigcat.data import EXAMPLES
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
-from sigcat.function.build.build import build
-from sigcat.function.declaration.declaration import read_declaration
+from sigcat.function.function_file import checked_file
 from sigcat.function.function_json.model import PROVIDER, FunctionJson
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.names import nearest
@@ -55,8 +54,8 @@ def shelf(catalogue: Catalogue) -> tuple[Shelved, ...]:
 
 def shelved(function_id: str, text: str, catalogue: Catalogue) -> Shelved:
     """A function from the text of its declaration."""
-    built = build(read_declaration(text.encode("utf-8", "replace"), FILE), catalogue)
-    return Shelved(function_id, text, built.function, built.findings)
+    checked = checked_file(text.encode("utf-8", "replace"), FILE, catalogue)
+    return Shelved(function_id, text, checked.sound_function, checked.findings)
 
 
 def from_shelf(catalogue: Catalogue, function_id: str) -> Shelved:

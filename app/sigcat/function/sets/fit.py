@@ -4,7 +4,9 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.asil import is_above, level_of
+from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.datatypes import c_type
 from sigcat.function.function_json.model import (
@@ -59,7 +61,7 @@ class End(NamedTuple):
 class Misfit(NamedTuple):
     """Something in which the ends of a signal contradict each other."""
 
-    rule: str
+    rule: RuleCode
     key: str
     """Field of the consumer that says otherwise; empty if it is none."""
     message: str
@@ -70,18 +72,33 @@ def misfits(provider: End, consumer: End) -> Iterator[Misfit]:
     """Everything in which a consumer expects something else than its provider gives."""
     wanted, given = consumer.signal, provider.signal
     key, range_ = _other_range(wanted, given)
-    for rule, at, told, fix in (
-        ("F100", "Datatype", _other_datatype(consumer, provider), "Agree on one."),
-        ("F101", "Units", _other_unit(wanted, given), "Agree on one, or give the path in the catalogue."),
-        ("F102", key, range_, "Widen the range, or say what replaces others: rangeErrorAction."),
-        ("F109", "Timeout", _too_short(wanted, provider.runnable), "Wait longer than one cycle of the provider."),
+    for rule, at, misfit, fix in (
+        (codes.PROVIDED_AS_ANOTHER_DATATYPE, "Datatype", _other_datatype(consumer, provider), "Agree on one."),
+        (
+            codes.PROVIDED_IN_ANOTHER_UNIT,
+            "Units",
+            _other_unit(wanted, given),
+            "Agree on one, or give the path in the catalogue.",
+        ),
+        (
+            codes.PROVIDED_BEYOND_THE_RANGE,
+            key,
+            range_,
+            "Widen the range, or say what replaces others: rangeErrorAction.",
+        ),
+        (
+            codes.TIMEOUT_SHORTER_THAN_PROVIDER,
+            "Timeout",
+            _too_short(wanted, provider.runnable),
+            "Wait longer than one cycle of the provider.",
+        ),
     ):
-        if told:
-            yield Misfit(rule, at, f"{provider.function} provides {consumer.path!r} {told}.", fix)
+        if misfit:
+            yield Misfit(rule, at, f"{provider.function} provides {consumer.path!r} {misfit}.", fix)
     level, own = level_of(wanted.asil_level), level_of(given.asil_level)
     if is_above(level, own):
         message = f"{provider.function} provides {consumer.path!r} at {own}, and {consumer.function} needs {level}."
-        yield Misfit("F110", "", message, "")
+        yield Misfit(codes.PROVIDED_AT_LOWER_ASIL, "", message, "")
 
 
 # -- datatype and unit --------------------------------------------------------------------------------------------

@@ -1,22 +1,18 @@
-"""The interfaces that a declaration defines: judged by the rules of the catalogue, and written as an overlay."""
+"""What a function.yaml defines, written as an overlay."""
 
 import re
 from collections.abc import Iterable, Mapping
-from functools import cache
 from typing import Any, NamedTuple
 
 import yaml
 
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, in_order
-from sigcat.function.build.defining import DefinedNode, defined_nodes, defined_types, layered
-from sigcat.function.declaration.declaration import Declaration, Declared, read_declaration
-from sigcat.function.document.document import Document, Place, Pointer, pointer_text
-from sigcat.rules.engine import found_in
-from sigcat.rules.record import load_rules
-from sigcat.rules.rule_set import RuleSet
+from sigcat.function.declaration.declaration import read_declaration
+from sigcat.function.extension.defined_nodes import DefinedNode
+from sigcat.function.extension.definition_findings import definition_findings
+from sigcat.function.extension.extended_catalogue import extended
 
 _WIDTH = 116
 _ROOM_OF_KEY = 24
@@ -37,49 +33,15 @@ def overlay_of(data: bytes, name: str, catalogue: Catalogue) -> Overlay:
     declared = read_declaration(data, name)
     if declared.declaration is None:
         raise InputRefused(f"{name} cannot be read.", in_order(declared.findings))
-    nodes, types = defined_nodes(declared.declaration, catalogue), defined_types(declared.declaration)
-    if not nodes and not types:
+    catalogue, (definitions,) = extended(catalogue, [declared])
+    if not definitions:
         message = f"{name} defines no interfaces: all of them are the catalogue's."
         raise InputRefused(message, in_order(declared.findings))
-    over = layered(declared.declaration, declared.document, catalogue)
-    findings = in_order([*declared.findings, *definition_findings(declared.declaration, declared.document, over)])
+    findings = in_order([*declared.findings, *definition_findings(definitions, declared.document, catalogue).findings])
     if has_errors(findings):
         raise InputRefused(f"The interfaces that {name} defines have errors.", findings)
-    return Overlay(overlay_text(nodes, "Interfaces"), overlay_text(types, "Struct types"), findings)
-
-
-def definition_findings(declaration: Declaration, document: Document, over: Catalogue) -> tuple[Finding, ...]:
-    """What the rules of the catalogue say of the defined interfaces. `over` is the catalogue with them in it."""
-    if declaration.define is None:
-        return ()
-    pointers = _pointers((*defined_nodes(declaration, over), *defined_types(declaration)), document)
-    return tuple(
-        finding._replace(pointer=pointer_text(pointers.get((finding.line, finding.column), ("define",))))
-        for finding, _ in found_in(over, _rules(), over.written_in({document.name}))
-        if finding.file == document.name
-    )
-
-
-@cache
-def _rules() -> RuleSet:
-    return RuleSet(rule for rule in load_rules(INTERFACE_RULES) if rule.default)
-
-
-def _pointers(nodes: Iterable[DefinedNode], document: Document) -> Mapping[Place, Pointer]:
-    """Pointers by place: findings of the catalogue know places only."""
-    found: dict[Place, Pointer] = {}
-    for node in nodes:
-        found.setdefault(document.place(node.at), node.at)
-        for attribute, value in node.values.items():
-            at = (*node.at, node.keys.get(attribute, attribute))
-            for pointer in (at, *((*at, step) for step in _steps(value))):
-                found.setdefault(document.place(pointer), pointer)
-    return found
-
-
-def _steps(value: Any) -> Iterable[int | str]:
-    """Indexes of a list or keys of a mapping."""
-    return range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
+    text, types = overlay_text(definitions.nodes, "Interfaces"), overlay_text(definitions.types, "Struct types")
+    return Overlay(text, types, findings)
 
 
 # -- text ---------------------------------------------------------------------------------------------------------
@@ -132,11 +94,3 @@ def _dumped(value: Any, width: int, *, quoted: bool = False) -> str:
     return str(
         yaml.dump(value, Dumper=dumper, sort_keys=False, allow_unicode=True, width=width, default_flow_style=False)
     )
-
-
-def defined(declared: Declared, catalogue: Catalogue) -> tuple[Catalogue, tuple[Finding, ...]]:
-    """The catalogue that a declaration is resolved against, and what the rules say of what it defines."""
-    if declared.declaration is None or declared.declaration.define is None:
-        return catalogue, ()
-    over = layered(declared.declaration, declared.document, catalogue)
-    return over, definition_findings(declared.declaration, declared.document, over)

@@ -1,24 +1,23 @@
-"""Interfaces that a declaration defines itself: as a layer over the catalogue, each value with its place in the file."""
+"""What a declaration defines, as nodes of the catalogue: paths and attributes, each with its pointer into the file."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
-from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement
 from sigcat.function.declaration.declaration import Declaration
-from sigcat.function.declaration.definitions import (
+from sigcat.function.declaration.define_section import (
     CallDefinition,
     DataDefinition,
-    DefineItem,
+    DefineSection,
     ErrorDefinition,
     LeafDefinition,
     ModesDefinition,
     ReactionDefinition,
     StructDefinition,
 )
-from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.document import Pointer
 
 ERROR_STATES = {"PASSED": 0, "FAILED": 1}
 CONDITION_STATES = {"INACTIVE": 0, "ACTIVE": 1}
@@ -26,51 +25,45 @@ _RUN_TYPES = {"Init": "Init", "Terminate": "Shutdown"}
 
 
 class DefinedNode(NamedTuple):
-    """A node of the overlay: its path, its attributes, and where in the declaration it stands."""
+    """A node of the catalogue that a declaration defines: its path, its attributes, and where they stand."""
 
     path: str
     values: Mapping[str, Any]
     at: Pointer
+    """Where in the declaration the node stands."""
     keys: Mapping[str, str] = {}
     """Keys of the declaration by attribute, where they are spelled differently."""
 
-
-class DefinedStatement(Statement):
-    """What a declaration says of a node; places are those of the declaration."""
-
-    __slots__ = ("_node", "_place")
-
-    def __init__(self, node: DefinedNode, file: SourceFile, document: Document) -> None:
-        super().__init__(node.path, file, node.values, 0, ())
-        self._node = node
-        self._place = document.place
-
-    def origin(self, attribute: str = "") -> Origin:
-        """Place of an attribute's value, or of the interface if it is not written."""
-        key = self._node.keys.get(attribute, attribute)
-        line, column = self._place((*self._node.at, key) if attribute else self._node.at)
-        return Origin(self.file.name, line, column, self.file.overlay)
-
-    def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
-        """Place of an item of a list or mapping."""
-        key = self._node.keys.get(attribute, attribute)
-        line, column = self._place((*self._node.at, key, *steps), of_key=at_key)
-        return Origin(self.file.name, line, column, self.file.overlay)
-
-    def origin_of_key(self, attribute: str) -> Origin:
-        """Place of the attribute; a declaration knows no better."""
-        return self.origin(attribute)
-
-    def placed(self, prefix: str) -> "Statement":
-        """Nothing includes a declaration."""
-        raise NotImplementedError(prefix)
+    def pointer(self, attribute: str) -> Pointer:
+        """Where an attribute stands, or would stand if it was written."""
+        return (*self.at, self.keys.get(attribute, attribute)) if attribute else self.at
 
 
-def defined_nodes(declaration: Declaration, catalogue: Catalogue) -> tuple[DefinedNode, ...]:
-    """The nodes that a declaration adds to the tree of signals, branches above first."""
+@dataclass(frozen=True)
+class Definitions:
+    """The nodes that one declaration adds to the catalogue, and the struct types."""
+
+    nodes: tuple[DefinedNode, ...] = ()
+    types: tuple[DefinedNode, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.nodes or self.types)
+
+    @cached_property
+    def by_path(self) -> Mapping[str, DefinedNode]:
+        """The nodes by their paths."""
+        return {node.path: node for node in self.nodes}
+
+
+def definitions_of(declaration: Declaration, catalogue: Catalogue) -> Definitions:
+    """Everything that a declaration defines, branches above first."""
     if declaration.define is None:
-        return ()
-    nodes = [*_data(declaration.define), *_interfaces(declaration, declaration.define)]
+        return Definitions()
+    return Definitions(_nodes(declaration, declaration.define, catalogue), _types(declaration, declaration.define))
+
+
+def _nodes(declaration: Declaration, define: DefineSection, catalogue: Catalogue) -> tuple[DefinedNode, ...]:
+    nodes = [*_data(define), *_interfaces(declaration, define)]
     root = catalogue.roots[0].path if catalogue.roots else "Vehicle"
     nodes = [
         node._replace(path=f"{root}.{node.path.partition('.')[2]}") if node.at[1] != "data" else node for node in nodes
@@ -78,35 +71,16 @@ def defined_nodes(declaration: Declaration, catalogue: Catalogue) -> tuple[Defin
     return (*_branches(declaration, nodes, root, catalogue), *nodes)
 
 
-def defined_types(declaration: Declaration) -> tuple[DefinedNode, ...]:
-    """The struct types that a declaration adds, branches above first."""
-    types = declaration.define.types if declaration.define else {}
+def _types(declaration: Declaration, define: DefineSection) -> tuple[DefinedNode, ...]:
     nodes: dict[str, DefinedNode] = {}
-    for path, struct in types.items():
+    for path, struct in define.types.items():
         at = ("define", "types", path)
         for above in _above(path):
-            if above not in types:
+            if above not in define.types:
                 text = f"Struct types of the function {declaration.function}."
                 nodes.setdefault(above, DefinedNode(above, {"type": "branch", "description": text}, at))
         nodes |= {node.path: node for node in _struct(path, struct, at)}
     return tuple(nodes.values())
-
-
-def layered(declaration: Declaration, document: Document, catalogue: Catalogue) -> Catalogue:
-    """The catalogue with everything that the declaration defines laid over it."""
-    nodes, types = defined_nodes(declaration, catalogue), defined_types(declaration)
-    if not nodes and not types:
-        return catalogue
-    overlays = [_layer(nodes, document, is_overlay=True)] if nodes else []
-    more_types = [_layer(types, document, is_overlay=False)] if types else []
-    layers, type_layers = [*catalogue.tree_layers, *overlays], [*catalogue.type_layers, *more_types]
-    return compose(layers, catalogue.vocabulary, type_layers, name=catalogue.name, earlier=catalogue)
-
-
-def _layer(nodes: tuple[DefinedNode, ...], document: Document, *, is_overlay: bool) -> Layer:
-    file = SourceFile(document.name, document.name if is_overlay else "", document.digest)
-    statements = tuple(DefinedStatement(node, file, document) for node in nodes)
-    return Layer(document.name, is_overlay, (file,), statements, ())
 
 
 # -- branches -----------------------------------------------------------------------------------------------------
@@ -148,12 +122,12 @@ def _above(path: str) -> Iterator[str]:
 _SPELLED = {"ASILlevel": "asil"}
 
 
-def _data(define: DefineItem) -> Iterator[DefinedNode]:
+def _data(define: DefineSection) -> Iterator[DefinedNode]:
     for path, item in define.data.items():
         yield DefinedNode(path, {"type": item.type, **_leaf(item)}, ("define", "data", path), _SPELLED)
 
 
-def _interfaces(declaration: Declaration, define: DefineItem) -> Iterator[DefinedNode]:
+def _interfaces(declaration: Declaration, define: DefineSection) -> Iterator[DefinedNode]:
     own = f".Function.{declaration.function}"
     names = _Names(declaration.function, define)
     for name, parameter in define.parameters.items():
@@ -188,7 +162,7 @@ class _Names(NamedTuple):
     """Interface names of what the file defines, by last name."""
 
     function: str
-    define: DefineItem
+    define: DefineSection
 
     def error(self, name: str) -> str:
         """Interface name of an error: `AliveError` → `CoreAcc_AliveError_ErrorSts` if the file defines it."""

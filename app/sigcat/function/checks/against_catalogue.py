@@ -4,11 +4,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import Category, category_of, interface_name
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
 from sigcat.function.function_json.model import DataQueue, FunctionJson, Parameter, Signal
 from sigcat.function.function_json.types import symbols_of
@@ -29,18 +30,25 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
             yield from _item(pointer, item, node, catalogue)
             continue
         message = f"The catalogue has no signal {item.vss_path!r}."
-        yield Problem("F010", (*pointer, "VssPath"), message, hint(item.vss_path, catalogue.nodes), item.name)
+        yield Problem(
+            codes.SIGNAL_UNKNOWN,
+            (*pointer, "VssPath"),
+            message,
+            hint(item.vss_path, catalogue.nodes),
+            Subject("data", item.name),
+        )
     yield from _interfaces(function, catalogue)
 
 
 def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
     if not node.is_leaf or category_of(node.path) != "data":
         what = f"a {node.type}" if not node.is_leaf else f"the interface {interface_name(node.path)}"
-        yield Problem("F011", (*pointer, "VssPath"), f"{node.path!r} is {what}, not data.", path=item.name)
+        message = f"{node.path!r} must be a data interface, not {what}."
+        yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, (*pointer, "VssPath"), message, subject=Subject("data", item.name))
         return
     if node.values.get("deprecation"):
         message = f"{node.path!r} is deprecated: {node.values['deprecation']}"
-        yield Problem("F012", (*pointer, "VssPath"), message, path=node.path)
+        yield Problem(codes.SIGNAL_DEPRECATED, (*pointer, "VssPath"), message, subject=Subject("data", node.path))
     for key, own, known in (
         ("VssDatatype", item.vss_datatype, node.values.get("datatype")),
         ("VssUnit", item.vss_unit, node.values.get("unit")),
@@ -52,17 +60,21 @@ def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Pro
 
 
 def _stale(pointer: Pointer, key: str, own: Any, known: Any, node: Node) -> Problem:
-    message = f"`{key}` is {own}, and the catalogue says {'nothing' if known is None else known} of {node.path!r}."
-    return Problem(
-        "F016", pointer, message, "Build the document again, or use the catalogue that it was made with.", node.path
+    message = (
+        f"`{key}` of {node.path!r} must be {'left out' if known is None else known}, as in the catalogue, not {own}."
     )
+    fix = "Build the document again, or use the catalogue that it was made with."
+    return Problem(codes.DIFFERS_FROM_CATALOGUE, pointer, message, fix, Subject("data", node.path))
 
 
 def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
     conversion = _to_code(item, node, catalogue)
     if conversion is None:
-        message = f"{item.units!r} cannot be converted to {node.values.get('unit')!r}, the unit of {node.path!r}."
-        yield Problem("F021", (*pointer, "Units"), message, path=node.path)
+        message = (
+            f"`Units` must be one that {node.values.get('unit')!r}, the unit of {node.path!r}, can be converted to, "
+            f"not {item.units!r}."
+        )
+        yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*pointer, "Units"), message, subject=Subject("data", node.path))
         return
     yield from _outside(pointer, item, node, conversion)
     default, own = _number(node.values.get("default")), item.default if not isinstance(item, DataQueue) else None
@@ -71,7 +83,7 @@ def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> P
 
 
 def _to_code(item: Item, node: Node, catalogue: Catalogue) -> Linear | None:
-    """From the catalogue's unit to the document's; None if there is no way. An unknown unit is told elsewhere."""
+    """From the catalogue's unit to the document's; None if there is no way. An unknown unit is a problem of its own."""
     known = catalogue.vocabulary.unit(item.units) if item.units else None
     unit = node.values.get("unit")
     if known is None or not isinstance(unit, str):
@@ -89,8 +101,11 @@ def _outside(pointer: Pointer, item: Item, node: Node, conversion: Linear) -> Pr
             continue
         limit = conversion(bound)
         if Fraction(own) * sign < limit * sign and not _close(Fraction(own), limit):
-            message = f"`{key}` {own} lies outside the range of {node.path!r}, which ends at {float(limit):.12g}."
-            yield Problem("F022", (*pointer, key), message, path=node.path)
+            words = f"{float(limit):.12g} or {'more' if sign > 0 else 'less'}"
+            message = f"`{key}` must be {words}, as {node.path!r} in the catalogue, not {own}."
+            yield Problem(
+                codes.RANGE_WIDER_THAN_CATALOGUE, (*pointer, key), message, subject=Subject("data", node.path)
+            )
 
 
 def _number(value: object) -> Fraction | None:
@@ -114,18 +129,22 @@ def _close(one: Fraction, other: Fraction) -> bool:
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
     hint = Hints()
     for pointer, name, path, category in _named(function):
-        if not path:
-            continue
-        words = category.replace("_", " ")
-        if catalogue.get(path) is None:
-            near = hint(path, [p for p in catalogue.nodes if category_of(p) == category])
-            message = f"The catalogue has no {words} interface {path!r}."
-            yield Problem("F013", (*pointer, "VssPath"), message, near, name)
-        elif category_of(path) != category:
-            yield Problem("F014", (*pointer, "VssPath"), f"{path!r} is not a {words} interface.", path=name)
-        elif interface_name(path) != name:
-            message = f"`Name` is {name!r}, and the interface at {path!r} is {interface_name(path)!r}."
-            yield Problem("F016", (*pointer, "Name"), message, path=name)
+        if path:
+            yield from _interface(pointer, Subject(category, name), path, catalogue, hint)
+
+
+def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalogue, hint: Hints) -> Problems:
+    words = f"{subject.kind.replace('_', ' ')} interface"
+    if catalogue.get(path) is None:
+        near = hint(path, [each for each in catalogue.nodes if category_of(each) == subject.kind])
+        message = f"The catalogue has no {words} {path!r}."
+        yield Problem(codes.INTERFACE_UNKNOWN, (*pointer, "VssPath"), message, near, subject)
+    elif category_of(path) != subject.kind:
+        message = f"{path!r} must be {'an' if words[0] in 'aeiou' else 'a'} {words}."
+        yield Problem(codes.INTERFACE_OF_ANOTHER_CATEGORY, (*pointer, "VssPath"), message, subject=subject)
+    elif interface_name(path) != subject.name:
+        message = f"`Name` must be {interface_name(path)!r}, as its path says, not {subject.name!r}."
+        yield Problem(codes.DIFFERS_FROM_CATALOGUE, (*pointer, "Name"), message, subject=subject)
 
 
 def _named(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:

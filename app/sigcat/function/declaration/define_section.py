@@ -1,6 +1,6 @@
 """`define` in function.yaml: interfaces that the catalogue does not have yet. They become an overlay.
 
-Keys are the last names of the nodes; branches, types and everything that follows from the place are left out. Where an
+Keys are the last names of the nodes; branches, types and everything that the section implies are left out. Where an
 interface of the same file is meant, its last name is enough: `error: AliveError`.
 """
 
@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from sigcat.function.document.form import Asil, DeclarationModel, Duration, Natural, Text
+from sigcat.function.declaration.form import Asil, DeclarationModel, Duration, Natural, Text
 from sigcat.function.function_json.wire import Integer, Number
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$", max_length=200)]
@@ -53,7 +53,7 @@ class ErrorDefinition(DeclarationModel):
 
 
 class ReactionDefinition(DeclarationModel):
-    """A safety condition of which the function is told."""
+    """A safety condition that the function reacts to."""
 
     description: Text = Field(description="What the condition means for the function, as a sentence.")
     error_list: list[Text] = Field([], description="Errors, any of which sets the condition.")
@@ -131,7 +131,7 @@ class StructDefinition(DeclarationModel):
     fields: dict[Name, LeafDefinition] = Field(min_length=1, description="Members, in order.")
 
 
-class DefineItem(DeclarationModel):
+class DefineSection(DeclarationModel):
     """Interfaces that this file adds to the catalogue."""
 
     data: dict[Path, DataDefinition] = Field({}, description="Signals, and branches above them, by VSS path.")

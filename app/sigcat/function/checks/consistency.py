@@ -1,0 +1,23 @@
+"""Whether a function is consistent in itself: what holds of every function, wherever its document comes from."""
+
+from collections.abc import Collection, Iterator
+
+from sigcat.function.checks.calls import check_calls
+from sigcat.function.checks.data_interfaces import check_data_interfaces
+from sigcat.function.checks.error_references import check_error_references
+from sigcat.function.checks.modes_and_types import check_modes, check_types
+from sigcat.function.checks.names import check_names
+from sigcat.function.checks.supervision import check_supervision
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.model import FunctionJson
+
+
+def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()) -> Iterator[Problem]:
+    """Every problem of a function. `known_errors` are names of errors that others declare."""
+    yield from check_names(function)
+    yield from check_data_interfaces(function, known_errors)
+    yield from check_calls(function)
+    yield from check_supervision(function, known_errors)
+    yield from check_error_references(function, known_errors)
+    yield from check_modes(function)
+    yield from check_types(function)

@@ -1,0 +1,143 @@
+"""Names of a function and its parts: each once, and as conventions have it."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from sigcat import codes
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.walk import contracts, data, methods, parameters, runnables
+from sigcat.names import camel_case, either
+
+Problems = Iterator[Problem]
+
+_CAMEL = re.compile(r"[A-Z][A-Za-z0-9]*")
+
+
+def check_names(function: FunctionJson) -> Problems:
+    """Every problem of names."""
+    yield from _calls_twice(function)
+    yield from _names_twice(function)
+    yield from _variables_twice(function)
+    yield from _function_name(function)
+    yield from _conventional_names(function)
+    yield from _mode_names(function)
+    yield from _identifiers(function)
+    yield from _expressions(function)
+
+
+def _names_twice(function: FunctionJson) -> Problems:
+    named: dict[Pointer, list[tuple[Pointer, str]]] = {}
+    for pointer, located, item in (*data(function), *parameters(function)):
+        named.setdefault(located.pointer, []).append(((*pointer, "Name"), item.name))
+    for items in named.values():
+        for pointer, name in _repeated(items):
+            message = f"The name {name!r} is used twice in one call."
+            yield Problem(codes.NAME_USED_TWICE, pointer, message, "Rename one.", Subject("data", name))
+
+
+def _variables_twice(function: FunctionJson) -> Problems:
+    """In one call a variable holds one interface; in another call of the component it holds the same one."""
+    holders: dict[tuple[str, str], tuple[Pointer, str]] = {}
+    for pointer, located, item in (*data(function), *parameters(function)):
+        if not item.variable:
+            continue
+        held = (located.pointer, item.vss_path or item.name)
+        known = holders.setdefault((located.component.name, item.variable), held)
+        if known is not held and (known[0] == held[0] or known[1] != held[1]):
+            where = "one call" if known[0] == held[0] else f"component {located.component.name!r}"
+            message = f"The variable {item.variable!r} holds two interfaces of {where}."
+            yield Problem(
+                codes.VARIABLE_USED_TWICE, (*pointer, "Variable"), message, "Give each a variable of its own."
+            )
+
+
+def _calls_twice(function: FunctionJson) -> Problems:
+    named = [((*pointer, "Name"), runnable.name) for pointer, _, runnable in runnables(function)]
+    for pointer, name in _repeated(named):
+        fix = "Remove one, or name it otherwise."
+        subject = Subject("scheduling", name)
+        yield Problem(codes.CALL_LISTED_TWICE, pointer, f"The call {name!r} is listed twice.", fix, subject)
+
+
+def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str]]:
+    seen: set[str] = set()
+    for pointer, name in named:
+        if name in seen:
+            yield pointer, name
+        seen.add(name)
+
+
+# -- conventions --------------------------------------------------------------------------------------------------
+
+
+def _conventional_names(function: FunctionJson) -> Problems:
+    own = function.info.function_name
+    for pointer, component, runnable in runnables(function):
+        if not runnable.name.startswith((f"{own}_", f"{component.name}_")):
+            message = f"The name of the call {runnable.name!r} must start with '{own}_'."
+            fix = f"Name it {own}_Init, {own}_Step or {own}_Terminate."
+            yield Problem(codes.INTERFACE_NAME_UNCONVENTIONAL, (*pointer, "Name"), message, fix)
+    for pointer, _, contract in contracts(function):
+        for i, error in enumerate(contract.errors or ()):
+            if not (error.name.startswith(f"{own}_") and error.name.endswith("_ErrorSts")):
+                subject = Subject("error", error.name)
+                yield _unconventional((*pointer, "ErrorList", i), f"{own}_<ErrorName>_ErrorSts", subject)
+        for i, reaction in enumerate(contract.safety_reactions or ()):
+            if not reaction.name.endswith("_SftyCondSts"):
+                subject = Subject("safety_reaction", reaction.name)
+                yield _unconventional((*pointer, "SafetyReactionList", i), "<SafetyCondition>_SftyCondSts", subject)
+
+
+def _unconventional(pointer: Pointer, form: str, subject: Subject) -> Problem:
+    message = f"The interface name must be {form}, not {subject.name!r}."
+    return Problem(codes.INTERFACE_NAME_UNCONVENTIONAL, (*pointer, "Name"), message, subject=subject)
+
+
+def _mode_names(function: FunctionJson) -> Problems:
+    own = function.info.function_name
+    allowed = (f"{own}_Mode_In", f"{own}_Mode_Out")
+    for i, interface in enumerate(function.mode_interfaces or ()):
+        if interface.name not in allowed:
+            yield _unconventional(("ModeInterfaceList", i), either(allowed), Subject("mode", interface.name))
+
+
+def _function_name(function: FunctionJson) -> Problems:
+    name = function.info.function_name
+    if not _CAMEL.fullmatch(name):
+        fix = f"Name it {camel_case(name)!r}." if _CAMEL.fullmatch(camel_case(name)) else "Use letters and digits."
+        message = f"The name of a function must be CamelCase, not {name!r}."
+        pointer = ("FunctionInfo", "FunctionName")
+        yield Problem(codes.FUNCTION_NAME_NOT_CAMEL_CASE, pointer, message, fix, Subject("function", name))
+
+
+# -- C ------------------------------------------------------------------------------------------------------------
+
+
+def _identifiers(function: FunctionJson) -> Problems:
+    for pointer, _, item in (*data(function), *parameters(function), *methods(function)):
+        if not (item.name.isascii() and item.name.isidentifier()):
+            message = f"The name {item.name!r} is not a valid C identifier."
+            fix = "Use letters, digits and underscores, and a letter first."
+            yield Problem(codes.NAME_NO_IDENTIFIER, (*pointer, "Name"), message, fix, Subject("data", item.name))
+
+
+def _expressions(function: FunctionJson) -> Problems:
+    for pointer, _, item in (*data(function), *parameters(function)):
+        if item.variable and not _may_be_expression(item.variable):
+            fix = "Name the variable as the code does, such as in.speed, in->speed or in[3]."
+            message = f"{item.variable!r} is not a valid C expression."
+            subject = Subject("data", item.vss_path or item.name)
+            yield Problem(codes.VARIABLE_NO_EXPRESSION, (*pointer, "Variable"), message, fix, subject)
+
+
+def _may_be_expression(text: str) -> bool:
+    """Whether brackets are closed in order, and no digit comes first. The rest is left to the compiler."""
+    waiting: list[str] = []
+    for character in text:
+        if character in "([":
+            waiting.append(")" if character == "(" else "]")
+        elif character in ")]" and (not waiting or waiting.pop() != character):
+            return False
+    return not waiting and not text.lstrip()[:1].isdigit()

@@ -1,0 +1,25 @@
+"""Limits of a document that are checked before it is read."""
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.limits import Limits
+
+MOST_COLLECTIONS = 200_000
+"""Lists and mappings in one document: twenty times those of a function with 10,000 signals."""
+
+
+def too_crowded(data: bytes, name: str, limits: Limits, openers: tuple[bytes, ...]) -> Finding | None:
+    """A finding if a document may hold more lists and mappings than any function has; larger files have limits of their own.
+
+    Each of them can be wrong in several ways, and a report of millions of lines helps nobody.
+    """
+    if len(data) > limits.file_bytes:
+        return None
+    count, values = sum(map(data.count, openers)), data.count(b",")
+    if count > MOST_COLLECTIONS:
+        message = f"The document has {count:,} lists and mappings; the limit is {MOST_COLLECTIONS:,}."
+    elif values > limits.values:
+        message = f"The document has {values:,} values; the limit is {limits.values:,}."
+    else:
+        return None
+    return codes.NOT_A_VALUE.finding(message, name, 1, 1)

@@ -1,0 +1,58 @@
+"""A function that is resolved, with the position of every field: what is checked, written and integrated."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sigcat.findings import Finding, RuleCode
+from sigcat.function.document.document import Document, Pointer, Position
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.model import FunctionJson
+
+
+class Origin(NamedTuple):
+    """Where a part of a function was declared, and its own parts by their keys and indexes in Function JSON."""
+
+    pointer: Pointer
+    parts: Mapping[str | int, "Origin"] = {}
+
+    def of(self, pointer: Pointer) -> Pointer:
+        """Where the part at a pointer was declared, or the nearest one around it."""
+        origin = self
+        for key in pointer:
+            part = origin.parts.get(key)
+            if part is None:
+                break
+            origin = part
+        return origin.pointer
+
+
+@dataclass(frozen=True)
+class ResolvedFunction:
+    """A function, the document that it stands in, and where in it each part stands."""
+
+    function: FunctionJson
+    document: Document
+    origin: Origin | None = None
+    """None where the document is the Function JSON itself."""
+
+    @property
+    def name(self) -> str:
+        """Name of the function."""
+        return self.function.info.function_name
+
+    def source(self, pointer: Pointer) -> Pointer:
+        """The part of the document that a part of the Function JSON was made from."""
+        return pointer if self.origin is None else self.origin.of(pointer)
+
+    def position(self, pointer: Pointer) -> Position:
+        """Line and column of what a part of the Function JSON was made from."""
+        return self.document.position(self.source(pointer))
+
+    def finding(self, rule: RuleCode, pointer: Pointer, message: str, fix: str = "", path: str = "") -> Finding:
+        """A finding about a part of the Function JSON, where it was declared."""
+        return self.document.finding(rule, self.source(pointer), message, fix, path)
+
+    def findings(self, problems: Iterable[Problem]) -> tuple[Finding, ...]:
+        """Problems of the Function JSON as findings."""
+        return tuple(self.finding(each.rule, each.pointer, each.message, each.fix, each.path) for each in problems)

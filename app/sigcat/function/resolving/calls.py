@@ -1,0 +1,95 @@
+"""Calls of a function: init, steps and terminate, with supervision and allocation, as the catalogue declares them."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.interfaces import interface_name
+from sigcat.function.declaration.declaration import RunnableItem
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Subject
+from sigcat.function.function_json.model import Runnable, Watchdog, WatchdogLimits
+from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.contracts import contract
+from sigcat.function.resolving.interfaces import (  # fmt: skip
+    asil_of,
+    integer_of,
+    interface_node,
+    mapping_of,
+    number_of,
+    text_of,
+    texts_of,
+)
+from sigcat.function.resolving.numbers import plain_text
+from sigcat.function.resolving.part import Part
+
+_ON_THE_WIRE = {"NonPreemptive": "Non-Preemptive"}
+"""Spelling of the published documents where it differs from that of the attributes."""
+
+
+def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Runnable]]:
+    """A call. One that could not be resolved takes the errors with it that it would have declared."""
+    node = yield from interface_node(item.interface, "scheduling", at, context, own=True)
+    made = yield from contract(item, at, context)
+    origin = Origin(at, {"funcContractList": Origin(at, {0: made.origin})})
+    if node is None:
+        errors = made.value.errors if made.value and made.value.errors else ()
+        lost = (Subject("scheduling", item.interface), *(Subject("error", error.name) for error in errors))
+        return Part(None, origin, (*made.missing, *lost))
+    scheduling = text_of(node, "scheduling") or ""
+    supervision = yield from texts_of(node, "supervisionType", at)
+    runnable = Runnable(
+        name=interface_name(node.path),
+        description=str(node.values.get("description") or ""),
+        run_type=text_of(node, "runType") or "",
+        cycle_time=(yield from integer_of(node, "cycleTime", at)),
+        stack_size=plain_text((yield from number_of(node, "stackSize", at))),
+        previous_runnable=", ".join((yield from texts_of(node, "previousRunnable", at))) or None,
+        execution_offset=plain_text((yield from number_of(node, "executionOffset", at))),
+        parallel_processing=item.parallel,
+        asil_level=(yield from asil_of(node, at)),
+        watchdog=(yield from _watchdog(node, at)),
+        scheduling=_ON_THE_WIRE.get(scheduling, scheduling),
+        debounce_delay=plain_text((yield from number_of(node, "debounceTime", at))),
+        priority=plain_text((yield from number_of(node, "priority", at))) or "",
+        events=", ".join(item.events) or None,
+        contracts=(made.value,) if made.value else None,
+        supervision_types=tuple(kind for kind in supervision if kind != "None") or None,
+        vss_path=node.path,
+    )
+    return Part(runnable, origin, made.missing)
+
+
+def _watchdog(node: Node, at: Pointer) -> Resolving[Watchdog | None]:
+    alive = yield from mapping_of(node, "aliveSupervision", at)
+    deadline = yield from mapping_of(node, "deadlineSupervision", at)
+    logical = yield from mapping_of(node, "logicalSupervision", at)
+    if alive is None and deadline is None and logical is None:
+        return None
+    return Watchdog(
+        alive=_limits(alive, "minIndications", "maxIndications", "referenceIndications"),
+        deadline=_limits(deadline, "minDuration", "maxDuration", ""),
+        logical=str((logical or {}).get("description") or "") if logical is not None else None,
+        logical_error=_optional_text((logical or {}).get("error")),
+    )
+
+
+def _limits(values: Mapping[str, Any] | None, low: str, high: str, reference: str) -> WatchdogLimits | None:
+    if values is None:
+        return None
+    return WatchdogLimits(
+        min=_number(values.get(low)),
+        max=_number(values.get(high)),
+        reference=_number(values.get(reference)),
+        error_name=str(values.get("error") or ""),
+        description=_optional_text(values.get("description")),
+    )
+
+
+def _number(value: Any) -> float:
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else 0
+
+
+def _optional_text(value: Any) -> str | None:
+    return value if isinstance(value, str) else None

@@ -1,0 +1,85 @@
+"""What every interface of a function is resolved against: the catalogue, and what can be looked up in it."""
+
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeVar
+
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of
+from sigcat.function.document.hints import Hints
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.datatypes import BY_VSS
+from sigcat.function.function_json.types import TypeList
+from sigcat.names import last_name
+
+T = TypeVar("T")
+Resolving = Generator[Problem, None, T]
+"""A resolver yields what is wrong, and returns what it made: `made = yield from resolver(…)`."""
+
+
+def gathered(resolving: Resolving[T]) -> tuple[T, tuple[Problem, ...]]:
+    """What a resolver made, and everything that is wrong."""
+    problems: list[Problem] = []
+    while True:
+        try:
+            problems.append(next(resolving))
+        except StopIteration as end:
+            made: T = end.value
+            return made, tuple(problems)
+
+
+@dataclass(frozen=True)
+class Context:
+    """The catalogue of one function. Datatypes are gathered in the order in which interfaces refer to them."""
+
+    catalogue: Catalogue
+    function: str
+    """Name of the function."""
+    hint: Hints = field(default_factory=Hints)
+
+    @cached_property
+    def types(self) -> TypeList:
+        """The datatypes that the function refers to."""
+        return TypeList(self.catalogue)
+
+    @cached_property
+    def interfaces(self) -> Mapping[str, str]:
+        """Paths of the catalogue's interfaces by interface name."""
+        return by_interface_name(self.catalogue.nodes)
+
+    @cached_property
+    def datatypes(self) -> tuple[str, ...]:
+        """Names of datatypes: those of VSS, and paths of structs."""
+        return (*BY_VSS, *(node.path for node in self.catalogue.nodes.values() if node.type == "struct"))
+
+    @cached_property
+    def instances(self) -> Mapping[str, str]:
+        """The first instance of each definition, by the definition's path."""
+        first: dict[str, str] = {}
+        for node in self.catalogue.nodes.values():
+            first.setdefault(node.template, node.path)
+        return first
+
+    def path_of(self, name: str) -> str:
+        """Path of the interface of a name; the name itself if there is none."""
+        return self.interfaces.get(name, name)
+
+    def node(self, reference: str, category: Category) -> Node | None:
+        """The node of an interface given by name or path; of one of the function itself the last name is enough."""
+        named = self.catalogue.get(self.path_of(reference))
+        return named or self.catalogue.get(self._own.get((category, reference), ""))
+
+    def names(self, category: Category) -> list[str]:
+        """Names of the interfaces of a category."""
+        return [name for name, path in self.interfaces.items() if category_of(path) == category]
+
+    def own_names(self, category: Category) -> list[str]:
+        """Last names of the function's own interfaces of a category."""
+        return [last for own, last in self._own if own == category]
+
+    @cached_property
+    def _own(self) -> Mapping[tuple[Category | None, str], str]:
+        """Paths of the function's own interfaces by category and last name."""
+        own = (path for path in self.interfaces.values() if function_of(path) == self.function)
+        return {(category_of(path), last_name(path)): path for path in own}

@@ -1,0 +1,41 @@
+"""What a call reads and writes: signals, queues, parameters, errors, safety reactions and methods."""
+
+from sigcat.function.declaration.declaration import RunnableItem
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.model import Contract, DataQueue, Signal
+from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.data_interfaces import data_interface, parameter
+from sigcat.function.resolving.methods import method
+from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of
+from sigcat.function.resolving.status_interfaces import error, safety_reaction
+
+
+def contract(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Contract]]:
+    """The contract of a call; without a value if the call reads and writes nothing."""
+    data = yield from each(item.data, (*at, "data"), context, data_interface)
+    signals = [Part(part.value, part.origin) for part in data if isinstance(part.value, Signal)]
+    queues = [Part(part.value, part.origin) for part in data if isinstance(part.value, DataQueue)]
+    parameters = yield from each(item.parameters, (*at, "parameters"), context, parameter)
+    errors = yield from each(item.errors, (*at, "errors"), context, error)
+    reactions = yield from each(item.safety_reactions, (*at, "safetyReactions"), context, safety_reaction)
+    methods = yield from each(item.methods, (*at, "methods"), context, method)
+    made = Contract(
+        type=item.contract,
+        signals=values_of(signals) or None,
+        queues=values_of(queues) or None,
+        methods=values_of(methods) or None,
+        parameters=values_of(parameters) or None,
+        errors=values_of(errors) or None,
+        safety_reactions=values_of(reactions) or None,
+    )
+    lists: dict[str | int, Origin] = {
+        "SignalList": origin_of(signals, at),
+        "DataQList": origin_of(queues, at),
+        "MethodList": origin_of(methods, at),
+        "ParameterList": origin_of(parameters, at),
+        "ErrorList": origin_of(errors, at),
+        "SafetyReactionList": origin_of(reactions, at),
+    }
+    is_empty = not any(origin.parts for origin in lists.values())
+    return Part(None if is_empty else made, Origin(at, lists), (*missing_in(parameters), *missing_in(errors)))

@@ -1,0 +1,174 @@
+"""Signals, queues and parameters: what the catalogue knows of them, and what the declaration adds."""
+
+import json
+from fractions import Fraction
+from typing import Any
+
+from sigcat import codes
+from sigcat.asil import Level
+from sigcat.catalogue.model.datatypes import element_of, is_array
+from sigcat.catalogue.model.interfaces import interface_name
+from sigcat.function.declaration.declaration import DataItem, ParameterItem
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
+from sigcat.function.function_json.datatypes import BY_REFERENCE, value_range
+from sigcat.function.function_json.model import CONSUMER, PROVIDER, DataQueue, Parameter, Signal
+from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.function_json.types import symbols_of
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.interfaces import asil_of, interface_node
+from sigcat.function.resolving.numbers import plain_text
+from sigcat.function.resolving.part import Part, written
+from sigcat.function.resolving.values import Value, value_of
+
+ROLES = {"consumed": CONSUMER, "provided": PROVIDER}
+
+
+def data_interface(item: DataItem, at: Pointer, context: Context) -> Resolving[Part[Signal | DataQueue]]:
+    """A signal, or a queue where the declaration gives it a length."""
+    value = yield from value_of(item, at, context)
+    if value is None:
+        return Part(None, Origin(at))
+    if value.node.type == "attribute" and item.role == "provided":
+        message = f"The role of {item.path!r} must be consumed: functions do not provide attributes."
+        subject = Subject("data", item.path)
+        yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject)
+    is_signal = item.queue_length is None
+    made = (
+        (yield from _signal(item, value, at, context)) if is_signal else (yield from _queue(item, value, at, context))
+    )
+    return Part(made, _origin(item, at, "AsilLevel" if is_signal else "AsilInfo"))
+
+
+def _origin(item: DataItem | ParameterItem, at: Pointer, asil_key: str) -> Origin:
+    parts = dict(written(item, at))
+    if "Asil" in parts:
+        parts[asil_key] = parts.pop("Asil")
+    return Origin(at, parts)
+
+
+def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
+    node = value.node
+    return {
+        "name": item.name or node.name,
+        "description": str(node.values.get("description") or ""),
+        "datatype": value.reference,
+        "min": value.min,
+        "max": value.max,
+        "vss_path": node.path,
+        "vss_datatype": node.values["datatype"],
+        "vss_unit": node.values.get("unit"),
+        "conversion_factor": as_text(value.conversion.factor) if value.conversion else None,
+        "conversion_offset": as_text(value.conversion.offset) if value.conversion else None,
+        "variable": item.variable,
+    }
+
+
+def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolving[Level | None]:
+    return item.asil or (yield from asil_of(value.node, at))
+
+
+def _time_out(item: DataItem, at: Pointer, context: Context) -> Resolving[dict[str, Any]]:
+    error = None
+    if item.timeout_error is not None:
+        node = yield from interface_node(item.timeout_error, "error", (*at, "timeoutError"), context)
+        error = interface_name(node.path) if node else None
+    return {"timeout": plain_text(item.timeout), "timeout_error": error, "range_error_action": item.range_error_action}
+
+
+def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[Signal]:
+    resolution = value.node.values.get("resolution")
+    return Signal(
+        role=ROLES[item.role],
+        asil_level=(yield from _asil(item, value, at)),
+        access=item.access,
+        factor=plain_text(item.factor),
+        offset=plain_text(item.offset),
+        default=value.default,
+        init_value=value.init,
+        units=value.unit,
+        type=value.node.type,
+        external_provider=item.provider,
+        resolution=resolution if isinstance(resolution, int | float) else None,
+        **_common(item, value),
+        **(yield from _time_out(item, at, context)),
+    )
+
+
+def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[DataQueue]:
+    assert item.queue_length is not None
+    return DataQueue(
+        role=ROLES[item.role],
+        asil_level=(yield from _asil(item, value, at)) or "QM",
+        queue_length=item.queue_length,
+        factor=1 if item.factor is None else item.factor,
+        offset=item.offset or 0,
+        init_value=value.init or 0,
+        units=value.unit or "",
+        type=value.node.type,
+        external_provider=item.provider,
+        **_common(item, value),
+        **(yield from _time_out(item, at, context)),
+    )
+
+
+# -- parameters ---------------------------------------------------------------------------------------------------
+
+
+def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[Part[Parameter]]:
+    """A parameter; Function JSON requires limits and a start value."""
+    value = yield from value_of(item, at, context)
+    if value is None:
+        return Part(None, Origin(at))
+    subject = Subject("data", item.path)
+    if value.node.type != "attribute":
+        message = f"The parameter {item.path!r} must be an attribute, not {_with_article(value.node.type)}."
+        fix = "List it under `data`."
+        yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
+    text = _default_text(value)
+    start = value.init if value.default is None else value.default
+    has_start = start is not None or text is not None
+    if not has_start:
+        fix = "Give `init`, or a default in the catalogue."
+        yield Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
+    low, high = _limits(value)
+    made = Parameter(
+        asil_level=(yield from _asil(item, value, at)) or "QM",
+        default=start or 0,
+        init_value=value.init or 0,
+        range_error_action=item.range_error_action,
+        interface_type=item.kind,
+        attribute=item.attribute,
+        units=value.unit or "",
+        default_text=text,
+        **{**_common(item, value), "min": low, "max": high},
+    )
+    missing = () if has_start else (Subject("data", value.node.path, ("default",)),)
+    return Part(made, _origin(item, at, "Asillevel"), missing)
+
+
+def _with_article(kind: str) -> str:
+    return f"{'an' if kind[:1] in 'aeiou' else 'a'} {kind}"
+
+
+def _default_text(value: Value) -> str | None:
+    """The catalogue's default of a parameter that is a text; of an array its elements as JSON, in the code's unit."""
+    default = value.node.values.get("default")
+    if isinstance(default, list) and is_array(str(value.node.values["datatype"])):
+        to_code = value.conversion.inverse if value.conversion else IDENTITY
+        return json.dumps([_element(each, to_code) for each in default], ensure_ascii=False)
+    is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
+    return default if is_text and isinstance(default, str) else None
+
+
+def _element(value: Any, to_code: Linear) -> Any:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return as_number(to_code(Fraction(str(value)))) if is_number and to_code != IDENTITY else value
+
+
+def _limits(value: Value) -> tuple[float, float]:
+    """The wire format requires limits: those of the datatype where the catalogue has none, 0 where there are none."""
+    row = BY_REFERENCE.get(value.reference)
+    low, high = (value_range(row.vss) if row else None) or (0, 0)
+    return (low if value.min is None else value.min), (high if value.max is None else value.max)

@@ -1,0 +1,49 @@
+"""The node of the catalogue that a path of a declaration means."""
+
+from sigcat import codes
+from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.interfaces import category_of
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.resolving.context import Context, Resolving
+
+
+def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
+    """The signal or parameter at a path; None, with a problem, if there is none."""
+    subject = Subject("data", path)
+    node = context.catalogue.get(path)
+    if node is None:
+        yield _unknown(path, at, context)
+        return None
+    if not node.is_leaf or category_of(path) != "data":
+        message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
+        yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject)
+        return None
+    deprecation = node.values.get("deprecation")
+    if deprecation:
+        yield Problem(codes.SIGNAL_DEPRECATED, at, f"{path!r} is deprecated: {deprecation}", subject=subject)
+    return node
+
+
+def _unknown(path: str, at: Pointer, context: Context) -> Problem:
+    instance = context.instances.get(path)
+    if instance:
+        message, fix = f"{path!r} must name an instance.", f"Name one, such as {instance!r}."
+    else:
+        message = f"The catalogue has no signal {path!r}."
+        fix = context.hint(path, context.catalogue.nodes) or "Define it under `define`, or in an overlay."
+    return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
+
+
+def _kind_of(node: Node) -> str:
+    if not node.is_leaf:
+        return "a branch"
+    words = f"{category_of(node.path)} interface".replace("_", " ")
+    return f"{'an' if words[0] in 'aeiou' else 'a'} {words}"
+
+
+def _instead(node: Node) -> str:
+    if node.is_leaf:
+        return "List it under `errors`, `safetyReactions` or `modes`."
+    leaves = [leaf.path for leaf in node.walk() if leaf.is_leaf][:3]
+    return f"Name a signal below it, such as {', '.join(map(repr, leaves))}." if leaves else ""

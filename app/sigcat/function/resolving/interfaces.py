@@ -1,0 +1,113 @@
+"""References from a declaration to interfaces of the catalogue, and the attributes of those."""
+
+from typing import Any
+
+from sigcat import codes
+from sigcat.asil import LEVELS, Level, level_of
+from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.interfaces import Category, category_of, function_of, interface_name
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.names import either
+
+
+def interface_node(
+    reference: str, category: Category, at: Pointer, context: Context, *, own: bool = False
+) -> Resolving[Node | None]:
+    """The node of an interface given by name or path; None, with a problem, if it is not there or of another category.
+
+    Of an interface of the function itself the last name is enough. With `own`, it has to be one of those.
+    """
+    node = context.node(reference, category)
+    actual = category_of(node.path) if node is not None else None
+    if node is None or actual is None:
+        message = f"The catalogue has no {_words(category)} interface {reference!r}."
+        fix = _meant(reference, category, context)
+        yield Problem(codes.INTERFACE_UNKNOWN, at, message, fix, Subject(category, reference))
+        return None
+    if actual != category:
+        message = f"{reference!r} must be {_with_article(category)} interface, not {_with_article(actual)} interface."
+        yield Problem(codes.INTERFACE_OF_ANOTHER_CATEGORY, at, message, subject=Subject(category, node.path))
+        return None
+    if own and function_of(node.path) != context.function:
+        message = f"{interface_name(node.path)!r} must be an interface of {context.function}, not of {function_of(node.path)}."
+        yield Problem(codes.INTERFACE_OF_ANOTHER_FUNCTION, at, message, subject=Subject(category, node.path))
+        return None
+    return node
+
+
+def _meant(reference: str, category: Category, context: Context) -> str:
+    """What to write instead: an interface of a near name."""
+    hint = context.hint(reference, context.names(category)) or context.hint(reference, context.own_names(category))
+    return hint or f"Define it under `define`, or in an overlay of {_words(category)} interfaces."
+
+
+def _words(category: Category) -> str:
+    return category.replace("_", " ")
+
+
+def _with_article(category: Category) -> str:
+    return f"{'an' if category[0] in 'aeiou' else 'a'} {_words(category)}"
+
+
+# -- attributes ---------------------------------------------------------------------------------------------------
+
+
+def text_of(node: Node, name: str) -> str | None:
+    """Value of an attribute that is a text."""
+    value = node.values.get(name)
+    return value if isinstance(value, str) else None
+
+
+def asil_of(node: Node, at: Pointer) -> Resolving[Level | None]:
+    """The ASIL that the catalogue states; a text that is none counts as not stated."""
+    value = node.values.get("ASILlevel")
+    level = level_of(value)
+    if value is not None and level is None:
+        yield _misfit(node, "ASILlevel", either(LEVELS), at)._replace(rule=codes.ASIL_MISSPELLED)
+    return level
+
+
+def number_of(node: Node, name: str, at: Pointer) -> Resolving[float | None]:
+    """Value of an attribute that has to be a number."""
+    value = node.values.get(name)
+    if value is None or (isinstance(value, int | float) and not isinstance(value, bool)):
+        return value
+    yield _misfit(node, name, "a number", at)
+    return None
+
+
+def integer_of(node: Node, name: str, at: Pointer) -> Resolving[int | None]:
+    """Value of an attribute that Function JSON has as a whole number only."""
+    value = yield from number_of(node, name, at)
+    if value is None or value == int(value):
+        return None if value is None else int(value)
+    yield _misfit(node, name, "a whole number", at)
+    return None
+
+
+def texts_of(node: Node, name: str, at: Pointer) -> Resolving[tuple[str, ...]]:
+    """Value of an attribute that has to be a text or a list of texts."""
+    value = node.values.get(name)
+    values = [] if value is None else value if isinstance(value, list) else [value]
+    if all(isinstance(item, str) for item in values):
+        return tuple(values)
+    yield _misfit(node, name, "a list of names", at)
+    return ()
+
+
+def mapping_of(node: Node, name: str, at: Pointer) -> Resolving[dict[str, Any] | None]:
+    """Value of an attribute that has to be a mapping."""
+    value = node.values.get(name)
+    if value is None or isinstance(value, dict):
+        return value
+    yield _misfit(node, name, "a mapping", at)
+    return None
+
+
+def _misfit(node: Node, name: str, expected: str, at: Pointer) -> Problem:
+    origin = node.definition.origin(name)
+    value = repr(node.values.get(name))[:60]
+    message = f"`{name}` of {node.path!r} must be {expected}, not {value} ({origin.file}:{origin.line})."
+    return Problem(codes.VALUE_UNFIT, at, message, subject=Subject("data", node.path, (name,)))

@@ -1,0 +1,72 @@
+"""A part of a function as it leaves its resolver: what it became, where it was declared, and what is missing in it."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache
+from typing import Generic, NamedTuple, TypeVar
+
+from sigcat.function.declaration.form import DeclarationModel, key_of
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Subject
+from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.names import camel_case
+
+T = TypeVar("T")
+Item = TypeVar("Item")
+
+_ON_THE_WIRE = {
+    "function": "FunctionName", "responsible": "FunctionResponsible", "author": "SchemaAuthor",
+    "init": "InitValue", "unit": "Units", "path": "VssPath", "provider": "ExternalProvider",
+    "kind": "Interfacetype", "runnables": "RunnablesList",
+}  # fmt: skip
+"""Fields of Function JSON that are not simply those of the declaration in CamelCase."""
+
+
+class Part(NamedTuple, Generic[T]):
+    """One part. `value` is None if it could not be resolved."""
+
+    value: T | None
+    origin: Origin
+    missing: tuple[Subject, ...] = ()
+    """What the function lacks because it could not be resolved: this part, and what stands in it."""
+
+
+Resolver = Callable[[Item, Pointer, Context], Resolving[Part[T]]]
+
+
+def each(items: Iterable[Item], at: Pointer, context: Context, resolver: Resolver[Item, T]) -> Resolving[list[Part[T]]]:
+    """Every item of a list, resolved."""
+    parts = []
+    for index, item in enumerate(items):
+        parts.append((yield from resolver(item, (*at, index), context)))
+    return parts
+
+
+def values_of(parts: Iterable[Part[T]]) -> tuple[T, ...]:
+    """What could be resolved."""
+    return tuple(part.value for part in parts if part.value is not None)
+
+
+def origin_of(parts: Iterable[Part[T]], at: Pointer) -> Origin:
+    """Origin of a list in Function JSON; what could not be resolved is not in it."""
+    return Origin(at, dict(enumerate(part.origin for part in parts if part.value is not None)))
+
+
+def missing_in(parts: Iterable[Part[T]]) -> tuple[Subject, ...]:
+    """What is missing in any of the parts."""
+    return tuple(subject for part in parts for subject in part.missing)
+
+
+def written(item: DeclarationModel, at: Pointer) -> Mapping[str | int, Origin]:
+    """Origins of the fields that the author wrote, by their names in Function JSON."""
+    names = _names(type(item))
+    return {wire: Origin((*at, key)) for key, wire in (names[field] for field in item.model_fields_set)}
+
+
+@cache
+def _names(model: type[DeclarationModel]) -> Mapping[str, tuple[str, str]]:
+    """Keys of a declaration and fields of Function JSON, by the fields of a model."""
+    return {
+        field: (info.alias or key_of(field), _ON_THE_WIRE.get(field, camel_case(field)))
+        for field, info in model.model_fields.items()
+    }

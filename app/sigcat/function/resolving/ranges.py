@@ -1,0 +1,116 @@
+"""The range of a value in the code's unit, and whether the code can hold it."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from sigcat import codes
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_numeric
+from sigcat.function.declaration.declaration import DataItem
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.conversion import Linear
+from sigcat.function.function_json.datatypes import value_range
+from sigcat.function.resolving.code_value import CodeValue
+from sigcat.function.resolving.context import Resolving
+from sigcat.function.resolving.numbers import fraction, shown
+
+Range = tuple[Fraction, Fraction]
+OpenRange = tuple[Fraction | None, Fraction | None]
+
+
+def range_of(code: CodeValue) -> Resolving[OpenRange]:
+    """Smallest and largest valid value, in the code's unit. Whether they are in order is checked with the result."""
+    if not (is_numeric(code.datatype) or element_of(code.datatype) == "boolean"):
+        return None, None
+    own = _own_range(code)
+    low = own[0] if code.item.min is None else fraction(code.item.min)
+    high = own[1] if code.item.max is None else fraction(code.item.max)
+    yield from _widened(code, own)
+    if code.symbols is None and not is_upside_down(low, high):
+        yield from _lost(code, low, high)
+    yield from _symbols_beyond(code)
+    return low, high
+
+
+def is_upside_down(low: Fraction | None, high: Fraction | None) -> bool:
+    """Whether a range holds no value."""
+    return low is not None and high is not None and low > high
+
+
+def _own_range(code: CodeValue) -> OpenRange:
+    """The catalogue's range in the code's unit; of an enumeration, the range of its numbers."""
+    if code.symbols:
+        return Fraction(min(code.symbols.values())), Fraction(max(code.symbols.values()))
+    if element_of(code.own_datatype) == "boolean":
+        return Fraction(0), Fraction(1)
+    bounds = [code.node.values.get(name) for name in ("min", "max")]
+    low, high = (None if bound is None else code.to_code(fraction(bound)) for bound in bounds)
+    return (high, low) if code.to_code.factor < 0 else (low, high)
+
+
+def _widened(code: CodeValue, own: OpenRange) -> Iterator[Problem]:
+    """The code may narrow the range of a signal, not widen it."""
+    if code.symbols is not None:
+        return
+    for name, given, bound, sign in (("min", code.item.min, own[0], 1), ("max", code.item.max, own[1], -1)):
+        if given is not None and bound is not None and fraction(given) * sign < bound * sign:
+            words = f"{shown(bound)} or {'more' if sign > 0 else 'less'}"
+            message = f"`{name}` must be {words}, as in the catalogue, not {given}."
+            fix = "Narrow it, or change the catalogue."
+            yield code.problem(codes.RANGE_WIDER_THAN_CATALOGUE, (*code.at, name), message, fix)
+
+
+def _symbols_beyond(code: CodeValue) -> Iterator[Problem]:
+    limits = value_range(element_of(code.datatype))
+    for name, number in (code.symbols or {}).items():
+        if limits and not limits[0] <= number <= limits[1]:
+            message = f"{number}, which stands for {name!r}, does not fit {code.datatype}."
+            yield code.problem(codes.CONVERSION_LOSES_RANGE, (*code.at, "values", name), message)
+
+
+# -- what is lost -------------------------------------------------------------------------------------------------
+
+
+def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+    """A datatype or a scale that cannot hold what the catalogue promises, or promises less than it gives."""
+    own, stored = element_of(code.own_datatype), element_of(code.datatype)
+    held, catalogue = _converted(_full(stored), code.scale), _converted(_full(own), code.to_code)
+    if _is_wide(stored, own) or held is None or catalogue is None:
+        return
+    is_provided = isinstance(code.item, DataItem) and code.item.role == "provided"
+    given = held if is_provided else catalogue
+    needed = (given[0] if low is None else low, given[1] if high is None else high)
+    for limits, holder in ((held, f"{code.datatype} in the code"), (catalogue, f"{own} in the catalogue")):
+        if needed[0] < limits[0] or needed[1] > limits[1]:
+            yield _overflow(code, needed, limits, holder)
+            return
+    is_scaled = getattr(code.item, "factor", None) is not None
+    if own in ("float", "double") and stored in INTEGER_RANGES and not is_scaled and not is_provided:
+        message = f"The catalogue has {own}; held as {stored} without a factor, fractions are lost."
+        yield code.problem(codes.FRACTIONS_LOST, (*code.at, "datatype"), message, "Give a `factor`, such as 0.01.")
+
+
+def _overflow(code: CodeValue, needed: Range, limits: Range, holder: str) -> Problem:
+    message = (
+        f"Values from {shown(needed[0])} to {shown(needed[1])} do not fit {holder}, "
+        f"which holds {shown(limits[0])} to {shown(limits[1])}."
+    )
+    fix = "Choose a larger datatype or another scale, or narrow the range with `min` and `max`."
+    at = code.first_written("datatype", "factor", "unit", "max", "min")
+    return code.problem(codes.CONVERSION_LOSES_RANGE, at, message, fix)
+
+
+def _is_wide(stored: str, own: str) -> bool:
+    """Whether the code holds every number that the catalogue's datatype holds, in any usual unit."""
+    return stored == "double" or (stored == "float" and own != "double")
+
+
+def _full(datatype: str) -> Range | None:
+    limits = value_range(datatype)
+    return (Fraction(limits[0]), Fraction(limits[1])) if limits else None
+
+
+def _converted(limits: Range | None, conversion: Linear) -> Range | None:
+    if limits is None:
+        return None
+    low, high = sorted(limit * conversion.factor + conversion.offset for limit in limits)
+    return low, high

@@ -1,0 +1,153 @@
+"""A declaration, resolved: each interface once, against the catalogue that knows what the file defines."""
+
+from pathlib import PurePath
+from typing import NamedTuple
+
+from sigcat import __version__
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.interfaces import interface_name
+from sigcat.function.declaration.declaration import ActiveMode, ComponentItem, Declaration, ModesItem
+from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.model import (
+    CatalogueLayer,
+    Component,
+    FunctionInfo,
+    FunctionJson,
+    MetaInfo,
+    Mode,
+    ModeInterface,
+    Provenance,
+)
+from sigcat.function.function_json.resolved_function import Origin, ResolvedFunction
+from sigcat.function.function_json.types import symbols_of
+from sigcat.function.resolving.calls import call
+from sigcat.function.resolving.context import Context, Resolving, gathered
+from sigcat.function.resolving.interfaces import interface_node
+from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of, written
+
+SCHEMA_VERSION = "1.0.0"
+"""Version of the published schema under which every document validates."""
+
+
+class Resolution(NamedTuple):
+    """A function as far as it could be resolved, what is wrong with its declaration, and what is missing in it."""
+
+    resolved: ResolvedFunction
+    problems: tuple[Problem, ...]
+    """Their pointers lead into the declaration."""
+    missing: tuple[Subject, ...]
+
+
+def resolve(declaration: Declaration, document: Document, context: Context) -> Resolution:
+    """Resolve a declaration against the catalogue of a context."""
+    part, problems = gathered(_function(declaration, document, context))
+    assert part.value is not None
+    return Resolution(ResolvedFunction(part.value, document, part.origin), problems, part.missing)
+
+
+def _function(declaration: Declaration, document: Document, context: Context) -> Resolving[Part[FunctionJson]]:
+    components = yield from each(declaration.components, ("components",), context, _component)
+    item = declaration.modes or ModesItem.model_validate({})
+    modes = [_mode(mode, ("modes", "active", index), context) for index, mode in enumerate(item.active)]
+    interfaces = yield from each(item.interfaces, ("modes", "interfaces"), context, _mode_interface)
+    function = FunctionJson(
+        meta=_meta(declaration),
+        info=_info(declaration),
+        components=values_of(components),
+        modes=values_of(modes) or None,
+        datatypes=context.types.datatypes,
+        mode_interfaces=values_of(interfaces) or None,
+        provenance=_provenance(document, context.catalogue),
+    )
+    origin = Origin((), {
+        "MetaInfo": Origin((), written(declaration, ())),
+        "FunctionInfo": Origin((), written(declaration, ())),
+        "ComponentList": origin_of(components, ()),
+        "ModesList": origin_of(modes, ()),
+        "ModeInterfaceList": origin_of(interfaces, ()),
+    })  # fmt: skip
+    return Part(function, origin, missing_in(components))
+
+
+def _meta(declaration: Declaration) -> MetaInfo:
+    return MetaInfo(
+        authority=declaration.authority,
+        schema_author=declaration.author,
+        date=declaration.date.strftime("%d.%m.%Y") if declaration.date else None,
+        schema_version=SCHEMA_VERSION,
+        schema_description=f"Interfaces of the function {declaration.function}",
+    )
+
+
+def _info(declaration: Declaration) -> FunctionInfo:
+    return FunctionInfo(
+        function_name=declaration.function,
+        function_responsible=declaration.responsible,
+        description=declaration.description,
+        version=declaration.version,
+    )
+
+
+def _component(item: ComponentItem, at: Pointer, context: Context) -> Resolving[Part[Component]]:
+    calls = yield from each(item.runnables, (*at, "runnables"), context, call)
+    is_complete = all(part.value is not None for part in calls)
+    missing = (*missing_in(calls), *(() if is_complete else (Subject("component", item.name),)))
+    origin = Origin(at, {**written(item, at), "functionList": origin_of(calls, at)})
+    return Part(Component(name=item.name, runnables=values_of(calls)), origin, missing)
+
+
+# -- modes --------------------------------------------------------------------------------------------------------
+
+
+def _mode(item: ActiveMode, at: Pointer, context: Context) -> Part[Mode]:
+    calls = tuple(_call_name(reference, context) for reference in item.runnables)
+    listed = Origin((*at, "runnables"), {i: Origin((*at, "runnables", i)) for i in range(len(calls))})
+    mode = Mode(name=item.mode, description=item.description, runnables=calls)
+    return Part(mode, Origin(at, {**written(item, at), "RunnablesList": listed}))
+
+
+def _call_name(reference: str, context: Context) -> str:
+    """The name of a call; whether the function has it is checked with the result."""
+    node = context.node(reference, "scheduling")
+    return interface_name(node.path) or reference if node is not None else reference
+
+
+def _mode_interface(reference: str, at: Pointer, context: Context) -> Resolving[Part[ModeInterface]]:
+    node = yield from interface_node(reference, "mode", at, context, own=True)
+    if node is None:
+        return Part(None, Origin(at))
+    symbols = symbols_of(node)
+    name = f"{context.function}.{context.function}.Mode{node.name}"
+    made = ModeInterface(
+        name=interface_name(node.path),
+        description=str(node.values.get("description") or ""),
+        direction=node.name,
+        datatype=context.types.reference(str(node.values.get("datatype")), name, symbols),
+        modes=tuple(symbols or ()),
+        vss_path=node.path,
+    )
+    return Part(made, Origin(at))
+
+
+# -- provenance ---------------------------------------------------------------------------------------------------
+
+
+def _provenance(document: Document, catalogue: Catalogue) -> Provenance:
+    """Names without folders: the document is the same wherever it is made."""
+    return Provenance(
+        generator=f"sigcat {__version__}",
+        declaration=PurePath(document.name).name,
+        declaration_digest=document.digest,
+        catalogue=catalogue.name,
+        catalogue_digest=catalogue.digest,
+        release=_release(catalogue),
+        layers=tuple(CatalogueLayer(name=PurePath(layer.name).name, digest=layer.digest) for layer in catalogue.layers),
+    )
+
+
+def _release(catalogue: Catalogue) -> str | None:
+    """The release of VSS that the tree itself states in its VersionVSS branch."""
+    parts = [catalogue.get(f"Vehicle.VersionVSS.{name}") for name in ("Major", "Minor", "Patch")]
+    numbers = [part.values.get("default") if part else None for part in parts]
+    return ".".join(map(str, numbers)) if None not in numbers else None

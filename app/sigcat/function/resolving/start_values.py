@@ -1,0 +1,79 @@
+"""The value of a signal before the first one arrives, and the default that stands in for a missing one."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from sigcat import codes
+from sigcat.catalogue.model.datatypes import element_of, is_array
+from sigcat.function.declaration.declaration import DataItem
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.conversion import as_number
+from sigcat.function.function_json.types import Symbols
+from sigcat.function.resolving.code_value import CodeValue
+from sigcat.function.resolving.context import Resolving
+from sigcat.function.resolving.numbers import fraction, optional_number
+
+
+def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Resolving[float | None]:
+    """The start value as a number; whether it lies in the range is checked with the result."""
+    given = code.item.init
+    yield from _not_carried(code)
+    if given is None or _is_unheld(code, given):
+        return default_of(code)
+    is_boolean = element_of(code.own_datatype) == "boolean"
+    number = None if isinstance(given, bool) and not is_boolean else _number(given, code.symbols)
+    is_between = number is not None and not is_outside(number, low, high)
+    if number is None or (is_between and code.symbols and number not in code.symbols.values()):
+        message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {given!r}."
+        fix = "Write one of these." if code.symbols or is_boolean else ""
+        yield code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix)
+    return optional_number(number)
+
+
+def is_outside(number: Fraction, low: Fraction | None, high: Fraction | None) -> bool:
+    """Whether a number lies outside a range that may be open."""
+    return (low is not None and number < low) or (high is not None and number > high)
+
+
+def _wanted(code: CodeValue, *, is_boolean: bool) -> str:
+    if code.symbols:
+        return f"one of {', '.join(code.symbols)}"
+    return "true or false" if is_boolean else "a number"
+
+
+def _not_carried(code: CodeValue) -> Iterator[Problem]:
+    """Function JSON has one number as the start value of a signal; a parameter's default it has in any form."""
+    default = code.node.values.get("default") if isinstance(code.item, DataItem) else None
+    given = default if code.item.init is None else code.item.init
+    if _is_unheld(code, given):
+        message = (
+            f"The start value {str(given)[:60]!r} of {code.item.path!r} is not carried: Function JSON has numbers only."
+        )
+        yield code.problem(codes.START_VALUE_NOT_CARRIED, code.first_written("init"), message, "Set it in the code.")
+
+
+def _is_unheld(code: CodeValue, given: Any) -> bool:
+    """Whether this is a text, or elements of an array, where such is meant."""
+    if is_array(code.own_datatype):
+        return isinstance(given, list)
+    return isinstance(given, str) and code.own_datatype == "string" and code.symbols is None
+
+
+def default_of(code: CodeValue) -> float | None:
+    """The catalogue's default, in the code's unit."""
+    number = _number(code.node.values.get("default"), code.symbols)
+    if number is None or code.symbols:
+        return optional_number(number)
+    return as_number(code.to_code(number))
+
+
+def _number(value: Any, symbols: Symbols | None) -> Fraction | None:
+    if isinstance(value, str) and symbols is not None:
+        return Fraction(symbols[value]) if value in symbols else None
+    if isinstance(value, bool):
+        return Fraction(int(value))
+    try:
+        return fraction(value) if isinstance(value, int | float) else None
+    except ValueError:  # not a finite number
+        return None

@@ -1,0 +1,58 @@
+"""Errors that a call reports, and safety conditions that it reacts to, as the catalogue declares them."""
+
+from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.interfaces import function_of, interface_name
+from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Subject
+from sigcat.function.function_json.model import Error, SafetyReaction
+from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.function_json.types import symbols_of
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
+from sigcat.function.resolving.part import Part
+
+
+def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Error]]:
+    """An error of the function itself."""
+    node = yield from interface_node(item.interface, "error", at, context, own=True)
+    if node is None:
+        return Part(None, Origin(at), (Subject("error", item.interface),))
+    made = Error(
+        name=interface_name(node.path),
+        description=str(node.values.get("description") or ""),
+        datatype=_datatype(node, context),
+        dependencies=(yield from texts_of(node, "dependency", at)),
+        occurrence_count_limit=item.occurrence_count_limit,
+        ignition_count_limit=item.ignition_count_limit,
+        maturation_time=int((yield from number_of(node, "maturationTime", at)) or 0),
+        severity=text_of(node, "severity") or "",
+        reset_time=(yield from number_of(node, "resetTime", at)),
+        reset_condition=text_of(node, "resetCondition"),
+        asil_level=(yield from asil_of(node, at)),
+        vss_path=node.path,
+    )
+    return Part(made, Origin(at))
+
+
+def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolving[Part[SafetyReaction]]:
+    """A safety condition, of this function or of another."""
+    node = yield from interface_node(item.interface, "safety_reaction", at, context)
+    if node is None:
+        return Part(None, Origin(at))
+    made = SafetyReaction(
+        name=interface_name(node.path),
+        description=str(node.values.get("description") or ""),
+        datatype=_datatype(node, context),
+        errors=(yield from texts_of(node, "errorList", at)),
+        asil_level=(yield from asil_of(node, at)),
+        vss_path=node.path,
+    )
+    return Part(made, Origin(at))
+
+
+def _datatype(node: Node, context: Context) -> str:
+    """Reference to the datatype of an error or a safety reaction; all of a function share one enumeration."""
+    suffix = interface_name(node.path).rpartition("_")[2]
+    name = f"{node.template.partition('.')[0]}.{function_of(node.path)}.{suffix}"
+    return context.types.reference(str(node.values.get("datatype")), name, symbols_of(node))

@@ -1,0 +1,60 @@
+"""Data and parameters: from a path and what the author adds, to datatype, unit, range and start values."""
+
+from fractions import Fraction
+from typing import NamedTuple
+
+from sigcat.catalogue.model.catalogue import Node
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.conversion import IDENTITY, Linear
+from sigcat.function.resolving.code_datatype import code_datatype, code_symbols
+from sigcat.function.resolving.code_unit import code_unit, scale_of
+from sigcat.function.resolving.code_value import CodeValue, Item
+from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.data_nodes import data_node
+from sigcat.function.resolving.numbers import optional_number
+from sigcat.function.resolving.ranges import is_upside_down, range_of
+from sigcat.function.resolving.start_values import default_of, start_value
+
+
+class Value(NamedTuple):
+    """A data interface, resolved. Numbers are physical values in `unit`."""
+
+    node: Node
+    reference: str
+    unit: str | None
+    min: float | None
+    max: float | None
+    default: float | None
+    init: float | None
+    conversion: Linear | None
+    """From the code's unit to the catalogue's; None where they are the same."""
+
+
+def value_of(item: Item, at: Pointer, context: Context) -> Resolving[Value | None]:
+    """Everything that the catalogue knows about an item, as the code wants it; None, with problems, if unusable."""
+    code = yield from _code_value(item, at, context)
+    if code is None:
+        return None
+    low, high = yield from range_of(code)
+    init = None if is_upside_down(low, high) else (yield from start_value(code, low, high))
+    return _value(code, low, high, init, context)
+
+
+def _code_value(item: Item, at: Pointer, context: Context) -> Resolving[CodeValue | None]:
+    node = yield from data_node(item.path, (*at, "path"), context)
+    if node is None:
+        return None
+    symbols = yield from code_symbols(item, at, node, context)
+    datatype = yield from code_datatype(item, at, node, symbols, context)
+    if datatype is None:
+        return None
+    unit, to_code = yield from code_unit(item, at, node, context)
+    return CodeValue(item, at, node, datatype, unit, symbols, to_code, (yield from scale_of(item, at)))
+
+
+def _value(code: CodeValue, low: Fraction | None, high: Fraction | None, init: float | None, context: Context) -> Value:
+    node = code.node
+    reference = context.types.reference(code.datatype, node.template, code.symbols, node.values.get("arraysize"))
+    conversion = None if code.to_code == IDENTITY else code.to_code.inverse
+    ends = optional_number(low), optional_number(high)
+    return Value(node, reference, code.unit, *ends, default_of(code), init, conversion)

@@ -1,0 +1,201 @@
+"""A set of functions: what fits in each of them, and not together."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.findings import Finding, has_errors, in_order
+from sigcat.function.checks.circles import circles
+from sigcat.function.checks.order import contradiction, previous_calls
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.hints import Hints
+from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
+from sigcat.function.function_json.model import Error, Runnable
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import errors, runnables
+from sigcat.function.sets.wiring import Wiring, connect
+from sigcat.limits import DEFAULT_LIMITS, Limits
+
+Findings = Iterator[Finding]
+
+
+@collector_paused()
+def check_functions(
+    files: Sequence[tuple[bytes, str]],
+    catalogue: Catalogue,
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    is_whole: bool = True,
+) -> tuple[Finding, ...]:
+    """Everything that is wrong with function files, alone and together. What one defines, the others may use.
+
+    `is_whole`: there are no further functions, so that what nobody here provides, nobody provides.
+    """
+    members, over = read_set(files, catalogue, limits)
+    alone = [finding for member in members for finding in member.findings]
+    return in_order([*alone, *check_set(members, over, is_whole=is_whole)])
+
+
+def read_set(
+    files: Sequence[tuple[bytes, str]], catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
+) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
+    """The functions of files, and the catalogue with everything that they define."""
+    return check_files([read_function_file(data, name, limits) for data, name in files], catalogue)
+
+
+def check_set(
+    members: Sequence[CheckedFunction], catalogue: Catalogue | None = None, *, is_whole: bool = True
+) -> tuple[Finding, ...]:
+    """What does not fit together. Without a catalogue nobody knows which signals the vehicle itself provides."""
+    chosen = _each_once(members)
+    functions = [member.resolved for member in chosen.values() if member.resolved is not None]
+    by_name = {function.name: function for function in functions}
+    wiring = connect([function.function for function in functions])
+    findings = [*_same_names(members, chosen), *_misfits(wiring, by_name), *_rivals(wiring, by_name)]
+    if is_whole and catalogue is not None and not any(map(_is_incomplete, members)):
+        findings.extend(_unprovided(wiring, by_name, catalogue))
+    return in_order([*findings, *_order(functions), *_dependencies(functions)])
+
+
+_UNRESOLVED = frozenset(
+    rule.id
+    for rule in (
+        codes.FIELD_MISSING, codes.FIELD_UNKNOWN, codes.VALUE_UNFIT, codes.SIGNAL_UNKNOWN,
+        codes.SIGNAL_HOLDS_NO_VALUE, codes.INTERFACE_UNKNOWN, codes.INTERFACE_OF_ANOTHER_CATEGORY,
+        codes.INTERFACE_OF_ANOTHER_FUNCTION, codes.DATATYPE_UNFIT,
+    )
+)  # fmt: skip
+"""Rules that leave out of a function what breaks them."""
+
+
+def _is_incomplete(member: CheckedFunction) -> bool:
+    """Whether signals of the function may be missing because they could not be resolved."""
+    left_out = [finding for finding in member.findings if finding.rule in _UNRESOLVED]
+    return member.resolved is None or has_errors(left_out)
+
+
+def _each_once(members: Iterable[CheckedFunction]) -> Mapping[str, CheckedFunction]:
+    """By name, of a declaration and the Function JSON made of it, the declaration; of equal files, the first."""
+    by_name: dict[str, CheckedFunction] = {}
+    for member in members:
+        if member.resolved is None:
+            continue
+        known = by_name.get(member.resolved.name)
+        if known is None or (member.is_declaration and not known.is_declaration):
+            by_name[member.resolved.name] = member
+    return by_name
+
+
+def _same_names(members: Iterable[CheckedFunction], chosen: Mapping[str, CheckedFunction]) -> Findings:
+    for member in members:
+        if member.resolved is None:
+            continue
+        other, name = chosen[member.resolved.name], member.resolved.name
+        is_copy = member.document.digest == other.document.digest
+        if member is not other and not is_copy and member.is_declaration == other.is_declaration:
+            message = f"The function {name!r} stands in {other.document.name!r} too."
+            pointer = ("FunctionInfo", "FunctionName")
+            yield member.resolved.finding(codes.FUNCTION_TWICE, pointer, message, "Rename one, or remove it.")
+
+
+# -- links --------------------------------------------------------------------------------------------------------
+
+
+def _misfits(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findings:
+    for link in wiring.links:
+        end = link.consumer
+        for rule, key, message, fix in link.misfits:
+            pointer = (*end.pointer, key) if key else end.pointer
+            yield functions[end.function].finding(rule, pointer, message, fix, link.path)
+
+
+def _rivals(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findings:
+    for path, (first, *others) in wiring.rivals:
+        for end in others:
+            message = f"{path!r} must have one provider; {first.function} and {end.function} provide it."
+            fix = "Remove it from one of them."
+            yield functions[end.function].finding(codes.PROVIDED_TWICE, end.pointer, message, fix, path)
+
+
+def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
+    """Signals of the standard come from the vehicle, and attributes are set before it drives."""
+    for end in wiring.from_outside:
+        node = catalogue.get(end.path)
+        if node is None or node.type == "attribute" or not node.definition.statements[0].file.overlay:
+            continue
+        if not end.signal.external_provider:
+            message = f"No function provides {end.path!r}, and it is not a signal of the standard."
+            fix = "Add the function, or name the provider under `provider`."
+            yield functions[end.function].finding(codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.path)
+
+
+# -- order and errors ---------------------------------------------------------------------------------------------
+
+
+class _Call(NamedTuple):
+    """A call of a function, and where it stands."""
+
+    function: ResolvedFunction
+    pointer: Pointer
+    call: Runnable
+
+
+def _order(functions: Sequence[ResolvedFunction]) -> Findings:
+    calls: dict[str, _Call] = {}
+    for function in functions:
+        for pointer, _, runnable in runnables(function.function):
+            calls.setdefault(runnable.name, _Call(function, pointer, runnable))
+    names = {function.name for function in functions}
+    hint = Hints()
+    circle_of = circles({n: previous_calls(each.call) for n, each in calls.items()}, "scheduling", "previousRunnable")
+    for name, call in calls.items():
+        for previous in previous_calls(call.call):
+            other = calls.get(previous)
+            if other is None:
+                yield from _unknown_previous(name, call, previous, names, hint(previous, calls))
+            elif other.function is not call.function:
+                yield from _across(call, other, is_circular=name in circle_of)
+
+
+def _unknown_previous(name: str, call: _Call, previous: str, functions: Iterable[str], hint: str) -> Findings:
+    """A call of another function of the set that does not exist; those of this one are checked alone."""
+    function = previous.rpartition("_")[0]
+    if function in functions and function != call.function.name:
+        message = f"{name} must run after a call that exists, not after {previous!r}."
+        pointer = (*call.pointer, "PrevRunnable")
+        yield call.function.finding(codes.PREVIOUS_CALL_OF_ANOTHER_UNKNOWN, pointer, message, hint, name)
+
+
+def _across(call: _Call, other: _Call, *, is_circular: bool) -> Findings:
+    """An order of calls of two functions that cannot be kept."""
+    name, previous, pointer = call.call.name, other.call.name, (*call.pointer, "PrevRunnable")
+    reason = contradiction(call.call, other.call)
+    if reason:
+        message, rule = f"{name} runs after {previous}, {reason}.", codes.ORDER_CONTRADICTS_PRIORITY_OF_ANOTHER
+        yield call.function.finding(rule, pointer, message, path=name)
+    if is_circular:
+        message = f"{name} depends on itself, through {previous}."
+        yield call.function.finding(codes.CALLS_OF_FUNCTIONS_IN_A_CIRCLE, pointer, message, path=name)
+
+
+class _Error(NamedTuple):
+    """An error of a function, and where it stands."""
+
+    function: ResolvedFunction
+    pointer: Pointer
+    error: Error
+
+
+def _dependencies(functions: Sequence[ResolvedFunction]) -> Findings:
+    declared = {error.name: _Error(each, p, error) for each in functions for p, _, error in errors(each.function)}
+    circle_of = circles({name: each.error.dependencies for name, each in declared.items()}, "error", "dependency")
+    for name, (function, pointer, error) in declared.items():
+        others = [
+            other for other in error.dependencies if other in declared and declared[other].function is not function
+        ]
+        if others and name in circle_of:
+            message = f"{name} depends on itself, through {', '.join(others)}."
+            at = (*pointer, "Dependancy")
+            yield function.finding(codes.ERRORS_OF_FUNCTIONS_IN_A_CIRCLE, at, message, path=name)
