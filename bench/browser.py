@@ -17,7 +17,7 @@ from bench.rows import HUNDRED_THOUSAND, Bench, Row
 _SERVE = """
 import sys
 from pathlib import Path
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.web.site import create_site

@@ -23,7 +23,7 @@ from bench.measuring import ROOT
 _FLOOR = """
 from fastapi import FastAPI
 from fastapi.responses import Response
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 application = FastAPI()
 application.state.library = ()
@@ -35,7 +35,7 @@ run(application, Settings(port=0, log="none"))
 """
 _SERVICE = """
 from sigcat.api.application import create_app
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 settings = Settings(port=0, log="none")

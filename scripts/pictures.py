@@ -20,7 +20,7 @@ SHOWN = ROOT / "docs" / "pictures"
 OTHERS = ROOT / "build" / "pictures"
 _SERVE = """
 from sigcat.catalogue.hosting.library import Library, shipped_sources
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.web.site import create_site
 settings = Settings(port=0)

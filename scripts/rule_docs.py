@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 
 from sigcat.data import INTERFACE_RULES
-from sigcat.rules.pages import rule_book
+from sigcat.rules.pages import service_rules
 from sigcat.rules.record import load_rules
 
 
 def files() -> Mapping[str, str]:
     """The book."""
-    return {"docs/reference/rules.md": rule_book(load_rules(INTERFACE_RULES))}
+    return {"docs/reference/rules.md": service_rules(load_rules(INTERFACE_RULES))}

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from sigcat.api.configuring import shown
+from sigcat.api.read_settings import shown
 from sigcat.api.settings import Settings
 
 PAGE = "docs/how-to/production.md"

@@ -6,7 +6,7 @@ import io
 import pytest
 import yaml
 
-from sigcat.api.answers.representation import chosen_type, csv_lines
+from sigcat.api.answers.negotiation import chosen_type, csv_lines
 from tests.api.conftest import Ask
 
 SMALL = "/api/v1/catalogues/small"

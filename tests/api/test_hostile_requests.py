@@ -22,7 +22,7 @@ pytestmark = pytest.mark.xdist_group("hostile")
 _SERVE = """
 import sys
 from sigcat.api.application import create_app
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import SOURCES

@@ -13,8 +13,8 @@ import pytest
 
 from scripts.openapi import RELEASED, release
 from sigcat.api.application import create_app
-from sigcat.api.document import operations
 from sigcat.api.openapi_changes import breaking_changes
+from sigcat.api.openapi_document import operations
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.integration.platforms import PLATFORMS
 from tests.api.conftest import Ask, asker

@@ -10,11 +10,11 @@ import httpx
 import pytest
 
 from sigcat.api.application import create_app
-from sigcat.api.configuring import read_settings, shown
-from sigcat.api.heavy_work import Busy, HeavyWork
-from sigcat.api.serving import uvicorn_config
+from sigcat.api.read_settings import read_settings, shown
+from sigcat.api.server import uvicorn_config
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import new_token
+from sigcat.api.work_queue import Busy, WorkQueue
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.errors import InputRefused
 from tests.api.conftest import Ask, asker
@@ -165,14 +165,14 @@ def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() 
     release = threading.Event()
 
     async def crowd() -> list[object]:
-        heavy = HeavyWork(at_once=1, waiting=1, seconds=10)
-        waiting = [asyncio.create_task(heavy.run(release.wait)) for _ in range(2)]
+        queue = WorkQueue(at_once=1, waiting=1, seconds=10)
+        waiting = [asyncio.create_task(queue.run(release.wait)) for _ in range(2)]
         await asyncio.sleep(0)
         with pytest.raises(Busy) as refused:
-            await heavy.run(lambda: None)
+            await queue.run(lambda: None)
         release.set()
         await asyncio.gather(*waiting)
-        return [refused.value.status_code, dict(refused.value.headers or {}), await heavy.run(lambda: "free again")]
+        return [refused.value.status_code, dict(refused.value.headers or {}), await queue.run(lambda: "free again")]
 
     assert asyncio.run(crowd()) == [503, {"Retry-After": "2"}, "free again"]
 
@@ -181,13 +181,13 @@ def test_work_that_takes_too_long_is_given_up_and_counts_until_it_ends() -> None
     release = threading.Event()
 
     async def slow() -> tuple[int, int]:
-        heavy = HeavyWork(at_once=1, waiting=1, seconds=0.05)
+        queue = WorkQueue(at_once=1, waiting=1, seconds=0.05)
         with pytest.raises(Busy, match="longer than"):
-            await heavy.run(release.wait)
-        while_it_runs = heavy.pending
+            await queue.run(release.wait)
+        while_it_runs = queue.pending
         release.set()
-        await heavy.run(lambda: None)  # its turn comes when the first one has ended
-        return while_it_runs, heavy.pending
+        await queue.run(lambda: None)  # its turn comes when the first one has ended
+        return while_it_runs, queue.pending
 
     assert asyncio.run(slow()) == (1, 0)
 
@@ -197,7 +197,7 @@ def test_a_work_that_runs_out_of_a_time_of_its_own_says_so() -> None:
         raise TimeoutError("its own")
 
     with pytest.raises(TimeoutError, match="its own"):
-        asyncio.run(HeavyWork(at_once=1, waiting=0, seconds=10).run(work))
+        asyncio.run(WorkQueue(at_once=1, waiting=0, seconds=10).run(work))
 
 
 def test_health_answers_while_heavy_work_runs(library: Library) -> None:
@@ -205,7 +205,7 @@ def test_health_answers_while_heavy_work_runs(library: Library) -> None:
     release = threading.Event()
 
     async def both() -> int:
-        work = asyncio.create_task(app.state.heavy.run(release.wait))
+        work = asyncio.create_task(app.state.work_queue.run(release.wait))
         async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://sigcat") as client:
             status = (await client.get("/health/live", timeout=2)).status_code
         release.set()

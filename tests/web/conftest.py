@@ -16,7 +16,7 @@ _SERVE = """
 import sys
 from pathlib import Path
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
-from sigcat.api.serving import run
+from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES

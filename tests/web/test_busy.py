@@ -33,7 +33,7 @@ def busy() -> Iterator[Ask]:
 def _hold(app: object, work: object) -> None:
     import asyncio
 
-    asyncio.run(app.state.heavy.run(work))  # type: ignore[attr-defined]
+    asyncio.run(app.state.work_queue.run(work))  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(

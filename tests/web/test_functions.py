@@ -8,7 +8,7 @@ import pytest
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.site import create_site
-from sigcat.web.views.documents import VIEWS
+from sigcat.web.views.generated_documents import VIEWS
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
 

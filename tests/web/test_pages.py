@@ -8,7 +8,7 @@ import pytest
 
 from sigcat.api.answers.problems import KINDS
 from sigcat.catalogue.hosting.library import Library, Source
-from sigcat.web.headers import POLICY
+from sigcat.web.security_headers import POLICY
 from sigcat.web.site import create_site
 from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 

@@ -7,15 +7,16 @@ from fastapi.routing import APIRoute
 
 from sigcat import __version__
 from sigcat.api.answers.problems import install_problems
-from sigcat.api.document import openapi_document
-from sigcat.api.heavy_work import HeavyWork
 from sigcat.api.middleware import metrics
-from sigcat.api.middleware.entrance import Entrance
-from sigcat.api.middleware.kept_answers import KeptAnswers
+from sigcat.api.middleware.access import ReadAccess
+from sigcat.api.middleware.answer_cache import AnswerCache
 from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.middleware.request_log import RequestLog
+from sigcat.api.openapi_document import openapi_document
 from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
-from sigcat.api.rulebook import rule_book
+from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
 
@@ -45,10 +46,10 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
     )
     app.state.library = library
     app.state.settings = settings
-    app.state.rules = rule_book(INTERFACE_RULES)
-    app.state.heavy = HeavyWork(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
-    app.state.exports = HeavyWork(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
-    app.state.metrics = Metrics(library, app.state.heavy, app.state.exports)
+    app.state.rules = service_rules(INTERFACE_RULES)
+    app.state.work_queue = WorkQueue(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.export_queue = WorkQueue(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
     for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router)
     install_problems(app)
@@ -60,9 +61,11 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
-    app.add_middleware(KeptAnswers, library=library, most_bytes=settings.cache_bytes)
-    app.add_middleware(Entrance, settings=settings, metrics=app.state.metrics)
-    if settings.origins:  # around the entrance: a page has to be able to read why it was refused
+    app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
+    if settings.reading == "token":
+        app.add_middleware(ReadAccess, settings=settings)
+    app.add_middleware(RequestLog, settings=settings, metrics=app.state.metrics)
+    if settings.origins:  # around all of these: a page has to be able to read why it was refused
         app.add_middleware(
             CORSMiddleware,
             allow_origins=list(settings.origins),

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sigcat.api.document import operations
+from sigcat.api.openapi_document import operations
 
 Schema = Mapping[str, Any]
 _MAJOR = re.compile(r"^/api/(v\d+)/")

@@ -31,7 +31,7 @@ def config(arguments: argparse.Namespace) -> int:
     """Print what was asked for."""
     if arguments.new_token is not None:
         return _new_token(arguments.new_token, arguments.scope or ["read"])
-    from sigcat.api.configuring import shown
+    from sigcat.api.read_settings import shown
 
     configuration, settings = chosen_settings(arguments)
     print("[service]")
@@ -44,7 +44,7 @@ def config(arguments: argparse.Namespace) -> int:
 
 def chosen_settings(arguments: argparse.Namespace) -> "tuple[Configuration, Settings]":
     """The catalogues to host and the settings: of the command line, before the environment, before the file."""
-    from sigcat.api.configuring import TABLE, read_settings
+    from sigcat.api.read_settings import TABLE, read_settings
 
     configuration = chosen_configuration(arguments)
     settings = read_settings(configuration.tables.get(TABLE, {}), file=configuration.file)

@@ -53,7 +53,7 @@ def _line(node: "Node") -> str:
 def _json(nodes: "tuple[Node, ...]") -> str:
     import json
 
-    from sigcat.api.answers.presenting import node_summary
+    from sigcat.api.answers.serializers import node_summary
 
     return json.dumps([node_summary(node).model_dump(mode="json") for node in nodes], indent=2, ensure_ascii=False)
 

@@ -30,7 +30,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
-    from sigcat.api.serving import run
+    from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.web.site import create_site
 
@@ -47,7 +47,7 @@ def serve(arguments: argparse.Namespace) -> int:
 
 def application() -> "FastAPI":
     """The service as another server loads it: `uvicorn --factory sigcat.cli.serve:application --workers 4`."""
-    from sigcat.api.serving import prepare
+    from sigcat.api.server import prepare
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.web.site import create_site
 

@@ -33,7 +33,7 @@ def show(arguments: argparse.Namespace) -> int:
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
         raise NotFound(f"there is no node {arguments.path!r}.{hint}", near)
     if arguments.format == "json":
-        from sigcat.api.answers.presenting import node_detail
+        from sigcat.api.answers.serializers import node_detail
 
         print(node_detail(catalogue, node).model_dump_json(indent=2))
     else:

@@ -46,7 +46,7 @@ def rule_page(rule: Rule, level: int = 1) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def rule_book(rules: Sequence[Rule]) -> str:
+def service_rules(rules: Sequence[Rule]) -> str:
     """All rules in one Markdown document, by category, with a table at the start."""
     order = list(_CATEGORIES)
     places = {category: number for number, category in enumerate(order)}

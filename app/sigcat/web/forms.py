@@ -8,8 +8,8 @@ from starlette.formparsers import MultiPartException
 from starlette.requests import Request
 from starlette.types import Message
 
-from sigcat.api.heavy_work import HeavyWork
 from sigcat.api.requests.dependencies import catalogue_at
+from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import UsageError
 
@@ -56,10 +56,10 @@ async def read_form(body: bytes, content_type: str) -> Form:
     return Form(tuple(pairs))
 
 
-async def form_catalogue(form: Form, library: Library, heavy: HeavyWork) -> Hosted:
+async def form_catalogue(form: Form, library: Library, queue: WorkQueue) -> Hosted:
     """The catalogue that a form names, or the default one."""
     name = form.last("catalogue")
-    return (await catalogue_at(name, library, heavy))[0] if name else library.default
+    return (await catalogue_at(name, library, queue))[0] if name else library.default
 
 
 async def _multipart(body: bytes, boundary: bytes) -> Form:

@@ -11,14 +11,14 @@ from fastapi.responses import HTMLResponse
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from sigcat import __version__
-from sigcat.api.answers.presenting import finding_schema, plain_text, shown_file
 from sigcat.api.answers.schemas import Problem
+from sigcat.api.answers.serializers import finding_schema, plain_text, shown_file
 from sigcat.api.requests.dependencies import library_of
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import choice_of
 from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
-from sigcat.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
+from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
 
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",

@@ -14,18 +14,26 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.catalogue.hosting.library import Library
 from sigcat.errors import SigcatError
-from sigcat.web.headers import SecurityHeaders
-from sigcat.web.pages import catalogue_pages as pages
-from sigcat.web.pages import change_pages, function_pages, reference, set_pages, try_pages
+from sigcat.web.pages import (
+    api_reference,
+    catalogue_pages,
+    change_pages,
+    function_pages,
+    rule_pages,
+    set_pages,
+    try_pages,
+)
 from sigcat.web.rendering import problem_page
+from sigcat.web.security_headers import SecurityHeaders
 
+_PAGES = (function_pages, set_pages, try_pages, change_pages, catalogue_pages, rule_pages, api_reference)
 _STATIC = Path(__file__).parent / "static"
 
 
 def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
     """The API with the browser pages."""
     app = create_app(library, settings)
-    for module in (function_pages, set_pages, try_pages, change_pages, pages, reference):
+    for module in _PAGES:
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)

@@ -13,7 +13,7 @@ from starlette.exceptions import HTTPException
 
 from sigcat import codes
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import listed_findings, plain_text
+from sigcat.api.answers.serializers import listed_findings, plain_text
 from sigcat.errors import InputRefused, NotFound, SigcatError
 from sigcat.findings import Finding
 

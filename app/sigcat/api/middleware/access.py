@@ -7,8 +7,12 @@ from typing import Any
 from fastapi import Request, Security
 from fastapi.security import HTTPBearer
 from starlette.exceptions import HTTPException
+from starlette.types import ASGIApp, Receive, Send
+from starlette.types import Scope as Connection
 
+from sigcat.api.answers.problems import answer_problem
 from sigcat.api.requests.dependencies import TheSettings
+from sigcat.api.settings import Settings
 from sigcat.api.tokens import Scope, Token, token_named
 
 _BEARER = HTTPBearer(
@@ -16,6 +20,35 @@ _BEARER = HTTPBearer(
     auto_error=False,
     description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one.",
 )
+
+
+_ALWAYS_OPEN = ("/health/", "/problems/", "/static/")
+
+
+class ReadAccess:
+    """Asks every request for a token with the scope `read`, where the operator closed reading."""
+
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+        self._app = app
+        self._settings = settings
+
+    async def __call__(self, scope: Connection, receive: Receive, send: Send) -> None:
+        """Pass a request on, or refuse it."""
+        if scope["type"] == "http" and not _is_open(scope):
+            request = Request(scope)
+            try:
+                check_scope(request.headers.get("authorization", ""), "read", self._settings.tokens)
+            except HTTPException as refusal:
+                response = await answer_problem(request, refusal)
+                await response(scope, receive, send)
+                return
+        await self._app(scope, receive, send)
+
+
+def _is_open(scope: Connection) -> bool:
+    """Health, explanations of problems and their style need no token; nor does a browser's question before CORS."""
+    path: str = scope["path"].removeprefix(scope.get("root_path", ""))
+    return path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"
 
 
 def needs(scope: Scope) -> Any:

@@ -9,7 +9,7 @@ from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.exposition import CONTENT_TYPE_LATEST
 from prometheus_client.registry import Collector
 
-from sigcat.api.heavy_work import HeavyWork
+from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 
 router = APIRouter()
@@ -20,7 +20,7 @@ _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 
 class Metrics:
     """Counts of one service; a process may have several, as tests do."""
 
-    def __init__(self, library: Library, heavy: HeavyWork, exports: HeavyWork) -> None:
+    def __init__(self, library: Library, work: WorkQueue, exports: WorkQueue) -> None:
         self.registry = CollectorRegistry()
         self._requests = Counter(
             "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
@@ -30,7 +30,7 @@ class Metrics:
             buckets=_SECONDS, registry=self.registry,
         )  # fmt: skip
         pending = Gauge("sigcat_heavy_pending", "Heavy work under way or waiting.", registry=self.registry)
-        pending.set_function(lambda: heavy.pending)
+        pending.set_function(lambda: work.pending)
         exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
         exporting.set_function(lambda: exports.pending)
         self.registry.register(_Hosted(library))

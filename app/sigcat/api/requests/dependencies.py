@@ -10,17 +10,35 @@ from starlette.exceptions import HTTPException
 
 from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.answers.versions import state_of, version_of
-from sigcat.api.heavy_work import HeavyWork
-from sigcat.api.rulebook import RuleBook
+from sigcat.api.service_rules import ServiceRules
 from sigcat.api.settings import Settings
+from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import MARK, find_hosted
 from sigcat.errors import NotFound
 
 __all__ = [
-    "AnyCatalogue", "CatalogueId", "FileName", "NamedCatalogue", "PostedBody", "PostedText", "TheCatalogue", "TheExports", "TheHeavyWork",
-    "TheLibrary", "TheRules", "TheSettings", "catalogue_at", "hosted_at", "is_known", "library_of", "mark_state", "rules_of",
-    "settings_of", "text_body", "version_of",
+    "AnyCatalogue",
+    "CatalogueId",
+    "FileName",
+    "NamedCatalogue",
+    "PostedBody",
+    "PostedText",
+    "TheCatalogue",
+    "TheExportQueue",
+    "TheLibrary",
+    "TheRules",
+    "TheSettings",
+    "TheWorkQueue",
+    "catalogue_at",
+    "hosted_at",
+    "is_known",
+    "library_of",
+    "mark_state",
+    "rules_of",
+    "settings_of",
+    "text_body",
+    "version_of",
 ]  # fmt: skip
 
 _NEVER_CHANGES = "max-age=31536000, immutable"
@@ -39,16 +57,16 @@ def settings_of(request: Request) -> Settings:
     return settings
 
 
-def rules_of(request: Request) -> RuleBook:
+def rules_of(request: Request) -> ServiceRules:
     """The rules of the service."""
-    rules: RuleBook = request.app.state.rules
+    rules: ServiceRules = request.app.state.rules
     return rules
 
 
-def heavy_of(request: Request) -> HeavyWork:
-    """The heavy work of the service."""
-    heavy: HeavyWork = request.app.state.heavy
-    return heavy
+def queue_of(request: Request) -> WorkQueue:
+    """The queue of work that takes long."""
+    queue: WorkQueue = request.app.state.work_queue
+    return queue
 
 
 async def _library(request: Request) -> Library:
@@ -59,26 +77,26 @@ async def _settings(request: Request) -> Settings:
     return settings_of(request)
 
 
-async def _rules(request: Request) -> RuleBook:
+async def _rules(request: Request) -> ServiceRules:
     return rules_of(request)
 
 
-async def _heavy(request: Request) -> HeavyWork:
-    return heavy_of(request)
+async def _queue(request: Request) -> WorkQueue:
+    return queue_of(request)
 
 
-async def _exports(request: Request) -> HeavyWork:
-    exports: HeavyWork = request.app.state.exports
-    return exports
+async def _export_queue(request: Request) -> WorkQueue:
+    queue: WorkQueue = request.app.state.export_queue
+    return queue
 
 
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
 # They take what they need from the request: each dependency of a dependency costs as much as a small answer.
 TheLibrary = Annotated[Library, Depends(_library)]
 TheSettings = Annotated[Settings, Depends(_settings)]
-TheRules = Annotated[RuleBook, Depends(_rules)]
-TheHeavyWork = Annotated[HeavyWork, Depends(_heavy)]
-TheExports = Annotated[HeavyWork, Depends(_exports)]
+TheRules = Annotated[ServiceRules, Depends(_rules)]
+TheWorkQueue = Annotated[WorkQueue, Depends(_queue)]
+TheExportQueue = Annotated[WorkQueue, Depends(_export_queue)]
 CatalogueId = Annotated[
     str,
     Path(
@@ -103,19 +121,19 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     return hosted._replace(rejected=()) if hosted.rejected else hosted, True
 
 
-async def catalogue_at(name: str, library: Library, heavy: HeavyWork) -> tuple[Hosted, bool]:
+async def catalogue_at(name: str, library: Library, queue: WorkQueue) -> tuple[Hosted, bool]:
     """The same as `hosted_at`; a variant, which may have to be composed, waits for its turn."""
-    return await heavy.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
+    return await queue.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
 
 
 async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address."""
-    return (await catalogue_at(catalogue, library_of(request), heavy_of(request)))[0]
+    return (await catalogue_at(catalogue, library_of(request), queue_of(request)))[0]
 
 
 async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
-    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), heavy_of(request))
+    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), queue_of(request))
     mark_state(request, state_of(hosted), is_fixed=is_fixed)
     request.state.hosted = hosted
     return hosted
@@ -152,7 +170,7 @@ async def named_catalogue(
 ) -> Hosted:
     """The hosted catalogue that a posted text is judged against."""
     library = library_of(request)
-    return library.default if catalogue is None else (await catalogue_at(catalogue, library, heavy_of(request)))[0]
+    return library.default if catalogue is None else (await catalogue_at(catalogue, library, queue_of(request)))[0]
 
 
 NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]

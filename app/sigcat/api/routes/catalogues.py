@@ -7,9 +7,9 @@ from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from sigcat.api.answers import presenting, schemas
+from sigcat.api.answers import schemas, serializers
+from sigcat.api.answers.negotiation import answer, csv_stream, is_table, offered, rows
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.representation import answer, csv_stream, is_table, offered, rows
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
 from sigcat.api.settings import Settings
@@ -80,20 +80,20 @@ class RowQuery(SearchQuery):
 @listing.get("", response_model=schemas.CatalogueList, responses=offered("table") | problem_documentation(406))
 async def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
-    listed = [presenting.catalogue_summary(hosted) for hosted in library]
+    listed = [serializers.catalogue_summary(hosted) for hosted in library]
     return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
 
 
 @router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
 def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
     """A catalogue with its layers and its findings."""
-    return answer(request, presenting.catalogue_detail(hosted))
+    return answer(request, serializers.catalogue_detail(hosted))
 
 
 @router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
 async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
-    return answer(request, presenting.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
+    return answer(request, serializers.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
 
 
 @router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
@@ -109,7 +109,7 @@ def get_tree(
     if _is_larger(node, depth, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
         raise UsageError(message)
-    return answer(request, presenting.tree_node(node, depth))
+    return answer(request, serializers.tree_node(node, depth))
 
 
 @router.get(
@@ -123,7 +123,7 @@ async def search_nodes(
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
     result, cursor = found(hosted, settings, query)
-    nodes = [presenting.node_summary(node) for node in result.nodes]
+    nodes = [serializers.node_summary(node) for node in result.nodes]
     page = schemas.SearchPage(
         total=result.total,
         nodes=nodes,
@@ -158,7 +158,7 @@ async def list_nodes(
 )
 async def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
-    units = [presenting.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
+    units = [serializers.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
     return answer(request, schemas.UnitList(units=units), rows(units))
 
 
@@ -170,7 +170,7 @@ async def list_units(request: Request, hosted: TheCatalogue) -> Response:
 async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
     known = hosted.catalogue.vocabulary.quantities.values()
-    quantities = [presenting.quantity_schema(quantity) for quantity in known]
+    quantities = [serializers.quantity_schema(quantity) for quantity in known]
     return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
 
 
@@ -195,7 +195,7 @@ def searched_state(hosted: Hosted, query: SearchQuery) -> str:
 def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
     """Values of a node by field: `path`, `name`, `category`, or any attribute."""
     own = {"path": node.path, "name": node.name, "category": category_of(node.path)}
-    return [presenting.plain(own[field] if field in own else node.values.get(field)) for field in fields]
+    return [serializers.plain(own[field] if field in own else node.values.get(field)) for field in fields]
 
 
 def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:

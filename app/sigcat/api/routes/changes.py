@@ -7,18 +7,18 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import diff_schema, trial_schema
+from sigcat.api.answers.negotiation import JSON, YAML, answer, caching_headers, chosen_type, json_answer
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.representation import JSON, YAML, answer, caching_headers, chosen_type, json_answer
+from sigcat.api.answers.serializers import diff_schema, trial_schema
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.dependencies import (
     AnyCatalogue,
     CatalogueId,
     FileName,
     PostedText,
-    TheHeavyWork,
     TheLibrary,
     TheSettings,
+    TheWorkQueue,
     catalogue_at,
     mark_state,
     text_body,
@@ -55,25 +55,25 @@ async def diff_catalogues(
     request: Request,
     catalogue: CatalogueId,
     library: TheLibrary,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     to: Annotated[str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=200)],
     only: Annotated[list[schemas.Compatibility] | None, Query(description="Classes to show; all without it.")] = None,
 ) -> Response:
     """What changed from one hosted catalogue to another, and whom it breaks."""
-    old, is_old_fixed = await catalogue_at(catalogue, library, heavy)
-    new, is_new_fixed = await catalogue_at(to, library, heavy)
+    old, is_old_fixed = await catalogue_at(catalogue, library, queue)
+    new, is_new_fixed = await catalogue_at(to, library, queue)
     mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
-    changes = await heavy.run(partial(compare, old.catalogue, new.catalogue))
+    changes = await queue.run(partial(compare, old.catalogue, new.catalogue))
     shown = [change for change in changes if not only or change.compatibility in only]
     hidden = len(changes) - len(shown)
     names = old.source.id, new.source.id
     if form == MARKDOWN:
-        text = await heavy.run(partial(markdown_report, shown, *names, hidden))
+        text = await queue.run(partial(markdown_report, shown, *names, hidden))
     elif form == TEXT:
-        text = await heavy.run(partial(text_report, shown, hidden=hidden))
+        text = await queue.run(partial(text_report, shown, hidden=hidden))
     else:
-        return await heavy.run(lambda: answer(request, diff_schema(shown, *names)))
+        return await queue.run(lambda: answer(request, diff_schema(shown, *names)))
     return Response(text.encode("utf-8", "replace"), media_type=form, headers=caching_headers(request))
 
 
@@ -87,7 +87,7 @@ async def try_overlay(
     text: PostedText,
     hosted: AnyCatalogue,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     name: FileName = "posted.vspec",
 ) -> Response:
     """Apply an overlay to a catalogue and tell the resulting nodes, findings and changes. Nothing is stored."""
@@ -95,4 +95,4 @@ async def try_overlay(
     def trial() -> schemas.Trial:
         return trial_schema(tried(hosted.catalogue, text, name, settings.limits), settings.results)
 
-    return json_answer(await heavy.run(trial))
+    return json_answer(await queue.run(trial))

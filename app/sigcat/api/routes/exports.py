@@ -8,10 +8,10 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Path, Request
 from fastapi.responses import Response, StreamingResponse
 
+from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.representation import caching_headers
 from sigcat.api.answers.tree_stream import json_parts
-from sigcat.api.requests.dependencies import TheCatalogue, TheExports, TheSettings
+from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
 from sigcat.catalogue.exporting.vss_tools.exporting import exported, zipped
 from sigcat.catalogue.exporting.vss_tools.formats import FORMATS, Format, Option, format_named, options_of
 from sigcat.errors import InputRefused, UsageError
@@ -82,7 +82,7 @@ async def export_catalogue(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
-    exports: TheExports,
+    queue: TheExportQueue,
     format: Annotated[str, Path(description=f"One of {', '.join(FORMATS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
 ) -> Response:
     """A catalogue in another format. JSON is sent while it is made."""
@@ -94,9 +94,9 @@ async def export_catalogue(
             raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
         return _sent(request, json_parts(catalogue, options), f"{catalogue.roots[0].name}.json", chosen.media_type)
     work = partial(exported, catalogue, chosen.name, options, timeout=settings.heavy_seconds)
-    files = (await exports.run(work)).files
+    files = (await queue.run(work)).files
     if chosen.is_folder or len(files) > 1:
-        archive = await exports.run(partial(zipped, files))
+        archive = await queue.run(partial(zipped, files))
         return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{chosen.name}.zip", "application/zip")
     return _sent(request, _blocks(files[0].data), files[0].name, chosen.media_type)
 

@@ -4,9 +4,9 @@ from fastapi import APIRouter
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import lint_report
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
+from sigcat.api.answers.serializers import lint_report
+from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
@@ -51,7 +51,7 @@ async def build_function_json(
     text: PostedText,
     hosted: NamedCatalogue,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     name: FileName = "function.yaml",
 ) -> Response:
     """Resolve a declaration against a catalogue. To see the warnings, lint the same text with `kind=function`."""
@@ -61,7 +61,7 @@ async def build_function_json(
         warnings = {"Sigcat-Warnings": str(len(findings))}
         return Response(to_json(function), media_type="application/json", headers=warnings)
 
-    return await heavy.run(built)
+    return await queue.run(built)
 
 
 @router.post(
@@ -73,7 +73,7 @@ async def validate_function(
     text: PostedText,
     hosted: NamedCatalogue,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     name: FileName = "function.json",
 ) -> schemas.LintReport:
     """Check functions, alone and together. Errors make them unusable; warnings are departures from the conventions.
@@ -84,7 +84,7 @@ async def validate_function(
     def checked() -> schemas.LintReport:
         return lint_report(check_posted(text, name, hosted.catalogue, settings.limits))
 
-    return await heavy.run(checked)
+    return await queue.run(checked)
 
 
 def check_posted(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> tuple[Finding, ...]:

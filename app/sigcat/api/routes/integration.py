@@ -15,7 +15,7 @@ from sigcat.adapter.generator import Generator
 from sigcat.adapter.generators import GENERATORS
 from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheHeavyWork, TheSettings, text_body
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.hosting.library import Hosted
@@ -70,13 +70,13 @@ async def integrate_functions(
     text: PostedText,
     hosted: NamedCatalogue,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     platform: PlatformName,
     name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
     archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    return await heavy.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
+    return await queue.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
 
 
 def _add_generator(generator: Generator) -> None:
@@ -85,12 +85,12 @@ def _add_generator(generator: Generator) -> None:
     async def generate_files(
         text: PostedText,
         settings: TheSettings,
-        heavy: TheHeavyWork,
+        queue: TheWorkQueue,
         name: Annotated[
             str, Query(max_length=300, description="What findings call the text.")
         ] = f"{generator.platform.name}.json",
     ) -> Response:
-        return await heavy.run(partial(_generated, generator, text, name, settings.limits))
+        return await queue.run(partial(_generated, generator, text, name, settings.limits))
 
     router.post(
         f"/generate/{generator.name}",

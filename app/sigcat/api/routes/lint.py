@@ -7,16 +7,16 @@ from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import lint_report
+from sigcat.api.answers.negotiation import json_answer
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.representation import json_answer
+from sigcat.api.answers.serializers import lint_report
 from sigcat.api.requests.dependencies import (
     FileName,
     NamedCatalogue,
     PostedText,
-    TheHeavyWork,
     TheRules,
     TheSettings,
+    TheWorkQueue,
     text_body,
 )
 from sigcat.api.requests.function_files import SET
@@ -46,7 +46,7 @@ async def lint(
     hosted: NamedCatalogue,
     rules: TheRules,
     settings: TheSettings,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     kind: Annotated[
         Literal["overlay", "tree", "function"],
         Query(description="An overlay over the catalogue, a tree by itself, or functions."),
@@ -59,4 +59,4 @@ async def lint(
     else:
         is_tree = kind == "tree"
         work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=is_tree, limits=settings.limits)
-    return json_answer(lint_report(await heavy.run(work)))
+    return json_answer(lint_report(await queue.run(work)))

@@ -5,10 +5,10 @@ from functools import partial
 from fastapi import APIRouter
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import catalogue_detail
 from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.serializers import catalogue_detail
 from sigcat.api.middleware.access import needs
-from sigcat.api.requests.dependencies import AnyCatalogue, TheHeavyWork, TheLibrary
+from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheWorkQueue
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["operation"])
 
@@ -18,10 +18,10 @@ router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["operation"])
     responses=problem_documentation(401, 403, 404, 422, 503),
     dependencies=list(needs("reload")),
 )
-async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, heavy: TheHeavyWork) -> schemas.Catalogue:
+async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: TheWorkQueue) -> schemas.Catalogue:
     """Read the files again. With errors in them the last good state stays, and `rejected` says why.
 
     Of several workers or replicas, the one that answers reloads; the others follow with `watch`, or when asked too.
     """
-    fresh = await heavy.run(partial(library.reload, hosted.source.id))
+    fresh = await queue.run(partial(library.reload, hosted.source.id))
     return catalogue_detail(fresh)

@@ -6,9 +6,9 @@ from fastapi import APIRouter, Path, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import rule_detail, rule_summary
+from sigcat.api.answers.negotiation import answer, offered, rows
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.representation import answer, offered, rows
+from sigcat.api.answers.serializers import rule_detail, rule_summary
 from sigcat.api.requests.dependencies import TheRules
 
 router = APIRouter(prefix="/api/v1/rules", tags=["rules"])

@@ -13,9 +13,9 @@ from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import plain, plain_text
+from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import PROBLEM, problem_documentation
-from sigcat.api.answers.representation import caching_headers
+from sigcat.api.answers.serializers import plain, plain_text
 from sigcat.api.requests.dependencies import TheCatalogue, TheSettings
 from sigcat.catalogue.model.catalogue import Node
 

@@ -1,23 +1,19 @@
-"""The pages: what each shows is found here, how it looks is the templates' matter."""
+"""Pages of a catalogue: its tree, a search in it, its units, its layers and findings."""
 
-from collections import Counter
 from collections.abc import Mapping
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, RedirectResponse, Response
 
-from sigcat.api.answers.presenting import catalogue_detail, node_detail, rule_detail
-from sigcat.api.answers.problems import KINDS
+from sigcat.api.answers.serializers import catalogue_detail, node_detail
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.cursors import cursor_of, offset_of
-from sigcat.api.requests.dependencies import AnyCatalogue, NamedCatalogue, TheLibrary, TheRules, TheSettings, library_of
+from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheSettings, library_of
 from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
 from sigcat.catalogue.search import FACETS
-from sigcat.errors import NotFound
-from sigcat.rules.record import Rule
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
@@ -28,7 +24,6 @@ router = APIRouter()
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000
-_MOST_FINDINGS = 200
 _MOST_PICTURED = 50_000
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
@@ -120,36 +115,6 @@ def show_units(request: Request, hosted: AnyCatalogue) -> Response:
 def show_catalogue(request: Request, hosted: AnyCatalogue) -> Response:
     """A catalogue's layers and findings."""
     return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted), sunburst=_picture(hosted))
-
-
-@router.get("/rules")
-def show_rules(request: Request, hosted: NamedCatalogue, rules: TheRules) -> Response:
-    """Every rule, with the number of its findings in a catalogue."""
-    by_category: dict[str, list[Rule]] = {}
-    for rule in rules.rules:
-        by_category.setdefault(rule.category, []).append(rule)
-    found = Counter(finding.rule for finding in rules.findings_in(hosted.catalogue))
-    return page(request, "rules.html", hosted=hosted, by_category=by_category, found=found)
-
-
-@router.get("/rules/{rule_id}")
-def show_rule(request: Request, hosted: NamedCatalogue, rules: TheRules, rule_id: str) -> Response:
-    """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
-    if rule_id.endswith(".json"):
-        return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
-    rule = rule_detail(rules.get(rule_id))
-    findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
-    return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
-
-
-@router.get("/problems/{kind}")
-def show_problem_kind(request: Request, kind: str) -> Response:
-    """What a kind of problem means: the address in its `type`."""
-    known = {name: (status, title) for status, (name, title) in KINDS.items()}
-    if kind not in known:
-        raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
-    status, title = known[kind]
-    return page(request, "problem_kind.html", code=status, title=title)
 
 
 @router.get("/{page_name}.ico", include_in_schema=False)

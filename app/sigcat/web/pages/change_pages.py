@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from sigcat.api.requests.dependencies import TheHeavyWork, TheLibrary
+from sigcat.api.requests.dependencies import TheLibrary, TheWorkQueue
 from sigcat.catalogue.comparing.changes import CLASSES, KINDS, Change
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.hosting.library import Hosted, Library
@@ -45,7 +45,7 @@ class Facet(NamedTuple):
 async def show_changes(
     request: Request,
     library: TheLibrary,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     old: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     new: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     compatibility: Annotated[str, Query(alias="class")] = "",
@@ -53,8 +53,8 @@ async def show_changes(
     below: Annotated[str, Query(max_length=500)] = "",
 ) -> Response:
     """The changes from one catalogue to another, as a tree with filters."""
-    before, after = await heavy.run(partial(_sides, library, old, new))
-    changes = await heavy.run(partial(changes_between, before.catalogue, after.catalogue))
+    before, after = await queue.run(partial(_sides, library, old, new))
+    changes = await queue.run(partial(changes_between, before.catalogue, after.catalogue))
     filters = {"class": compatibility, "kind": kind}
     within = [change for change in changes if not below or f"{_place(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]

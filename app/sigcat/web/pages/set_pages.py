@@ -7,8 +7,8 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, Response
 
-from sigcat.api.answers.presenting import finding_counts
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheHeavyWork, TheLibrary, settings_of
+from sigcat.api.answers.serializers import finding_counts
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheLibrary, TheWorkQueue, settings_of
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.errors import NotFound, UsageError
 from sigcat.findings import Finding
@@ -18,7 +18,6 @@ from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
 from sigcat.web.rendering import page
-from sigcat.web.views.documents import SET_VIEWS, MadeDocument, attached, chosen_view, integrations_of
 from sigcat.web.views.function_sets import (
     FunctionSet,
     as_text,
@@ -28,7 +27,8 @@ from sigcat.web.views.function_sets import (
     shipped_files,
     shipped_set,
 )
-from sigcat.web.views.shelf import shelf
+from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, attached, chosen_view, integrations_of
+from sigcat.web.views.shipped_functions import shipped_functions
 from sigcat.web.views.source_view import SourceView, shown_text, source_view
 
 router = APIRouter()
@@ -45,7 +45,7 @@ Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functi
 async def show_wiring(
     request: Request,
     hosted: NamedCatalogue,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     functions: Chosen = None,
     write: Annotated[bool, Query(description="Whether to begin with functions of one's own.")] = False,
     view: str = "files",
@@ -56,31 +56,31 @@ async def show_wiring(
     def work() -> Response:
         return _page(request, hosted, chosen, shipped_set(chosen, hosted.catalogue), view=view, is_writing=write)
 
-    return await heavy.run(work)
+    return await queue.run(work)
 
 
 @router.post("/wiring")
-async def connect_posted(request: Request, library: TheLibrary, heavy: TheHeavyWork, body: PostedBody) -> Response:
+async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQueue, body: PostedBody) -> Response:
     """The same page for posted functions, together with the shipped ones that are named. Nothing of them is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
-    hosted = await form_catalogue(form, library, heavy)
-    return await heavy.run(partial(_posted, request, hosted, form))
+    hosted = await form_catalogue(form, library, queue)
+    return await queue.run(partial(_posted, request, hosted, form))
 
 
 @router.get("/wiring/files/{document_id}")
 async def download_of_set(
-    hosted: NamedCatalogue, heavy: TheHeavyWork, document_id: str, functions: Chosen = None
+    hosted: NamedCatalogue, queue: TheWorkQueue, document_id: str, functions: Chosen = None
 ) -> Response:
     """A document that is made from a set of functions, as a file."""
     chosen = _chosen(functions)
-    return await heavy.run(lambda: _download(shipped_set(chosen, hosted.catalogue).whole, document_id))
+    return await queue.run(lambda: _download(shipped_set(chosen, hosted.catalogue).whole, document_id))
 
 
 @router.get("/wiring.json")
-async def get_wiring(hosted: NamedCatalogue, heavy: TheHeavyWork, functions: Chosen = None) -> Response:
+async def get_wiring(hosted: NamedCatalogue, queue: TheWorkQueue, functions: Chosen = None) -> Response:
     """The wiring of a set of functions as data."""
     chosen = _chosen(functions)
-    return JSONResponse(_as_data(await heavy.run(partial(shipped_set, chosen, hosted.catalogue))))
+    return JSONResponse(_as_data(await queue.run(partial(shipped_set, chosen, hosted.catalogue))))
 
 
 def _posted(request: Request, hosted: Hosted, form: Form) -> Response:
@@ -109,7 +109,7 @@ def _page(
         request,
         "wiring.html",
         hosted=hosted,
-        functions=shelf(hosted.catalogue),
+        functions=shipped_functions(hosted.catalogue),
         chosen=chosen,
         own=own,
         is_writing=is_writing or (bool(own) and not together.functions),
@@ -126,7 +126,7 @@ def _page(
         view=chosen_view(view, VIEWS),
         documents=_documents(together.whole, "" if view == "files" else view),
         made_from=[function.info.function_name for function in together.whole],
-        ids={each.name: each.id for each in shelf(hosted.catalogue) if each.id in chosen},
+        ids={each.name: each.id for each in shipped_functions(hosted.catalogue) if each.id in chosen},
         is_eco_control=not own and set(chosen) == set(ECO_CONTROL),
     )
 
@@ -158,7 +158,7 @@ def _check_size(functions: Sequence[object]) -> None:
         raise UsageError(f"A set has {_MOST_FUNCTIONS} functions at most.")
 
 
-def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[MadeDocument]:
+def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[GeneratedDocument]:
     return integrations_of(functions, "FunctionSet", view) if functions else ()
 
 

@@ -6,9 +6,9 @@ from typing import Annotated, Literal, NamedTuple
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from sigcat.api.answers.presenting import finding_counts
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheHeavyWork, TheLibrary, TheRules, settings_of
-from sigcat.api.rulebook import RuleBook
+from sigcat.api.answers.serializers import finding_counts
+from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheLibrary, TheRules, TheWorkQueue, settings_of
+from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import OVERLAYS
@@ -24,8 +24,8 @@ from sigcat.web.forms import Form, form_catalogue, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
-from sigcat.web.views.documents import VIEWS, attached, chosen_view, documents_of
-from sigcat.web.views.shelf import FILE, from_shelf
+from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, documents_of
+from sigcat.web.views.shipped_functions import FILE, shipped_function
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter()
@@ -74,7 +74,7 @@ async def show_try(
     request: Request,
     hosted: NamedCatalogue,
     rules: TheRules,
-    heavy: TheHeavyWork,
+    queue: TheWorkQueue,
     kind: Kind = "overlay",
     example: Annotated[str, Query(max_length=100)] = "",
 ) -> Response:
@@ -84,20 +84,20 @@ async def show_try(
         text = _beginning(kind, example, hosted.catalogue)
         return _page(request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode()))
 
-    return await heavy.run(work)
+    return await queue.run(work)
 
 
 @router.post("/try")
 async def try_text(
-    request: Request, library: TheLibrary, rules: TheRules, heavy: TheHeavyWork, body: PostedBody
+    request: Request, library: TheLibrary, rules: TheRules, queue: TheWorkQueue, body: PostedBody
 ) -> Response:
     """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
-    hosted = await form_catalogue(form, library, heavy)
-    return await heavy.run(partial(_tried_form, request, hosted, rules, form))
+    hosted = await form_catalogue(form, library, queue)
+    return await queue.run(partial(_tried_form, request, hosted, rules, form))
 
 
-def _tried_form(request: Request, hosted: Hosted, rules: RuleBook, form: Form) -> Response:
+def _tried_form(request: Request, hosted: Hosted, rules: ServiceRules, form: Form) -> Response:
     given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
@@ -122,11 +122,11 @@ def _download(function: FunctionJson | None, document_id: str) -> Response:
     return attached(known[document_id])
 
 
-def _judged(request: Request, hosted: Hosted, rules: RuleBook, kind: Kind, data: bytes) -> Tried:
+def _judged(request: Request, hosted: Hosted, rules: ServiceRules, kind: Kind, data: bytes) -> Tried:
     return tried(data, kind, hosted.catalogue, rules, settings_of(request).limits)
 
 
-def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: RuleBook, limits: Limits) -> Tried:
+def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:
     """What is wrong with a text, and the function that it declares."""
     if kind != "function":
         is_tree = kind == "tree"
@@ -161,7 +161,7 @@ def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried
 
 def _beginning(kind: Kind, example: str, catalogue: Catalogue) -> str:
     if kind == "function":
-        return from_shelf(catalogue, example or "core_acc").text
+        return shipped_function(catalogue, example or "core_acc").text
     if kind == "overlay" and example:
         shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
         if example in shipped:

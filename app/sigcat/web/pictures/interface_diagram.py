@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from sigcat.function.function_json.model import PROVIDER, FunctionJson, Runnable
 from sigcat.function.sets.wiring import calls_of, data_of
-from sigcat.web.typesetting import unit as typeset_unit
+from sigcat.web.template_filters import unit as typeset_unit
 
 WIDTH = 1120
 BOX_LEFT, BOX_RIGHT = 380, 740

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from sigcat.web.typesetting import scalar
+from sigcat.web.template_filters import scalar
 
 _LEFT, _WIDTH = 8, 304
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import SIGNALS
-from sigcat.web.typesetting import number
+from sigcat.web.template_filters import number
 
 _INNER, _RING, _RIM = 92, 74, 11
 _DEPTH = 3

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat.function.function_json.model import FunctionJson, Runnable, milliseconds
 from sigcat.function.sets.wiring import calls_of
-from sigcat.web.typesetting import number
+from sigcat.web.template_filters import number
 
 LEFT, WIDTH = 250, 800
 _ROW = 34

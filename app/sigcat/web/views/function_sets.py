@@ -13,7 +13,7 @@ from sigcat.function.sets.check_set import check_set, read_set
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.web.forms import PostedFile
-from sigcat.web.views.shelf import FILE, from_shelf
+from sigcat.web.views.shipped_functions import FILE, shipped_function
 from sigcat.web.views.source_view import shown_text
 
 _SEPARATOR = re.compile(r"^---[ \t]*(?:#[ \t]*(.*?))?[ \t]*$", re.MULTILINE)
@@ -53,8 +53,8 @@ def shipped_set(function_ids: tuple[str, ...], catalogue: Catalogue) -> Function
 
 def shipped_files(function_ids: Iterable[str], catalogue: Catalogue) -> tuple[PostedFile, ...]:
     """The declarations of shipped functions. Raises NotFound with the nearest ids."""
-    shelved = (from_shelf(catalogue, each) for each in function_ids)
-    return tuple(PostedFile(f"{each.id}/{FILE}", each.text.encode()) for each in shelved)
+    shipped = (shipped_function(catalogue, each) for each in function_ids)
+    return tuple(PostedFile(f"{each.id}/{FILE}", each.text.encode()) for each in shipped)
 
 
 def documents_in(text: str) -> tuple[PostedFile, ...]:

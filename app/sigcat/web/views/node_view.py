@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.presenting import node_detail
+from sigcat.api.answers.serializers import node_detail
 from sigcat.catalogue.exporting.static_id import static_id
 from sigcat.catalogue.hosting.variants import instance_counts
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -13,7 +13,7 @@ from sigcat.integration.ros2.names import field_name, message_name, topic_name
 from sigcat.names import last_name
 from sigcat.rules.record import Rule
 from sigcat.web.pictures.range_bar import RangeBar, range_bar
-from sigcat.web.views.shelf import Use, uses
+from sigcat.web.views.shipped_functions import NodeUse, node_uses
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
 MOST_CHILDREN = 400
@@ -37,7 +37,7 @@ class NodeView(NamedTuple):
     values: Mapping[str, object]
     names: tuple[tuple[str, str], ...]
     """The name of the node elsewhere: (where, name)."""
-    uses: tuple[Use, ...]
+    uses: tuple[NodeUse, ...]
     """Shipped functions that use the node, or an instance of it where instances are folded."""
     instances: int
     """In how many places of the tree the node stands, where instances are folded."""
@@ -49,7 +49,7 @@ class NodeView(NamedTuple):
 def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) -> NodeView:
     """Everything that the page of a node shows."""
     detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
-    used = tuple(uses(catalogue).get(node.path, ()))
+    used = tuple(node_uses(catalogue).get(node.path, ()))
     values = {attribute.name: attribute.value for attribute in detail.attributes}
     return NodeView(
         detail,
@@ -91,7 +91,7 @@ def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ..
     return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
 
 
-def _names(node: Node, detail: schemas.Node, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> tuple[tuple[str, str], ...]:
     """The name of a node for each of those who have rules of their own for names."""
     names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
     if detail.interface_name:
@@ -101,7 +101,7 @@ def _names(node: Node, detail: schemas.Node, used: Sequence[Use]) -> tuple[tuple
     return (*names, *_names_of_signal(node.path, used), ("Static id", static_id(node)))
 
 
-def _names_of_signal(path: str, used: Sequence[Use]) -> tuple[tuple[str, str], ...]:
+def _names_of_signal(path: str, used: Sequence[NodeUse]) -> tuple[tuple[str, str], ...]:
     variable = field_name(path.partition(".")[2] or path).text
     provider = next((use.component for use in used if use.verb == "provides"), branch_of(path))
     service, event = service_name(provider), event_name(path)

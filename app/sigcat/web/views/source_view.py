@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from sigcat.api.answers.presenting import finding_schema
 from sigcat.api.answers.schemas import Finding as ShownFinding
+from sigcat.api.answers.serializers import finding_schema
 from sigcat.findings import SEVERITIES, Finding
 
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.names import parent_path
-from sigcat.web.typesetting import number, unit
+from sigcat.web.template_filters import number, unit
 
 EVERYTHING = "*"
 _NO_COUNTS: Mapping[str, int] = {}

@@ -1,4 +1,4 @@
-"""What every request passes: an id, who may come in, and a note of how it went."""
+"""What every request passes first: it gets an id, and how it went is counted and logged."""
 
 import asyncio
 import json
@@ -9,29 +9,24 @@ from time import perf_counter
 from typing import Any
 
 from fastapi import Request
-from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
-from sigcat.api.heavy_work import Busy
-from sigcat.api.middleware.access import check_scope
 from sigcat.api.middleware.metrics import Metrics
 from sigcat.api.settings import Settings
+from sigcat.api.work_queue import Busy
 
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
-_ALWAYS_OPEN = ("/health/", "/problems/", "/static/")
 _ids = Random()  # noqa: S311 — an id names a request and keeps no secret; asking the system lets other threads go first
 _log = logging.getLogger("sigcat.requests")
 
 
-class Entrance:
-    """Gives each request an id, asks for a token where reading is closed, counts and logs."""
+class RequestLog:
+    """Gives each request an id, counts it and logs it. HEAD is GET of which the body is not sent."""
 
     def __init__(self, app: ASGIApp, settings: Settings, metrics: Metrics) -> None:
         self._app = app
-        self._settings = settings
         self._metrics = metrics
-        self._is_closed = settings.reading == "token"
         self._is_logged = settings.log == "json"
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -41,7 +36,7 @@ class Entrance:
             return
         began = perf_counter()
         method = scope["method"]
-        asked = {**scope, "method": "GET"} if method == "HEAD" else scope  # HEAD is GET of which the body is not sent
+        asked = {**scope, "method": "GET"} if method == "HEAD" else scope
         state: dict[str, Any] = asked.setdefault("state", {})
         request_id = state["request_id"] = _request_id(asked)
         header = (b"x-request-id", request_id.encode())
@@ -57,8 +52,6 @@ class Entrance:
             await send(message)
 
         try:
-            if self._is_closed and not _is_open(asked) and not await self._may_read(asked, receive, noting_send):
-                return
             await self._app(asked, receive, noting_send)
         except asyncio.CancelledError:  # the server stops, and `stop_seconds` are over
             if status:
@@ -67,17 +60,6 @@ class Entrance:
             await response(asked, receive, noting_send)
         finally:
             self._note(asked, method, status or 500, perf_counter() - began)
-
-    async def _may_read(self, scope: Scope, receive: Receive, send: Send) -> bool:
-        """Whether the token allows reading; if not, the problem is sent."""
-        request = Request(scope)
-        try:
-            check_scope(request.headers.get("authorization", ""), "read", self._settings.tokens)
-        except HTTPException as refusal:
-            response = await answer_problem(request, refusal)
-            await response(scope, receive, send)
-            return False
-        return True
 
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
@@ -99,9 +81,3 @@ def _request_id(scope: Scope) -> str:
             given: str = value.decode("ascii")
             return given
     return f"{_ids.getrandbits(64):016x}"
-
-
-def _is_open(scope: Scope) -> bool:
-    """Health, explanations of problems and their style need no token; nor does a browser's question before CORS."""
-    path: str = scope["path"].removeprefix(scope.get("root_path", ""))
-    return path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"

@@ -1,4 +1,4 @@
-"""Heavy work: a few at once in threads of their own, a bounded queue before them, and an honest 503 beyond it."""
+"""Work that takes long: a few at once in threads of their own, a bounded queue before them, and a 503 beyond it."""
 
 import asyncio
 from collections.abc import Callable
@@ -20,7 +20,7 @@ class Busy(HTTPException):
         super().__init__(HTTPStatus.SERVICE_UNAVAILABLE, detail, headers={"Retry-After": str(RETRY_SECONDS)})
 
 
-class HeavyWork:
+class WorkQueue:
     """Compositions, lints, diffs, exports: the event loop stays free while they run."""
 
     def __init__(self, at_once: int, waiting: int, seconds: float) -> None:

@@ -17,7 +17,7 @@ from sigcat.names import nearest
 FILE = "function.yaml"
 
 
-class Shelved(NamedTuple):
+class ShippedFunction(NamedTuple):
     """A function with its declaration. `function` is None if the declaration does not fit the catalogue."""
 
     id: str
@@ -31,7 +31,7 @@ class Shelved(NamedTuple):
         return self.function.info.function_name if self.function else self.id
 
 
-class Use(NamedTuple):
+class NodeUse(NamedTuple):
     """That a function uses a node."""
 
     function_id: str
@@ -46,35 +46,35 @@ class Use(NamedTuple):
 
 
 @lru_cache(maxsize=8)
-def shelf(catalogue: Catalogue) -> tuple[Shelved, ...]:
+def shipped_functions(catalogue: Catalogue) -> tuple[ShippedFunction, ...]:
     """Every shipped function, built against a catalogue."""
     files = sorted(EXAMPLES.glob(f"*/{FILE}"))
-    return tuple(shelved(file.parent.name, file.read_text("utf-8"), catalogue) for file in files)
+    return tuple(built(file.parent.name, file.read_text("utf-8"), catalogue) for file in files)
 
 
-def shelved(function_id: str, text: str, catalogue: Catalogue) -> Shelved:
+def built(function_id: str, text: str, catalogue: Catalogue) -> ShippedFunction:
     """A function from the text of its declaration."""
     checked = checked_file(text.encode("utf-8", "replace"), FILE, catalogue)
-    return Shelved(function_id, text, checked.sound_function, checked.findings)
+    return ShippedFunction(function_id, text, checked.sound_function, checked.findings)
 
 
-def from_shelf(catalogue: Catalogue, function_id: str) -> Shelved:
+def shipped_function(catalogue: Catalogue, function_id: str) -> ShippedFunction:
     """A shipped function by its id. Raises NotFound with the nearest ids."""
-    known = {each.id: each for each in shelf(catalogue)}
+    known = {each.id: each for each in shipped_functions(catalogue)}
     if function_id not in known:
         raise NotFound(f"There is no function {function_id!r}.", nearest(function_id[:100], known))
     return known[function_id]
 
 
 @lru_cache(maxsize=8)
-def uses(catalogue: Catalogue) -> Mapping[str, Sequence[Use]]:
+def node_uses(catalogue: Catalogue) -> Mapping[str, Sequence[NodeUse]]:
     """Which shipped functions use a node, by its path.
 
     Without a branch of functions none can be built, and working out what each name may have meant takes its time.
     """
-    found: dict[str, list[Use]] = {}
+    found: dict[str, list[NodeUse]] = {}
     has_functions = any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
-    for each in shelf(catalogue) if has_functions else ():
+    for each in shipped_functions(catalogue) if has_functions else ():
         if each.function is not None:
             for path, use in _uses_of(each.id, each.function):
                 if path:
@@ -82,13 +82,13 @@ def uses(catalogue: Catalogue) -> Mapping[str, Sequence[Use]]:
     return found
 
 
-def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None, Use]]:
+def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None, NodeUse]]:
     name = function.info.function_name
-    made: list[tuple[str | None, Use]] = []
+    made: list[tuple[str | None, NodeUse]] = []
     components = {call.name: component.name for component in function.components for call in component.runnables}
 
     def add(path: str | None, verb: str, call: str = "", own: str = "") -> None:
-        made.append((path, Use(function_id, name, verb, call, own, components.get(call, ""))))
+        made.append((path, NodeUse(function_id, name, verb, call, own, components.get(call, ""))))
 
     for call in calls_of(function):
         add(call.vss_path, "runs")

@@ -3,7 +3,7 @@
 import pytest
 from markupsafe import Markup
 
-from sigcat.web.typesetting import breakable, count, date, marked, number, scalar, unit, with_code
+from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
 
 
 @pytest.mark.parametrize(

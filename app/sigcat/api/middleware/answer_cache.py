@@ -1,4 +1,4 @@
-"""Answers about a catalogue that are kept, so that the same question costs no more than sending them again.
+"""Answers about a catalogue that are cached, so that the same question costs no more than sending them again.
 
 An answer belongs to the state of the catalogue that it was made from; with another state it is forgotten.
 """
@@ -14,12 +14,12 @@ from sigcat.errors import NotFound
 
 _LARGEST = 256 * 1024
 _ASKED = (b"accept", b"accept-encoding", b"if-none-match")
-_KEPT_ON_304 = (b"etag", b"cache-control", b"vary")
+_SENT_WITH_304 = (b"etag", b"cache-control", b"vary")
 
 Key = tuple[str, bytes, bytes, bytes]
 
 
-class Kept(NamedTuple):
+class CachedAnswer(NamedTuple):
     """An answer, and what it was made from."""
 
     hosted: Hosted
@@ -30,14 +30,14 @@ class Kept(NamedTuple):
     size: int
 
 
-class KeptAnswers:
-    """Sends what is kept, and keeps what is small and belongs to a state. The least recently used goes first."""
+class AnswerCache:
+    """Sends what is cached, and keeps what is small and belongs to a state. The least recently used goes first."""
 
     def __init__(self, app: ASGIApp, library: Library, most_bytes: int) -> None:
         self._app = app
         self._library = library
         self._most_bytes = most_bytes
-        self._kept: OrderedDict[Key, Kept] = OrderedDict()
+        self._cached: OrderedDict[Key, CachedAnswer] = OrderedDict()
         self._bytes = 0
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -47,22 +47,22 @@ class KeptAnswers:
             return
         asked = {name: value for name, value in scope["headers"] if name in _ASKED}
         key = (scope["path"], scope["query_string"], asked.get(b"accept", b""), asked.get(b"accept-encoding", b""))
-        kept = self._kept.get(key)
-        if kept is not None and self._is_present(kept.hosted):
-            await self._send_kept(kept, key, asked.get(b"if-none-match"), scope, send)
+        cached = self._cached.get(key)
+        if cached is not None and self._is_present(cached.hosted):
+            await self._send_cached(cached, key, asked.get(b"if-none-match"), scope, send)
             return
-        await self._app(scope, receive, _Keeping(self, key, scope, send))
+        await self._app(scope, receive, _CachingSend(self, key, scope, send))
 
-    async def _send_kept(self, kept: Kept, key: Key, known: bytes | None, scope: Scope, send: Send) -> None:
-        self._kept.move_to_end(key)
-        scope["state"]["route"] = kept.route
-        if known is not None and is_known(known.decode("latin-1"), kept.version):
-            headers = [pair for pair in kept.start["headers"] if pair[0] in _KEPT_ON_304]
+    async def _send_cached(self, cached: CachedAnswer, key: Key, known: bytes | None, scope: Scope, send: Send) -> None:
+        self._cached.move_to_end(key)
+        scope["state"]["route"] = cached.route
+        if known is not None and is_known(known.decode("latin-1"), cached.version):
+            headers = [pair for pair in cached.start["headers"] if pair[0] in _SENT_WITH_304]
             await send({"type": "http.response.start", "status": 304, "headers": headers})
             await send({"type": "http.response.body", "body": b""})
             return
-        await send({**kept.start, "headers": list(kept.start["headers"])})
-        await send(kept.body)
+        await send({**cached.start, "headers": list(cached.start["headers"])})
+        await send(cached.body)
 
     def _is_present(self, hosted: Hosted) -> bool:
         try:
@@ -70,19 +70,19 @@ class KeptAnswers:
         except NotFound:
             return False
 
-    def keep(self, key: Key, kept: Kept) -> None:
+    def add(self, key: Key, cached: CachedAnswer) -> None:
         """Keep an answer, and forget the oldest ones beyond the bound."""
-        earlier = self._kept.pop(key, None)
-        self._bytes += kept.size - (earlier.size if earlier else 0)
-        self._kept[key] = kept
+        earlier = self._cached.pop(key, None)
+        self._bytes += cached.size - (earlier.size if earlier else 0)
+        self._cached[key] = cached
         while self._bytes > self._most_bytes:
-            self._bytes -= self._kept.popitem(last=False)[1].size
+            self._bytes -= self._cached.popitem(last=False)[1].size
 
 
-class _Keeping:
+class _CachingSend:
     """Passes messages on, and keeps an answer that comes in one piece."""
 
-    def __init__(self, answers: KeptAnswers, key: Key, scope: Scope, send: Send) -> None:
+    def __init__(self, answers: AnswerCache, key: Key, scope: Scope, send: Send) -> None:
         self._answers = answers
         self._key = key
         self._scope = scope
@@ -107,4 +107,4 @@ class _Keeping:
             return
         version = state["caching"]["ETag"].removeprefix('W/"').rstrip('"')
         route = getattr(self._scope.get("route"), "path", "")
-        self._answers.keep(self._key, Kept(hosted, version, route, start, dict(body), size))
+        self._answers.add(self._key, CachedAnswer(hosted, version, route, start, dict(body), size))

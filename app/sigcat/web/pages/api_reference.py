@@ -1,4 +1,4 @@
-"""The reference of the API as a page, made from the OpenAPI document; nothing is fetched from elsewhere."""
+"""The reference of the API as pages: its operations, from the OpenAPI document, and its kinds of problems."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
+from sigcat.api.answers.problems import KINDS
+from sigcat.errors import NotFound
 from sigcat.web.rendering import page
 
 router = APIRouter()
@@ -61,6 +63,16 @@ def show_reference(request: Request) -> Response:
     return page(
         request, "docs.html", document=document, operations=operations(document, base), schemas=schemas(document)
     )
+
+
+@router.get("/problems/{kind}")
+def show_problem_kind(request: Request, kind: str) -> Response:
+    """What a kind of problem means: the address in its `type`."""
+    known = {name: (status, title) for status, (name, title) in KINDS.items()}
+    if kind not in known:
+        raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
+    status, title = known[kind]
+    return page(request, "problem_kind.html", code=status, title=title)
 
 
 def operations(document: Mapping[str, Any], base: str) -> list[Operation]:

@@ -8,8 +8,8 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from sigcat.adapter.generators import GENERATORS
+from sigcat.api.answers.negotiation import JSON, YAML
 from sigcat.api.answers.problems import KINDS, PROBLEM
-from sigcat.api.answers.representation import JSON, YAML
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.platforms import PLATFORMS
 

@@ -18,7 +18,7 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
 
 
-class MadeDocument(NamedTuple):
+class GeneratedDocument(NamedTuple):
     """A document. Its text is empty if it could not be made; the findings say why."""
 
     id: str
@@ -50,13 +50,13 @@ def chosen_view(given: str, views: Iterable[str]) -> str:
     return given
 
 
-def documents_of(function: FunctionJson, view: str = "") -> tuple[MadeDocument, ...]:
+def documents_of(function: FunctionJson, view: str = "") -> tuple[GeneratedDocument, ...]:
     """The documents of a function: those of one view, or all."""
     own = (_function_json(function),) if view in ("", FUNCTION_JSON) else ()
     return (*own, *integrations_of((function,), function.info.function_name, view))
 
 
-def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[MadeDocument, ...]:
+def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
     """What is made from functions for each platform, as it is without a deployment file."""
     platforms = [platform for platform in PLATFORMS.values() if view in ("", platform.name)]
     generators = [generator for generator in GENERATORS.values() if view in ("", generator.name)]
@@ -66,20 +66,20 @@ def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = ""
     )
 
 
-def attached(document: MadeDocument) -> Response:
+def attached(document: GeneratedDocument) -> Response:
     """The document as a file to be kept."""
     disposition = f"attachment; filename*=UTF-8''{quote(document.file, safe='')}"
     content = document.text.encode("utf-8", "replace")
     return Response(content, media_type=document.media_type, headers={"Content-Disposition": disposition})
 
 
-def _function_json(function: FunctionJson) -> MadeDocument:
+def _function_json(function: FunctionJson) -> GeneratedDocument:
     name = f"{function.info.function_name}.json"
-    return MadeDocument(FUNCTION_JSON, FUNCTION_JSON, name, JSON, _text(to_json(function)))
+    return GeneratedDocument(FUNCTION_JSON, FUNCTION_JSON, name, JSON, _text(to_json(function)))
 
 
-def _integration(platform: Platform, functions: Sequence[FunctionJson], name: str) -> MadeDocument:
-    document = MadeDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
+def _integration(platform: Platform, functions: Sequence[FunctionJson], name: str) -> GeneratedDocument:
+    document = GeneratedDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
     try:
         integrated = integrate(platform, functions)
     except InputRefused as refused:
@@ -87,14 +87,15 @@ def _integration(platform: Platform, functions: Sequence[FunctionJson], name: st
     return document._replace(text=_text(integrated.document), findings=integrated.findings)
 
 
-def _generated(generator: Generator, functions: Sequence[FunctionJson], name: str) -> tuple[MadeDocument, ...]:
+def _generated(generator: Generator, functions: Sequence[FunctionJson], name: str) -> tuple[GeneratedDocument, ...]:
     try:
         integrated = integrate(generator.platform, functions)
         files = generator.generate(integrated.document, f"{name}.{generator.platform.name}.json", DEFAULT_LIMITS)
     except InputRefused as refused:
-        return (MadeDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
+        return (GeneratedDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
     return tuple(
-        MadeDocument(file.name, generator.name, file.name, generator.media_type, _text(file.data)) for file in files
+        GeneratedDocument(file.name, generator.name, file.name, generator.media_type, _text(file.data))
+        for file in files
     )
 
 

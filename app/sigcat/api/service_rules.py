@@ -13,7 +13,7 @@ from sigcat.rules.record import Rule, load_rules
 from sigcat.rules.rule_set import RuleSet
 
 
-class RuleBook:
+class ServiceRules:
     """Rules by code, in order. Findings in a catalogue are computed once for each state of it."""
 
     def __init__(self, rules: tuple[Rule, ...]) -> None:
@@ -38,6 +38,6 @@ class RuleBook:
         return lint_catalogue(catalogue, self.active)
 
 
-def rule_book(folder: Path) -> RuleBook:
+def service_rules(folder: Path) -> ServiceRules:
     """The rules of the files in a folder. Raises InputRefused with everything that is wrong with them."""
-    return RuleBook(load_rules(folder))
+    return ServiceRules(load_rules(folder))
