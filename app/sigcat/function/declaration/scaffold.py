@@ -115,9 +115,9 @@ def scaffold(name: str, schema: str = SCHEMA_FILE) -> str:
     if not _NAME.fullmatch(name):
         better = camel_case(name)
         hint = f": {better!r}, for example" if _NAME.fullmatch(better) else ""
-        raise UsageError(f"{name!r} is no name of a function; write it in CamelCase{hint}")
+        raise UsageError(f"The name of a function must be CamelCase, not {name!r}{hint}")
     if not _ADDRESS.fullmatch(schema):
-        raise UsageError(f"{schema!r} is no address of a schema")
+        raise UsageError(f"The address of a schema must be printable ASCII without spaces, not {schema!r}")
     return _TEXT.replace("__SCHEMA__", schema).replace(_MARK, name)
 
 
