@@ -49,6 +49,47 @@ def test_an_overlay_is_checked_over_the_shipped_tree(capsys):
     assert "Vehicle.Speed" in capsys.readouterr().out
 
 
+FUNCTION = """\
+function: Noise
+description: Watches the noise in the cabin.
+responsible: Acoustics team
+define:
+  scheduling:
+    Init: {asil: QM, description: Clears the mean.}
+    Step: {cycleTime: 100, asil: QM, description: Adds a value to the mean.}
+    Terminate: {asil: QM, description: Gives resources back.}
+components:
+  - name: Noise
+    runnables:
+      - Init
+      - interface: Step
+        data: [{path: Vehicle.Noise, role: consumed, variable: noise, asil: QM, provider: Microphone}]
+      - Terminate
+"""
+NOISE = "Vehicle.Noise:\n  type: sensor\n  datatype: float\n  description: Noise in the cabin.\n"
+
+
+def test_a_function_is_checked_over_the_overlays_of_the_configuration(capsys):
+    Path("function.yaml").write_text(FUNCTION)
+    assert main(["lint", "function.yaml"]) == 1
+    assert "F010" in capsys.readouterr().out
+    Path("overlay.vspec").write_text(NOISE)
+    assert main(["lint", "function.yaml", "-l", "overlay.vspec"]) == 0
+    Path("sigcat.toml").write_text('[lint]\noverlays = ["overlay.vspec"]\n')
+    assert main(["lint", "function.yaml"]) == 0
+
+
+def test_overlays_and_functions_are_checked_over_the_tree_that_is_named(capsys):
+    Path("trees").mkdir()
+    Path("trees/tree.vspec").write_text(ROOT + NOISE)
+    Path("function.yaml").write_text(FUNCTION)
+    Path("overlay.vspec").write_text("Vehicle.Noise:\n  comment: In dB.\n")
+    assert main(["lint", "-s", "trees/tree.vspec", "function.yaml", "overlay.vspec"]) == 0
+    assert main(["lint", "-s", "vss", "overlay.vspec"]) == 1
+    assert main(["lint", "-s", "v0.0", "overlay.vspec"]) == 2
+    assert "release v0.0 is not here" in capsys.readouterr().err
+
+
 def test_json_goes_to_a_file(capsys):
     Path("tree.vspec").write_text(ROOT + SIGNAL)
     assert main(["lint", "tree.vspec", "--format", "json", "-o", "report.json"]) == 1

@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -51,8 +52,12 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
 
 def _add_context(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("what the files are checked against")
-    group.add_argument("-s", "--vspec", type=Path, metavar="FILE", help="tree that overlays are made for")
-    add_many(group, "-l", "--overlays", "overlay that applies before those that are checked")
+    group.add_argument(
+        "-s", "--vspec", type=Path, metavar="TREE",
+        help="tree that overlays and functions are made for: root .vspec file, a folder with one, or a pulled release "
+        "(default: of overlays the one near them, or the shipped one; of functions the shipped one)",
+    )  # fmt: skip
+    add_many(group, "-l", "--overlays", "overlay that applies before those that are checked, and below functions")
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
     add_many(group, "-u", "--units", "units beside those of the tree")
     add_many(group, "-q", "--quantities", "quantities beside those of the tree")
@@ -124,33 +129,54 @@ def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOpt
 
     start = paths[0] if paths[0].is_dir() else paths[0].parent
     file = arguments.config or find_configuration(start)
-    options = read_configuration(file) if file is not None else LintOptions()
-    return options._replace(
+    configured = read_configuration(file) if file is not None else LintOptions()
+    options = _with_tree(arguments.vspec, configured)
+    options = options._replace(
         select=_codes(arguments.select) or options.select,
         ignore=options.ignore + _codes(arguments.ignore),
         extend_select=options.extend_select + _codes(arguments.extend_select),
-        base=arguments.vspec or options.base,
         overlays=(*options.overlays, *arguments.overlays),
         include_dirs=(*options.include_dirs, *arguments.include_dirs),
         units=(*options.units, *arguments.units),
         quantities=(*options.quantities, *arguments.quantities),
         types=(*options.types, *arguments.types),
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
-        check_functions=_check_functions,
     )
+    return options._replace(check_functions=partial(_check_functions, options))
+
+
+def _with_tree(tree: Path | None, options: "LintOptions") -> "LintOptions":
+    """The options with the tree that `-s` names. Raises UsageError, or NotFound with near names."""
+    if tree is None:
+        return options
+    from sigcat.catalogue.hosting.sources import source_of_tree
+
+    source = source_of_tree(str(tree))
+    overlays, types = (*source.overlays, *options.overlays), (*source.types, *options.types)
+    return options._replace(base=source.spec, overlays=overlays, types=types)
 
 
 def _codes(given: list[str]) -> tuple[str, ...]:
     return tuple(code.strip() for part in given for code in part.split(",") if code.strip())
 
 
-def _check_functions(files: "Sequence[tuple[bytes, str]]", is_whole: bool) -> "Sequence[Finding]":
-    """Check function files against the shipped catalogue; loaded only when there are any."""
-    from sigcat.catalogue.hosting.source import load
+def _check_functions(
+    options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool
+) -> "Sequence[Finding]":
+    """Check function files against the tree with the overlays of the options; loaded only when there are any."""
+    from sigcat.catalogue.hosting.source import Source, load
     from sigcat.catalogue.hosting.sources import shipped_sources
     from sigcat.function.sets.check_set import check_functions
 
-    return check_functions(files, load(shipped_sources()[0]), is_whole=is_whole)
+    tree = shipped_sources()[0] if options.base is None else Source(options.base.stem, "", options.base)
+    source = tree._replace(
+        overlays=(*tree.overlays, *options.overlays),
+        units=(*tree.units, *options.units),
+        quantities=options.quantities,
+        types=options.types,
+        include_dirs=options.include_dirs,
+    )
+    return check_functions(files, load(source), is_whole=is_whole)
 
 
 def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequence[Path]", file: Path) -> int:
