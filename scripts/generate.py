@@ -13,12 +13,14 @@ ROOT = Path(__file__).parents[1]
 
 GENERATORS: Mapping[str, str] = {
     "codes": "",
-    "rule_docs": "",
-    "settings_table": "",
+    "rule_docs": "docs/reference/rules/*.md",
+    "command_line": "",
+    "tables": "",
     "openapi": "",
     "licences": "",
     "examples": "examples/*/expected/**/*",
     "cases": "tests/**/expected.*",
+    "shown_outputs": "",
 }
 """Modules of scripts/ in the order in which they run. Each has `files()`, which gives texts by their path in the repository.
 

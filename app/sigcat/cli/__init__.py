@@ -43,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:
         given = sys.argv[1:] if argv is None else argv
-        arguments = _parser(given[0] if given else "").parse_args(given)
+        arguments = parser_of(given[0] if given else "").parse_args(given)
         status: int = arguments.run(arguments)
         sys.stdout.flush()
     except InputRefused as error:
@@ -63,7 +63,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     return status
 
 
-def _parser(wanted: str) -> argparse.ArgumentParser:
+def parser_of(wanted: str) -> argparse.ArgumentParser:
     """The parser of the command `wanted`; of all commands where it is none of them, such as `--help`."""
     parser = CommandParser(
         prog="sigcat",

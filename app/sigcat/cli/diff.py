@@ -43,9 +43,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         epilog=_SIDES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("old", metavar="OLD")
-    parser.add_argument("new", metavar="NEW")
-    parser.add_argument("--format", choices=("text", "json", "markdown"), default="text", help="default: %(default)s")
+    parser.add_argument("old", metavar="OLD", help="side that software was written against")
+    parser.add_argument("new", metavar="NEW", help="side that it is to run with")
+    parser.add_argument(
+        "--format",
+        choices=("text", "json", "markdown"),
+        default="text",
+        help="form of the report (default: %(default)s)",
+    )
     parser.add_argument(
         "--fail-on", choices=_CLASSES, metavar="CLASS",
         help=f"exit with 1 if a change is as bad as this, or worse: {', '.join(_CLASSES)}",

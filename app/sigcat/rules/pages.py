@@ -1,79 +1,33 @@
-"""A rule as a page: the same text on the command line, in the browser and in docs/reference/rules.md."""
+"""A rule as a page: the same text on the command line and in docs/reference/rules."""
 
 from collections.abc import Mapping, Sequence
-from itertools import groupby
 from typing import Any
 
 from sigcat.rules.record import Rule
 
-_CATEGORIES: Mapping[str, str] = {
-    "reading": "Reading files",
-    "vss": "VSS",
-    "units": "Units",
-    "overlay": "Overlays",
-    "data": "Data and parameter interfaces",
-    "error": "Error interfaces",
-    "safety_reaction": "Safety reaction interfaces",
-    "mode": "Mode interfaces",
-    "scheduling": "Scheduling interfaces",
-    "function": "Function files",
-    "portable_names": "Portable names",
-    "integration": "Integration with a platform",
-    "export": "Exports",
-    "request": "Requests to the service",
-    "configuration": "Configuration of the service",
-    "lint": "The linter's own comments and files",
-}
 
-
-def category_title(category: str) -> str:
-    """The heading of a category; that of a company's own category is made from its name."""
-    return _CATEGORIES.get(category, category.replace("_", " ").capitalize())
-
-
-def rule_page(rule: Rule, level: int = 1) -> str:
+def rule_page(rule: Rule) -> str:
     """Everything that is known of a rule, in Markdown."""
     state = "" if rule.default else " Off by default."
     parts = [
-        f"{'#' * level} {rule.id} {rule.name}",
+        f"# {rule.id} {rule.name}",
         rule.title,
         f"Severity: {rule.severity}.{state} Source: {rule.source}.",
         rule.why,
-        *_fields(rule),
+        *filter(None, [field_table(rule)]),
         *_examples("Good", rule.good),
         *_examples("Bad", rule.bad),
     ]
     return "\n\n".join(parts) + "\n"
 
 
-def service_rules(rules: Sequence[Rule]) -> str:
-    """All rules in one Markdown document, by category, with a table at the start."""
-    order = list(_CATEGORIES)
-    places = {category: number for number, category in enumerate(order)}
-    ordered = sorted(rules, key=lambda rule: (places.get(rule.category, len(places)), rule.category, rule.id))
-    parts = [
-        "# Rules of `sigcat lint`",
-        "Made from `interface_rules/` by `make generate`; a test checks that it is up to date.",
-    ]
-    for category, group in groupby(ordered, key=lambda rule: rule.category):
-        members = list(group)
-        rows = "\n".join(f"| [{r.id}](#{r.id.lower()}-{r.name}) | {_severity(r)} | {_cell(r.title)} |" for r in members)
-        parts.append(f"## {category_title(category)}")
-        parts.append(f"| code | severity | rule |\n|---|---|---|\n{rows}")
-        parts.extend(rule_page(rule, 3).rstrip() for rule in members)
-    return "\n\n".join(parts) + "\n"
-
-
-def _severity(rule: Rule) -> str:
-    return rule.severity if rule.default else f"{rule.severity}, off"
-
-
-def _fields(rule: Rule) -> list[str]:
+def field_table(rule: Rule) -> str:
+    """The fields that a rule wants interfaces to have, as a Markdown table; nothing for other rules."""
     fields = rule.options.get("fields")
     if not isinstance(fields, dict):
-        return []
+        return ""
     rows = [row for name, field in fields.items() for row in _rows(name, field)]
-    return ["| field | required | datatype | unit | meaning |\n|---|---|---|---|---|\n" + "\n".join(rows)]
+    return "\n".join(["| field | required | datatype | unit | meaning |", "|---|---|---|---|---|", *rows])
 
 
 def _rows(name: str, field: Mapping[str, Any]) -> list[str]:

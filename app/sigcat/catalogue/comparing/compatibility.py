@@ -46,11 +46,11 @@ TABLE: tuple[Row, ...] = (
     _row("type", "`type`: otherwise", "risky", "It can still be read; who provides it, and when, has changed."),
     _row("datatype", "`datatype`", "breaking", "Values are encoded differently, even if all still fit."),
     _row("arraysize", "`arraysize`", "breaking", "Buffers and messages have a fixed length."),
-    _row("constUID", "`constUID`", "breaking", "Who finds the signal by its identifier no longer does."),
+    _row("constUID", "`constUID`", "breaking", "Lookups by identifier fail."),
     _row("unit", "`unit`: another one", "breaking", "The same number means something else."),
     _row(
         "unit-respelled", "`unit`: another key or case for the same unit", "risky",
-        "Values mean the same; who compares keys as text fails.",
+        "Values mean the same; code that compares keys as text fails.",
     ),
     _row("unit-presence", "`unit`: added or removed", "risky", "Whether the meaning changed, only people know."),
     Row(

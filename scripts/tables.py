@@ -1,0 +1,95 @@
+"""Tables within pages: each stands between `<!-- NAME ARGUMENTS -->` and `<!-- /NAME -->`, and is written anew.
+
+`keys SCHEMA [DEFINITION]`: the keys of a JSON Schema of sigcat. `fields CODE`: the fields that a rule wants interfaces to
+have. `rules PREFIX`: the rules whose codes begin so. `settings`: the settings of the service. `classes`: those of changes.
+"""
+
+import json
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from sigcat.api.read_settings import shown
+from sigcat.api.settings import Settings
+from sigcat.catalogue.comparing.diff_report import class_table
+from sigcat.data import INTERFACE_RULES
+from sigcat.integration.schemas import schema
+from sigcat.rules.pages import field_table
+from sigcat.rules.record import load_rules
+
+ROOT = Path(__file__).parents[1]
+_KINDS = {
+    "string": "text",
+    "object": "mapping",
+    "any": "any",
+    "number": "number",
+    "integer": "integer",
+    "boolean": "boolean",
+}
+_PLACE = re.compile(
+    r"^<!-- (?P<name>keys|fields|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
+    re.MULTILINE | re.DOTALL,
+)
+
+
+def files() -> Mapping[str, str]:
+    """The pages that have tables."""
+    pages = {str(page.relative_to(ROOT)): page.read_text(encoding="utf-8") for page in sorted(ROOT.glob("docs/*/*.md"))}
+    return {name: _PLACE.sub(_filled, text) for name, text in pages.items() if _PLACE.search(text)}
+
+
+def _filled(place: re.Match[str]) -> str:
+    name, arguments = place["name"], place["arguments"]
+    return f"<!-- {name}{arguments} -->\n{_TABLES[name](*arguments.split())}\n<!-- /{name} -->"
+
+
+def _keys(name: str, definition: str = "") -> str:
+    document = schema(name)
+    described = document["$defs"][definition] if definition else document
+    required = described.get("required", ())
+    lines = ["| key | value | meaning |", "|---|---|---|"]
+    for key, value in described["properties"].items():
+        spelled = f"`{key}` (required)" if key in required else f"`{key}`"
+        lines.append(f"| {spelled} | {_kind(value)} | {_meaning(value, document).replace('<', '&lt;')} |")
+    return "\n".join(lines)
+
+
+def _kind(described: Mapping[str, Any]) -> str:
+    """The kind of a value in a few words."""
+    if "anyOf" in described:
+        return " or ".join(_kind(each) for each in described["anyOf"] if each.get("type") != "null")
+    if "enum" in described:
+        return ", ".join(f"`{value}`" for value in described["enum"])
+    if described.get("type") == "array":
+        return f"list: {_kind(described['items'])}"
+    return _KINDS[described.get("type", "object" if "$ref" in described else "any")]
+
+
+def _meaning(described: Mapping[str, Any], document: Mapping[str, Any]) -> str:
+    referred = document["$defs"].get(described.get("$ref", "").rpartition("/")[2], {})
+    text = str(described.get("description") or referred.get("description", ""))
+    default = described.get("default")
+    has_default = isinstance(default, str | int | float) and default != ""
+    return f"{text} Default: `{json.dumps(default)}`." if has_default else text
+
+
+def _fields(code: str) -> str:
+    rule = next(rule for rule in load_rules(INTERFACE_RULES) if rule.id == code)
+    return field_table(rule)
+
+
+def _rules(prefix: str) -> str:
+    rules = (rule for rule in load_rules(INTERFACE_RULES) if rule.id.startswith(prefix))
+    rows = (f"| [{rule.id}](../reference/rules/{rule.id}.md) | {rule.severity} | {rule.title} |" for rule in rules)
+    return "\n".join(["| rule | severity | what holds where it finds nothing |", "|---|---|---|", *rows])
+
+
+def _settings() -> str:
+    rows = (f"| `{name}` | `{value}` | {description} |" for name, value, description in shown(Settings()))
+    return "\n".join(["| setting | default | meaning |", "|---|---|---|", *rows])
+
+
+_TABLES: Mapping[str, Callable[..., str]] = {
+    "keys": _keys, "fields": _fields, "rules": _rules, "settings": _settings, "classes": class_table,
+}  # fmt: skip

@@ -1,0 +1,47 @@
+"""Numbers and names that pages state are those of the code."""
+
+import json
+import re
+
+import pytest
+
+from sigcat.catalogue.hosting.archive import DEFAULT_ARCHIVE_LIMITS as ARCHIVE
+from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS as FETCH
+from sigcat.data import INTERFACE_RULES
+from sigcat.function.function_json.model import function_schema
+from sigcat.rules.record import load_rules
+from tests.documentation.pages import text_of
+
+MIB = 1024 * 1024
+GLOSSARY = text_of("docs/reference/glossary.md").split("## The paper's interfaces")[1].split("\n## ")[0]
+ROWS = [row.split(" | ") for row in re.findall(r"^\| (.*) \|$", GLOSSARY, re.MULTILINE)]
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        (
+            f"{FETCH.bytes // MIB} MiB, {FETCH.idle_seconds:.0f} s without a byte, {FETCH.total_seconds / 60:.0f} minutes in all,"
+            f" {FETCH.redirects} redirects"
+        ),
+        f"{ARCHIVE.entries:,} files, {ARCHIVE.unpacked_bytes // MIB} MiB unpacked, {ARCHIVE.file_bytes // MIB} MiB in one file",
+        f"{ARCHIVE.ratio} times its own size",
+        f"{ARCHIVE.path_characters} characters or {ARCHIVE.path_names} names",
+    ],
+)
+def test_releases_are_refused_where_the_page_says(statement):
+    assert statement in text_of("docs/reference/releases.md")
+
+
+def test_the_glossary_names_attributes_that_rules_know():
+    fields = {name for rule in load_rules(INTERFACE_RULES) for name in rule.options.get("fields", {})}
+    named = {name for row in ROWS for name in re.findall(r"`([a-z]\w+)`", row[1])}
+    assert "maturationTime" in named
+    assert named <= fields
+
+
+def test_the_glossary_names_keys_of_function_json():
+    keys = set(re.findall(r'"(\w+)": \{', json.dumps(function_schema())))
+    named = {name for row in ROWS for name in re.findall(r"`(\w+)`", row[2])}
+    assert "Dependancy" in named
+    assert named <= keys

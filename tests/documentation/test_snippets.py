@@ -1,0 +1,105 @@
+"""Files that pages show can be used as they are shown."""
+
+import re
+import shutil
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+from sigcat.api.read_settings import TABLE, read_settings
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.hosting.configuration import read_configuration as read_catalogues
+from sigcat.cli import main
+from sigcat.data import ROOT_FILE
+from sigcat.rules.linting.configuration import _FIELDS, read_configuration
+from sigcat.rules.linting.selection import rules_for, selected
+from sigcat.rules.record import parse_rules
+from tests.catalogue.hosting.archives import saved, tar_bytes
+from tests.documentation.pages import ROOT, block, blocks, text_of
+
+CONFIGURATION = "docs/reference/configuration.md"
+COMPANY = "docs/how-to/own-catalogue-and-rules.md"
+PIPELINE = "docs/how-to/pipeline.md"
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_configuration_of_the_linter_is_one(folder):
+    (folder / "generated").mkdir()
+    shutil.copytree(ROOT / "vspec", "vspec")
+    Path("our-rules.yaml").write_text(block(COMPANY, "yaml", "ACME001"))
+    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "[lint]"))
+    options = read_configuration(Path("sigcat.toml"))
+    codes = {rule.id: rule for rule in selected(rules_for(options), options)}
+    assert {"ACME001", "P001"} <= set(codes)
+    assert codes["V102"].severity == "error"
+    assert codes["V102"].options["prefixes"] == ["Is", "Has"]
+
+
+def test_every_key_of_the_linter_is_documented():
+    table = text_of(CONFIGURATION).split("## Lint")[1].split("## Service")[0]
+    assert set(_FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
+
+
+def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
+    monkeypatch.setenv("SIGCAT_DATA", str(folder / "data"))
+    assert main(["pull", "v5.0", "--from", str(saved(folder, tar_bytes()))]) == 0
+    (folder / "trees" / "common").mkdir(parents=True)
+    (folder / "overlays").mkdir()
+    for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
+        (folder / "trees" / name).write_text("")
+    (folder / "overlays" / "body.vspec").write_text("")
+    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "watch = true"))
+    configuration = read_catalogues(Path("sigcat.toml"))
+    assert [source.id for source in configuration.sources] == ["body", "own"]
+    assert configuration.is_watching
+    assert not configuration.has_shipped
+
+
+def test_the_files_of_a_company_fit_together(folder):
+    for each in blocks(COMPANY):
+        if each.title:
+            (folder / each.title).parent.mkdir(parents=True, exist_ok=True)
+            (folder / each.title).write_text(each.text)
+    assert parse_rules(Path("our-rules.yaml").read_bytes(), "our-rules.yaml", trusted=False).findings == ()
+    assert [source.id for source in read_catalogues(Path("sigcat.toml"), [TABLE, "lint"]).sources] == ["acme"]
+    assert main(["lint", "functions", "our-rules.yaml"]) == 0
+
+
+def test_the_suppression_suppresses(folder):
+    text = block("docs/reference/linting.md", "yaml", "Vehicle.Cabin.noise")
+    Path("noise.vspec").write_text(text)
+    assert main(["lint", "noise.vspec"]) == 0
+    Path("noise.vspec").write_text(text.replace("  # sigcat: ignore[V101]", ""))
+    assert main(["lint", "noise.vspec"]) == 1
+
+
+def test_hooks_and_pipelines_are_yaml_and_name_what_exists():
+    hooks = {hook["id"] for hook in yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))}
+    named = yaml.safe_load(block(PIPELINE, "yaml", "repos:"))["repos"][0]["hooks"]
+    assert {hook["id"] for hook in named} == hooks
+    steps = yaml.safe_load(block(PIPELINE, "yaml", "on:"))["jobs"]["lint"]["steps"]
+    script = yaml.safe_load(block(PIPELINE, "yaml", "lint:"))["lint"]["script"]
+    for line in (*(step["run"] for step in steps if "run" in step), *script):
+        assert line.startswith(
+            ("sigcat lint --format ", "pip install git+https://example.org/your/copy/of/sigcat@REVISION")
+        )
+
+
+def test_python_runs():
+    catalogue = read_catalogue(ROOT_FILE)
+    names: dict[str, object] = {"catalogue": catalogue}
+    exec(block("docs/reference/exports.md", "python", "from sigcat"), names)
+    assert names["archive"]
+
+
+def test_toml_is_toml():
+    for each in blocks(CONFIGURATION, "toml"):
+        assert tomllib.loads(each.text)
+    assert read_settings({}, {})
