@@ -1,6 +1,6 @@
 """Tables within pages: each stands between `<!-- NAME ARGUMENTS -->` and `<!-- /NAME -->`, and is written anew.
 
-`keys SCHEMA [DEFINITION]`: the keys of a JSON Schema of sigcat. `fields CODE`: the fields that a rule wants interfaces to
+`keys SCHEMA KEY ...`: the keys of a JSON Schema of sigcat, or of what is below these keys. `fields CODE`: the fields that a rule wants interfaces to
 have. `rules PREFIX`: the rules whose codes begin so. `settings`: the settings of the service. `classes`: those of changes.
 """
 
@@ -44,15 +44,35 @@ def _filled(place: re.Match[str]) -> str:
     return f"<!-- {name}{arguments} -->\n{_TABLES[name](*arguments.split())}\n<!-- /{name} -->"
 
 
-def _keys(name: str, definition: str = "") -> str:
+def _keys(name: str, *path: str) -> str:
     document = schema(name)
-    described = document["$defs"][definition] if definition else document
+    described: Mapping[str, Any] = document
+    for key in path:
+        described = _mapping(described["properties"][key], document)
     required = described.get("required", ())
     lines = ["| key | value | meaning |", "|---|---|---|"]
     for key, value in described["properties"].items():
         spelled = f"`{key}` (required)" if key in required else f"`{key}`"
         lines.append(f"| {spelled} | {_kind(value)} | {_meaning(value, document).replace('<', '&lt;')} |")
     return "\n".join(lines)
+
+
+def _mapping(described: Mapping[str, Any], document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The mapping with named keys that a value is, or that is an item of it."""
+    while "properties" not in described:
+        if "anyOf" in described:
+            described = next(each for each in described["anyOf"] if each.get("type") in (None, "array", "object"))
+        elif "$ref" in described:
+            described = document["$defs"][described["$ref"].rpartition("/")[2]]
+        else:
+            described = described["items"] if described["type"] == "array" else _values(described)
+    return described
+
+
+def _values(described: Mapping[str, Any]) -> Mapping[str, Any]:
+    """What a mapping with free keys holds."""
+    patterns: Mapping[str, Mapping[str, Any]] = described.get("patternProperties", {})
+    return next(iter(patterns.values()), described.get("additionalProperties", {}))
 
 
 def _kind(described: Mapping[str, Any]) -> str:
