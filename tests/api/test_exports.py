@@ -5,10 +5,10 @@ import zipfile
 
 import pytest
 
-from sigcat.api.answers import tree_stream
-from sigcat.api.answers.tree_stream import json_parts
 from sigcat.api.application import create_app
+from sigcat.catalogue.exporting import json_stream
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
+from sigcat.catalogue.exporting.json_stream import json_parts
 from sigcat.catalogue.hosting.library import Library, Source, load, shipped_sources
 from tests.api.conftest import Ask, asker
 
@@ -53,7 +53,7 @@ OPTIONS: tuple[dict[str, object], ...] = (
 def test_the_stream_is_the_whole_byte_for_byte(
     options: dict[str, object], at_once: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(tree_stream, "_AT_ONCE", at_once)
+    monkeypatch.setattr(json_stream, "_AT_ONCE", at_once)
     catalogue = load(shipped_sources()[0])
     names = {name.replace("-", "_"): value for name, value in options.items()}
     kept, pretty = names.pop("extended_attributes", ()), names.pop("pretty", False)

@@ -7,20 +7,22 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sigcat.catalogue.exporting.vss_tools.formats import EXPAND, FORMATS, VHAL_MAP, Format, Option, options_of
+from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Option
+from sigcat.catalogue.exporting.exporters import EXPORTERS
+from sigcat.catalogue.exporting.shared_options import EXPAND
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.output import write_bytes
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.exporting.vss_tools.files import ExportedFile
+    from sigcat.catalogue.exporting.files import ExportedFile
 
 _SHORT = {"extended-attributes": "-e", "aborts": "-a"}
 
 
 class _LateParser(CommandParser):
-    """A parser that gets its options when it is used: other commands need not wait for those of 18 formats."""
+    """A parser that gets its options when it is used: other commands need not wait for those of all formats."""
 
     fill: partial[None] | None = None
 
@@ -40,49 +42,50 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Write a tree in another format, byte for byte as `vspec export` does, with overlays applied.",
     )
     formats = parser.add_subparsers(title="formats", metavar="FORMAT", parser_class=_LateParser)
-    for format_ in FORMATS.values():
-        late = formats.add_parser(format_.name, help=format_.text, description=_description(format_))
-        late.fill = partial(_fill, late, format_)
+    for exporter in EXPORTERS.values():
+        late = formats.add_parser(exporter.name, help=exporter.text, description=_description(exporter))
+        late.fill = partial(_fill, late, exporter)
 
 
 def export(arguments: argparse.Namespace) -> int:
     """Write a tree in the format that was asked for."""
-    from sigcat.catalogue.exporting.vss_tools.exporting import exported
+    from sigcat.catalogue.exporting.export import exported
 
-    format_: Format = arguments.format
+    exporter: Exporter = arguments.exporter
     output: Path | None = arguments.output if str(arguments.output) != "-" else None
-    if output is None and format_.is_folder:
-        raise UsageError(f"{format_.name} is a folder: name it with -o, or a file that ends in .zip")
-    options = _given(arguments, format_)
+    if output is None and exporter.is_folder:
+        raise UsageError(f"{exporter.name} is a folder: name it with -o, or a file that ends in .zip")
+    options = _given(arguments, exporter)
     catalogue = read_tree(arguments, expanded=options.get(EXPAND.name, True))
-    name = _name(output, format_)
-    result = exported(catalogue, format_.name, options, output_name=name, timeout=arguments.timeout)
+    name = _name(output, exporter)
+    result = exported(catalogue, exporter.name, options, output_name=name, timeout=arguments.timeout)
     for finding in result.findings:
         print(finding.line_of_text, file=sys.stderr)
-    _write(result.files, format_, output, arguments)
+    _write(result.files, exporter, output, arguments)
     return 0
 
 
-def _description(format_: Format) -> str:
-    what = "a folder, or a zip archive of it" if format_.is_folder else "a file"
-    return f"{format_.text[:1].upper()}{format_.text[1:]}: {what}, byte for byte as `vspec export {format_.name}` writes it."
+def _description(exporter: Exporter) -> str:
+    what = "a folder, or a zip archive of it" if exporter.is_folder else "a file"
+    same = f", byte for byte as `{exporter.same_as}` writes it" if exporter.same_as else ""
+    return f"{exporter.text[:1].upper()}{exporter.text[1:]}: {what}{same}."
 
 
-def _fill(parser: argparse.ArgumentParser, format_: Format) -> None:
+def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
     add_tree_options(parser)
     group = parser.add_argument_group("the export")
-    where = "folder, or .zip file, to write" if format_.is_folder else "write here instead of to standard output"
-    group.add_argument("-o", "--output", type=Path, metavar="FOLDER" if format_.is_folder else "FILE", help=where)
-    for option in options_of(format_):
+    where = "folder, or .zip file, to write" if exporter.is_folder else "write here instead of to standard output"
+    group.add_argument("-o", "--output", type=Path, metavar="FOLDER" if exporter.is_folder else "FILE", help=where)
+    for option in exporter.options:
         _add_option(group, option)
     group.add_argument(
-        "--timeout", type=float, default=600.0, metavar="SECONDS", help="give up after this time (default: 600)"
+        "--timeout", type=float, default=TIMEOUT, metavar="SECONDS", help="stop after this time (default: 600)"
     )
-    parser.set_defaults(run=export, format=format_)
+    parser.set_defaults(run=export, exporter=exporter)
 
 
 def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
-    """Every option is None where it is not given, so that vss-tools' own default holds."""
+    """Every option is None where it is not given, so that the default of the exporter applies."""
     spelled = f"--{option.name}"
     text = f"{option.text} (default: {_shown(option.default)})" if option.default not in (None, "") else option.text
     text = text.replace("%", "%%")
@@ -113,10 +116,10 @@ def _shown(default: Any) -> str:
     return {True: "yes", False: "no"}.get(default, str(default)) if isinstance(default, bool) else str(default)
 
 
-def _given(arguments: argparse.Namespace, format_: Format) -> dict[str, Any]:
+def _given(arguments: argparse.Namespace, exporter: Exporter) -> dict[str, Any]:
     """The options that were given; of a file to write beside, its name."""
     given = {}
-    for option in options_of(format_):
+    for option in exporter.options:
         if option.kind == "state":
             _continue_from_output(arguments, option)
         value = getattr(arguments, option.name)
@@ -127,35 +130,35 @@ def _given(arguments: argparse.Namespace, format_: Format) -> dict[str, Any]:
 
 def _continue_from_output(arguments: argparse.Namespace, option: Option) -> None:
     """Android properties keep their numbers: an export into the folder of an earlier one continues its map."""
-    earlier = arguments.output / VHAL_MAP
+    earlier = arguments.output / option.kept_at
     if getattr(arguments, option.name) is None and earlier.is_file():
         setattr(arguments, option.name, earlier)
 
 
-def _name(output: Path | None, format_: Format) -> str:
+def _name(output: Path | None, exporter: Exporter) -> str:
     if output is None:
         return ""
     if output.suffix == ".zip":
-        return output.stem + format_.suffix
-    return output.resolve().name if format_.is_folder else output.name
+        return output.stem + exporter.suffix
+    return output.resolve().name if exporter.is_folder else output.name
 
 
 def _write(
-    files: "tuple[ExportedFile, ...]", format_: Format, output: Path | None, arguments: argparse.Namespace
+    files: "tuple[ExportedFile, ...]", exporter: Exporter, output: Path | None, arguments: argparse.Namespace
 ) -> None:
     main = [file for file in files if not file.option]
     if output is not None and output.suffix == ".zip":
-        from sigcat.catalogue.exporting.vss_tools.files import zipped
+        from sigcat.catalogue.exporting.files import zipped
 
         write_bytes(zipped(main), output)
-    elif output is not None and format_.is_folder:
+    elif output is not None and exporter.is_folder:
         _write_into(output, main)
     elif output is None and len(main) > 1:
-        raise UsageError(f"{format_.name} made {len(main)} files: name the first with -o, the others go beside it")
+        raise UsageError(f"{exporter.name} made {len(main)} files: name the first with -o, the others go beside it")
     else:
         write_bytes(main[0].data, output)
         _write_into(output.parent if output else Path(), main[1:])
-    folders = {option.name for option in format_.options if option.kind == "folder"}
+    folders = {option.name for option in exporter.options if option.kind == "folder"}
     for file in files:
         if file.option in folders:
             _write_into(getattr(arguments, file.option), [file])

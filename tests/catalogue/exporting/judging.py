@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from sigcat.catalogue.exporting.vss_tools.formats import Format
+from sigcat.catalogue.exporting.exporter import Exporter
+from sigcat.catalogue.exporting.vss_tools.exporters import call_of
 
 
 @cache
@@ -16,11 +17,12 @@ def _judge() -> "subprocess.Popen[str]":
     return subprocess.Popen([sys.executable, str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-def judged(format_: Format, arguments: Sequence[str], folder: Path) -> dict[str, bytes]:
+def judged(exporter: Exporter, arguments: Sequence[str], folder: Path) -> dict[str, bytes]:
     """Files that `vspec export` writes into an empty folder, by path; arguments without the one for the output."""
-    output = folder / f"Vehicle{format_.suffix}"
-    (output if format_.output_exists else folder).mkdir(parents=True)
-    job = {"format": format_.name, "arguments": [*arguments, f"--{format_.output}", str(output)], "folder": str(folder)}
+    call = call_of(exporter.name)
+    output = folder / f"Vehicle{exporter.suffix}"
+    (output if call.output_exists else folder).mkdir(parents=True)
+    job = {"format": exporter.name, "arguments": [*arguments, f"--{call.output}", str(output)], "folder": str(folder)}
     judge = _judge()
     assert judge.stdin is not None
     assert judge.stdout is not None
@@ -29,7 +31,7 @@ def judged(format_: Format, arguments: Sequence[str], folder: Path) -> dict[str,
     log = folder / "log"
     assert status == 0, log.read_text()
     log.unlink()
-    return files_in(output if format_.is_folder else folder)
+    return files_in(output if exporter.is_folder else folder)
 
 
 def files_in(folder: Path) -> dict[str, bytes]:

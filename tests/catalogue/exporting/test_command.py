@@ -4,7 +4,7 @@ import zipfile
 
 import pytest
 
-from sigcat.catalogue.exporting.vss_tools.formats import VHAL_MAP
+from sigcat.catalogue.exporting.vss_tools.exporters import VHAL_MAP
 from sigcat.cli import main
 from tests.catalogue.exporting.test_same_bytes import TREE
 

@@ -12,7 +12,8 @@ import pytest
 import yaml
 
 from sigcat.catalogue.composing.compose import compose, read_catalogue
-from sigcat.catalogue.exporting.vss_tools.exporting import ExportedFile, export, exported, zipped
+from sigcat.catalogue.exporting.export import export, exported
+from sigcat.catalogue.exporting.files import ExportedFile, zipped
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import EMPTY
@@ -60,7 +61,7 @@ def test_nothing_of_vss_tools_is_imported_here():
 import sys
 from pathlib import Path
 from sigcat.catalogue.composing.compose import read_catalogue
-from sigcat.catalogue.exporting.vss_tools.exporting import export
+from sigcat.catalogue.exporting.export import export
 assert export(read_catalogue(Path({str(TREE / "tree.vspec")!r}), types=[Path({str(TREE / "types.vspec")!r})]), "csv")
 sys.exit("vss_tools" in sys.modules)
 """
@@ -146,18 +147,18 @@ def test_a_name_that_could_leave_the_folder_is_refused(node):
 @pytest.mark.parametrize(
     ("format_name", "options", "message"),
     [
-        ("ros2interface", {"package-name": "../evil"}, "a plain file name belongs here"),
-        ("samm", {"target-namespace": ".."}, "a plain file name belongs here"),
-        ("csv", {"types-output": "/tmp/t.csv"}, "a plain file name belongs here"),
-        ("samm", {"signals-file": "/etc/passwd"}, "a file belongs here"),
-        ("samm", {"split-depth": "2"}, "a whole number belongs here"),
-        ("samm", {"split-depth": True}, "a whole number belongs here"),
-        ("ros2interface", {"mode": "leaves"}, "one of aggregate, leaf belongs here"),
-        ("csv", {"aborts": ["style"]}, "one of name-style, unknown-attribute"),
-        ("csv", {"expand": "no"}, "true or false belongs here"),
+        ("ros2interface", {"package-name": "../evil"}, "must be a plain file name"),
+        ("samm", {"target-namespace": ".."}, "must be a plain file name"),
+        ("csv", {"types-output": "/tmp/t.csv"}, "must be a plain file name"),
+        ("samm", {"signals-file": "/etc/passwd"}, "must be a file"),
+        ("samm", {"split-depth": "2"}, "must be a whole number"),
+        ("samm", {"split-depth": True}, "must be a whole number"),
+        ("ros2interface", {"mode": "leaves"}, "must be one of aggregate, leaf"),
+        ("csv", {"aborts": ["style"]}, "must be one of name-style, unknown-attribute"),
+        ("csv", {"expand": "no"}, "must be true or false"),
         ("csv", {"expandd": True}, "Did you mean 'expand'"),
-        ("tree", {"attr": "unit"}, "a list of texts belongs here"),
-        ("json", {"extended_attributes": ["min"]}, "name one attribute that VSS does not define"),
+        ("tree", {"attr": "unit"}, "must be a list of texts"),
+        ("json", {"extended_attributes": ["min"]}, "must name one attribute that VSS does not define"),
         ("avro", {}, "give a types file"),
     ],
 )

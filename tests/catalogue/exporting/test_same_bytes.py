@@ -10,8 +10,8 @@ from typing import NamedTuple
 import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
-from sigcat.catalogue.exporting.vss_tools.exporting import export
-from sigcat.catalogue.exporting.vss_tools.formats import FORMATS
+from sigcat.catalogue.exporting.export import export
+from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
 from tests.catalogue.exporting.judging import judged
@@ -83,7 +83,7 @@ def test_a_tree_with_everything(case, tmp_path):
         "-s", str(tree), *case.arguments,
         *(f"-l{path}" for path in overlays), *(f"-t{path}" for path in types),
     ]  # fmt: skip
-    expected = judged(FORMATS[case.format], arguments, tmp_path / "judge")
+    expected = judged(EXPORTERS[case.format], arguments, tmp_path / "judge")
     catalogue = read_catalogue(tree, overlays, types=types)
     assert catalogue.findings == () or case.overlay
     files = export(catalogue, case.format, case.options)
@@ -111,19 +111,19 @@ def official() -> Catalogue:
 
 SLOW = ("id", "s2dm", "vhal")
 """Formats of which one whole tree is enough; the last one takes no overlays."""
-WHOLE = [name for name, format_ in FORMATS.items() if not format_.needs_types]
+WHOLE = [name for name, exporter in EXPORTERS.items() if not exporter.needs_types]
 USUAL = ("json", "csv", "ros2interface")
 """Formats of the whole shipped tree in every run; `make slow` takes them all."""
 
 
 @pytest.mark.parametrize("name", WHOLE if "SIGCAT_SLOW" in os.environ else USUAL)
 def test_the_shipped_tree(name, tmp_path):
-    expected = judged(FORMATS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
+    expected = judged(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
 
 
 @official_releases
 @pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW])
 def test_an_official_release_with_its_overlay(name, tmp_path):
-    expected = judged(FORMATS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
+    expected = judged(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
     assert {file.name: file.data for file in export(official(), name)} == expected

@@ -1,4 +1,4 @@
-"""The route that exports a catalogue in any format of vss-tools."""
+"""The route that exports a catalogue in any format."""
 
 import io
 from collections.abc import Iterable, Iterator, Mapping
@@ -10,18 +10,17 @@ from fastapi.responses import Response, StreamingResponse
 
 from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.tree_stream import json_parts
 from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
-from sigcat.catalogue.exporting.vss_tools.exporting import exported, zipped
-from sigcat.catalogue.exporting.vss_tools.formats import FORMATS, Format, Option, format_named, options_of
-from sigcat.errors import InputRefused, UsageError
-from sigcat.findings import has_errors
-from sigcat.names import did_you_mean
+from sigcat.catalogue.exporting.export import exported, refuse_unfit
+from sigcat.catalogue.exporting.exporter import Exporter, Option
+from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
+from sigcat.catalogue.exporting.files import zipped
+from sigcat.catalogue.exporting.options import option_named
+from sigcat.errors import UsageError
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"])
 
 _BLOCK = 256 * 1024
-_STREAMED = frozenset(("pretty", "expand", "extended-attributes", "extend-all-attributes", "keep-instances"))
 _TRUTH = {"": True, "true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
 _TYPES: Mapping[str, dict[str, Any]] = {
     "flag": {"type": "boolean"}, "switch": {"type": "boolean"}, "number": {"type": "integer"},
@@ -40,21 +39,21 @@ def _spelled(option: Option) -> str:
 
 def _documentation() -> dict[str, Any]:
     """Every option as a parameter, with the formats that take it."""
-    takers: dict[str, list[tuple[Format, Option]]] = {}
-    for format_ in FORMATS.values():
-        for option in filter(_is_offered, options_of(format_)):
-            takers.setdefault(_spelled(option), []).append((format_, option))
+    takers: dict[str, list[tuple[Exporter, Option]]] = {}
+    for exporter in EXPORTERS.values():
+        for option in filter(_is_offered, exporter.options):
+            takers.setdefault(_spelled(option), []).append((exporter, option))
     return {"parameters": [_parameter(name, taken) for name, taken in takers.items()]}
 
 
-def _parameter(name: str, taken: list[tuple[Format, Option]]) -> dict[str, Any]:
+def _parameter(name: str, taken: list[tuple[Exporter, Option]]) -> dict[str, Any]:
     option = taken[0][1]
     schema = dict(_TYPES.get(option.kind, {"type": "string"}))
     if option.choices and option.kind == "texts":
         schema["items"] = {"type": "string", "enum": list(option.choices)}
     elif option.choices:
         schema["enum"] = list(option.choices)
-    formats = "every format" if len(taken) > len(FORMATS) - 3 else ", ".join(format_.name for format_, _ in taken)
+    formats = "every format" if len(taken) > len(EXPORTERS) - 3 else ", ".join(exporter.name for exporter, _ in taken)
     description = f"{option.text[:1].upper()}{option.text[1:]} ({formats})."
     return {"name": name, "in": "query", "required": False, "description": description, "schema": schema}
 
@@ -63,7 +62,7 @@ def _content_schema(media_type: str) -> dict[str, str]:
     return {"type": "object"} if media_type.endswith("json") else {"type": "string", "format": "binary"}
 
 
-_MEDIA_TYPES = tuple(dict.fromkeys(format_.media_type for format_ in FORMATS.values()))
+_MEDIA_TYPES = tuple(dict.fromkeys(exporter.media_type for exporter in EXPORTERS.values()))
 
 
 @router.get(
@@ -83,33 +82,29 @@ async def export_catalogue(
     hosted: TheCatalogue,
     settings: TheSettings,
     queue: TheExportQueue,
-    format: Annotated[str, Path(description=f"One of {', '.join(FORMATS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
+    format: Annotated[str, Path(description=f"One of {', '.join(EXPORTERS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
 ) -> Response:
-    """A catalogue in another format. JSON is sent while it is made."""
-    chosen = format_named(format)
-    options = _options(chosen, request.query_params.multi_items())
+    """A catalogue in another format. JSON is sent while it is written."""
+    exporter = exporter_named(format)
+    options = _options(exporter, request.query_params.multi_items())
     catalogue = hosted.catalogue
-    if chosen.name == "json" and set(options) <= _STREAMED and options.get("expand", True):
-        if has_errors(catalogue.findings) or not catalogue.roots:
-            raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
-        return _sent(request, json_parts(catalogue, options), f"{catalogue.roots[0].name}.json", chosen.media_type)
-    work = partial(exported, catalogue, chosen.name, options, timeout=settings.heavy_seconds)
+    if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
+        refuse_unfit(catalogue, exporter)
+        return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
+    work = partial(exported, catalogue, exporter.name, options, timeout=settings.heavy_seconds)
     files = (await queue.run(work)).files
-    if chosen.is_folder or len(files) > 1:
+    if exporter.is_folder or len(files) > 1:
         archive = await queue.run(partial(zipped, files))
-        return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{chosen.name}.zip", "application/zip")
-    return _sent(request, _blocks(files[0].data), files[0].name, chosen.media_type)
+        return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{exporter.name}.zip", "application/zip")
+    return _sent(request, _blocks(files[0].data), files[0].name, exporter.media_type)
 
 
-def _options(format_: Format, given: Iterable[tuple[str, str]]) -> dict[str, Any]:
-    """Options as the exporter takes them. Raises UsageError for one that the format does not have."""
-    known = {_spelled(option): option for option in options_of(format_) if _is_offered(option)}
+def _options(exporter: Exporter, given: Iterable[tuple[str, str]]) -> dict[str, Any]:
+    """Options as the exporter takes them. Raises UsageError for one that it does not have."""
+    known = {_spelled(option): option for option in exporter.options if _is_offered(option)}
     options: dict[str, Any] = {}
     for name, text in given:
-        option = known.get(name)
-        if option is None:
-            hint = did_you_mean(name, known) or f"It takes {', '.join(known)}."
-            raise UsageError(f"The export {format_.name} has no option {name[:80]!r}. {hint}")
+        option = option_named(name, known, exporter)
         value = _value(option, text)
         options[option.name] = [*options.get(option.name, []), value] if option.kind == "texts" else value
     return options
@@ -118,11 +113,11 @@ def _options(format_: Format, given: Iterable[tuple[str, str]]) -> dict[str, Any
 def _value(option: Option, text: str) -> Any:
     if option.kind in ("flag", "switch"):
         if text.lower() not in _TRUTH:
-            raise UsageError(f"{_spelled(option)} {text[:80]!r}: true or false belongs here.")
+            raise UsageError(f"{_spelled(option)} must be true or false, not {text[:80]!r}.")
         return _TRUTH[text.lower()]
     if option.kind == "number":
         if not (text.isascii() and text.isdecimal() and len(text) < 10):
-            raise UsageError(f"{_spelled(option)} {text[:80]!r}: a whole number belongs here.")
+            raise UsageError(f"{_spelled(option)} must be a whole number, not {text[:80]!r}.")
         return int(text)
     return text
 

@@ -1,4 +1,4 @@
 """A `Catalogue` in, files out: JSON and static ids of our own, every other format through vss-tools.
 
-The only room that knows vss-tools.
+`exporters.py` is the table of exporters. Only the folder vss_tools knows vss-tools.
 """

@@ -1,15 +1,36 @@
-"""The tree as JSON, as data equal to what `vspec export json` of vss-tools 6.1 writes."""
+"""The tree as JSON: the same data as `vspec export json` of vss-tools 6.1 writes."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from sigcat.catalogue.composing.compose import unexpanded
+from sigcat.catalogue.exporting.exporter import Job
+from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, instances_of
 
 _NOT_EXPORTED = frozenset(
     ("delete", "instantiate", "fqn", "arraysize", "aggregate", "is_instance", "instances_relation")
 )
+
+
+def exported_json(job: Job) -> Export:
+    """The file, and with the option `types-output` a second one for the struct types."""
+    options = job.options
+    data = tree_data(
+        job.catalogue if options.get("expand", True) else unexpanded(job.catalogue),
+        options.get("extended-attributes", ()),
+        all_extended=options.get("extend-all-attributes", False),
+        keep_instances=options.get("keep-instances", False),
+    )
+    pretty = options.get("pretty", False)
+    types = data.pop("ComplexDataTypes", None) if "types-output" in options else None
+    files = [ExportedFile(job.output_name, tree_json(data, pretty=pretty).encode())]
+    if types is not None:
+        text = tree_json(types, pretty=pretty)
+        files.append(ExportedFile(options["types-output"], text.encode(), "types-output"))
+    return Export(tuple(files))
 
 
 def tree_data(
@@ -21,8 +42,8 @@ def tree_data(
 ) -> dict[str, Any]:
     """Roots by name, each with attributes and `children`; struct types under `ComplexDataTypes`.
 
-    vss-tools filters extended attributes at the root only; so does this. With `keep_instances`, branches that were
-    expanded say which instances they had, which vss-tools forgets.
+    Like vss-tools, it filters extended attributes at the root only. With `keep_instances`, branches that were expanded
+    have their `instances` too, which vss-tools drops.
     """
     data: dict[str, Any] = {}
     wanted = frozenset(extended_attributes)

@@ -4,27 +4,33 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sigcat.catalogue.exporting.vss_tools.formats import Format, Option, options_of
+from sigcat.catalogue.exporting.exporter import Exporter, Option
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.errors import UsageError
 from sigcat.names import did_you_mean
 
 
-def checked_options(format_: Format, options: Mapping[str, Any]) -> dict[str, Any]:
+def checked_options(exporter: Exporter, options: Mapping[str, Any]) -> dict[str, Any]:
     """Options by their names with dashes, without those that were not given. Raises UsageError."""
-    known = {option.name: option for option in options_of(format_)}
+    known = {option.name: option for option in exporter.options}
     checked = {}
     for given, value in options.items():
         name = given.replace("_", "-")
-        if name not in known:
-            hint = did_you_mean(name, known) or f"It takes {', '.join(known)}."
-            raise UsageError(f"The export {format_.name} has no option {name!r}. {hint}")
+        option = option_named(name, known, exporter)
         if value is not None and value not in ((), []):
-            checked[name] = _checked_value(known[name], value)
+            checked[name] = _checked_value(option, value)
     for name in checked.get("extended-attributes", ()):
         if "," in name or name in CORE_ATTRIBUTES:
-            raise UsageError(f"extended-attributes {name!r}: name one attribute that VSS does not define.")
+            raise UsageError(f"extended-attributes must name one attribute that VSS does not define, not {name!r}.")
     return checked
+
+
+def option_named(name: str, known: Mapping[str, Option], exporter: Exporter) -> Option:
+    """One of the options that an exporter is known by. Raises UsageError with the nearest names."""
+    if name not in known:
+        hint = did_you_mean(name, known) or f"It takes {', '.join(known)}."
+        raise UsageError(f"The export {exporter.name} has no option {name[:80]!r}. {hint}")
+    return known[name]
 
 
 def is_file_name(name: str) -> bool:
@@ -36,23 +42,23 @@ def _checked_value(option: Option, value: Any) -> Any:
     expected = _EXPECTED[option.kind]
     wrong = ""
     if not isinstance(value, expected[0]) or (option.kind == "number" and isinstance(value, bool)):
-        wrong = f"{expected[1]} belongs here"
+        wrong = f"must be {expected[1]}"
     elif option.kind == "texts" and not all(isinstance(item, str) for item in value):
-        wrong = "a list of texts belongs here"
+        wrong = "must be a list of texts"
     elif option.kind in ("name", "output", "folder") and not is_file_name(value):
-        wrong = "a plain file name belongs here, without folders"
+        wrong = "must be a plain file name, without folders"
     elif option.kind == "input" and not value.is_file():
-        wrong = "there is no such file"
+        wrong = "must be a file"
     elif option.choices and not set([value] if isinstance(value, str) else value) <= set(option.choices):
-        wrong = f"one of {', '.join(option.choices)} belongs here"
+        wrong = f"must be one of {', '.join(option.choices)}"
     if wrong:
-        raise UsageError(f"{option.name} {str(value)!r}: {wrong}.")
+        raise UsageError(f"{option.name} {wrong}, not {str(value)!r}.")
     return value
 
 
 _EXPECTED: Mapping[str, tuple[Any, str]] = {
-    "flag": (bool, "true or false"), "switch": (bool, "true or false"), "text": (str, "a text"),
-    "name": (str, "a text"), "texts": (list | tuple, "a list of texts"), "number": (int, "a whole number"),
-    "choice": (str, "a text"), "input": (Path, "a file"), "state": (Path, "a file"), "output": (str, "a file name"),
+    "flag": (bool, "true or false"), "switch": (bool, "true or false"), "text": (str, "text"),
+    "name": (str, "text"), "texts": (list | tuple, "a list of texts"), "number": (int, "a whole number"),
+    "choice": (str, "text"), "input": (Path, "a file"), "state": (Path, "a file"), "output": (str, "a file name"),
     "folder": (str, "a folder name"),
 }  # fmt: skip

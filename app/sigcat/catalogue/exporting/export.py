@@ -1,0 +1,77 @@
+"""Export a catalogue: check the catalogue and the options, then run the exporter."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from sigcat import codes
+from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Job
+from sigcat.catalogue.exporting.exporters import exporter_named
+from sigcat.catalogue.exporting.files import Export, ExportedFile
+from sigcat.catalogue.exporting.options import checked_options
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.definition import Definition, instances_of
+from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import Finding, has_errors
+
+
+def export(
+    catalogue: Catalogue,
+    exporter_name: str,
+    options: Mapping[str, Any] | None = None,
+    *,
+    output_name: str = "",
+    timeout: float = TIMEOUT,
+) -> tuple[ExportedFile, ...]:
+    """The files of a catalogue, as the exporter with this name writes them: see `exported`."""
+    return exported(catalogue, exporter_name, options, output_name=output_name, timeout=timeout).files
+
+
+def exported(
+    catalogue: Catalogue,
+    exporter_name: str,
+    options: Mapping[str, Any] | None = None,
+    *,
+    output_name: str = "",
+    timeout: float = TIMEOUT,
+) -> Export:
+    """The files of a catalogue, as an exporter writes them, and the exporter's warnings.
+
+    `options` are values by the names that the exporter lists: text, numbers, truth values, lists of text; a Path where
+    a file is read, so that text from a request never names a file; a file name where a file is written beside.
+    `output_name` is the name of the file or folder, which some exporters write into it; default: that of the root.
+    Raises NotFound for an unknown exporter, UsageError for unfit options, InputRefused if the export fails.
+    """
+    exporter = exporter_named(exporter_name)
+    checked = checked_options(exporter, options or {})
+    refuse_unfit(catalogue, exporter)
+    name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
+    return exporter.run(Job(exporter, catalogue, checked, name, timeout))
+
+
+def refuse_unfit(catalogue: Catalogue, exporter: Exporter) -> None:
+    """Raises InputRefused for a catalogue that nothing can export, UsageError for one that has nothing to export."""
+    if has_errors(catalogue.findings) or not catalogue.roots:
+        raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
+    if exporter.needs_types and len(catalogue.roots) == 1:
+        raise UsageError(
+            f"The export {exporter.name} needs struct types, and the catalogue has none: give a types file."
+        )
+    unsafe = tuple(_unsafe_names(catalogue))
+    if unsafe:
+        raise InputRefused("The tree has names that cannot be exported.", unsafe)
+
+
+def _unsafe_names(catalogue: Catalogue) -> Iterator[Finding]:
+    for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue)):
+        if _names_a_folder(definition):
+            message = "A name with a slash cannot be exported: it could become the name of a file."
+            yield codes.NAME_WITH_SLASH.finding(message, *definition.origin().position, definition.path)
+
+
+def _type_definitions(catalogue: Catalogue) -> Iterable[Definition]:
+    return (node.definition for root in catalogue.roots[1:] for node in root.walk())
+
+
+def _names_a_folder(definition: Definition) -> bool:
+    names = (definition.path, *map(str, instances_of(definition.values)))
+    return any(sign in name for name in names for sign in ("/", "\\", "\0"))

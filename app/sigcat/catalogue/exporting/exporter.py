@@ -1,0 +1,79 @@
+"""What an exporter is: one record with its name, its options and the functions that run it."""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.exporting.files import Export
+    from sigcat.catalogue.model.catalogue import Catalogue
+
+Kind = Literal["flag", "switch", "text", "name", "texts", "number", "choice", "input", "output", "folder", "state"]
+"""What an option takes.
+
+flag: given or not. switch: true or false. name: text that becomes part of a file name. input: a file to read.
+output, folder: a file or folder to write beside the main one. state: a file that is read, if it exists, and written.
+"""
+
+
+class Option(NamedTuple):
+    """An option of an exporter, with the name that it has on the command line, without the dashes."""
+
+    name: str
+    kind: Kind
+    text: str
+    default: str | int | bool | None = None
+    choices: tuple[str, ...] = ()
+    off: str = ""
+    """Spelling of a switch that is off; empty: `no-` and the name."""
+    own: bool = False
+    """Whether sigcat implements it, because vss-tools has no such option."""
+    kept_at: str = ""
+    """Of a state: the file in the exported folder that holds it, for the next export to continue."""
+
+    @property
+    def spelled_off(self) -> str:
+        """Name of the option that turns a switch off."""
+        return self.off or f"no-{self.name}"
+
+
+class Exporter(NamedTuple):
+    """One exporter. Its functions import what they need when they are called, so that listing exporters costs nothing."""
+
+    name: str
+    """On the command line and in addresses: `csv`."""
+    text: str
+    """What it writes, in a few words."""
+    suffix: str
+    """Suffix of the file; empty if the exporter writes a folder."""
+    media_type: str
+    options: tuple[Option, ...]
+    """Everything that can be asked for, besides the tree and the name of the output."""
+    run: "Callable[[Job], Export]"
+    """Raises InputRefused if the export fails."""
+    stream: "Callable[[Catalogue, Mapping[str, Any]], Iterator[bytes] | None] | None" = None
+    """The same bytes in parts, the first one at once. None: not at all, or not with these options."""
+    same_as: str = ""
+    """The command that writes the same bytes, such as `vspec export csv`."""
+    needs_types: bool = False
+    """Whether it exports struct types and nothing else."""
+
+    @property
+    def is_folder(self) -> bool:
+        """Whether the export is a folder."""
+        return not self.suffix
+
+
+class Job(NamedTuple):
+    """One export to run: the catalogue can be exported, and the options are checked."""
+
+    exporter: Exporter
+    catalogue: "Catalogue"
+    options: Mapping[str, Any]
+    output_name: str
+    """Name of the file or folder."""
+    timeout: float
+    """Seconds."""
+
+
+TIMEOUT = 600.0
+"""Seconds after which an export is stopped: vss-tools takes minutes for trees of many ten thousand signals."""

@@ -1,0 +1,24 @@
+"""Options that several exporters have."""
+
+from sigcat.catalogue.exporting.exporter import Option
+
+EXPAND = Option("expand", "switch", "expand instances", True)
+KEEP_INSTANCES = Option(
+    "keep-instances",
+    "flag",
+    "keep `instances` at the branches that were expanded, beside what they expand to",
+    own=True,
+)
+TYPES_OUTPUT = Option("types-output", "output", "write the struct types to a file of their own")
+ALL_ATTRIBUTES = Option("extend-all-attributes", "switch", "keep all extended attributes", False)
+PRETTY = Option("pretty", "switch", "indent the output", False)
+STRICTNESS = (
+    Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated"),
+    Option("strict", "switch", "refuse whatever --aborts can refuse", False),
+    Option(
+        "aborts", "texts", "kind of flaw that ends the export; may be repeated",
+        choices=("name-style", "unknown-attribute", "default-matches-first-allowed"),
+    ),
+    Option("strict-exceptions", "input", "YAML file with the paths that --strict and --aborts leave alone"),
+)  # fmt: skip
+"""What vss-tools checks while it exports."""
