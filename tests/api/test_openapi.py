@@ -56,6 +56,7 @@ def test_operation_ids_read_as_function_names() -> None:
 
 def test_one_schema_stands_for_each_noun() -> None:
     schemas = DOCUMENT["components"]["schemas"]
+    assert len(schemas) > 20
     assert not [name for name in schemas if "__" in name or name.endswith(("-Input", "-Output"))]
 
 

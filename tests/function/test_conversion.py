@@ -44,6 +44,7 @@ def test_what_has_no_linear_way_is_not_converted(source, target):
 
 
 def test_every_unit_of_the_table_is_one_of_the_vocabulary_and_of_one_kind():
+    assert _TO_BASE
     for units in _TO_BASE.values():
         known = {key: UNITS.unit(key) for key in units}
         assert None not in known.values(), [key for key, unit in known.items() if unit is None]

@@ -54,6 +54,7 @@ def test_every_sarif_result_has_a_fingerprint_of_its_own():
 
 def test_gitlab_gets_the_fields_that_it_requires():
     issues = json.loads(report(ODD, "gitlab"))
+    assert len(issues) == len(ODD)
     for issue in issues:
         assert set(issue) == {"description", "check_name", "fingerprint", "severity", "location"}
         assert issue["severity"] in ("info", "minor", "major", "critical", "blocker")

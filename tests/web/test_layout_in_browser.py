@@ -28,7 +28,9 @@ def test_nothing_sticks_out_sideways(open_page: Opener, address: str) -> None:
 def test_every_page_of_the_bar_is_in_sight(open_page: Opener, width: int) -> None:
     page = open_page("/functions?catalogue=interfaces")
     page.set_viewport_size({"width": width, "height": 800})
-    for link in page.get_by_role("navigation", name="Pages").get_by_role("link").all():
+    links = page.get_by_role("navigation", name="Pages").get_by_role("link").all()
+    assert len(links) > 4
+    for link in links:
         box = box_of(link)
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= width
@@ -83,7 +85,9 @@ def test_what_a_change_says_stands_below_its_name(open_page: Opener) -> None:
     change = page.locator(".change", has_text="instances")
     left = box_of(change.locator("b"))["x"]
     assert box_of(change.locator("dt"))["x"] == left
-    for each in change.locator("p.muted", has_text=re.compile("Came|Went")).all():
+    told = change.locator("p.muted", has_text=re.compile("Came|Went")).all()
+    assert told
+    for each in told:
         assert (
             box_of(each)["x"] + float(each.evaluate("each => parseFloat(getComputedStyle(each).paddingLeft)")) == left
         )

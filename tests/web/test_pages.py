@@ -85,6 +85,7 @@ def test_a_path_that_does_not_exist_proposes_links_to_near_ones(site: Ask) -> No
 
 
 def test_every_kind_of_problem_has_a_page(site: Ask) -> None:
+    assert KINDS
     for kind, title in KINDS.values():
         page = site(f"/problems/{kind}")
         assert page.status_code == 200

@@ -38,6 +38,8 @@ def no_catalogue():
 @pytest.mark.parametrize("text", HOSTILE)
 def test_hostile_texts_become_names_that_are_none(text):
     made = document([function(signal(text, f"Vehicle.{text}", Description=text, Variable=text), name=text or "X")])
+    assert made["InterfacePackageList"][0]["Messages"]
+    assert [topic for call in made["CommunicationList"] for topic in call["ROSTopicList"]]
     for package in (*made["InterfacePackageList"], *made["NodePackageList"]):
         assert FIELD.fullmatch(package["Name"])
     for message in made["InterfacePackageList"][0]["Messages"]:
