@@ -1,13 +1,14 @@
-"""Hostile input over a real connection: a clear 4xx in under a second, memory bounded, the next request answered."""
+"""Hostile input over a real connection: a clear 4xx, little time and memory, and the next request is answered."""
 
 import contextlib
+import itertools
 import json
+import os
 import re
 import resource
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -16,9 +17,14 @@ import httpx
 import pytest
 
 from tests.clients.generating import ROOT
-from tests.timing import is_within
+from tests.waiting import DEADLINE
 
-pytestmark = pytest.mark.xdist_group("hostile")
+pytestmark = [
+    pytest.mark.xdist_group("hostile"),
+    pytest.mark.skipif(
+        not Path("/proc/self/stat").is_file(), reason="Linux, where time and memory of a process are read from /proc"
+    ),
+]
 _SERVE = """
 import sys
 from sigcat.api.application import create_app
@@ -43,26 +49,38 @@ class Service:
         self.process = process
 
     @property
+    def seconds(self) -> float:
+        """Seconds of the processor that the process has used."""
+        times = Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()[11:13]
+        return sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
+
+    def seconds_for(self, address: str, content: bytes) -> tuple[float, httpx.Response]:
+        """Seconds of the processor for a posted text, and the answer."""
+        before = self.seconds
+        answer = self.ask("POST", address, content=content)
+        return self.seconds - before, answer
+
+    @property
     def memory(self) -> int:
         """Bytes that the process holds in memory."""
         pages = int(Path(f"/proc/{self.process}/statm").read_text().split()[1])
         return pages * resource.getpagesize()
 
     def ask(self, method: str, path: str, **options: object) -> httpx.Response:
-        return httpx.request(method, self.address + path, timeout=10, **options)  # type: ignore[arg-type]
+        return httpx.request(method, self.address + path, timeout=DEADLINE, **options)  # type: ignore[arg-type]
 
-    def send(self, data: bytes, wait: float = 5) -> bytes:
-        """What comes back on a connection of its own, until it ends."""
+    def send(self, data: bytes) -> bytes:
+        """What comes back on a connection of its own until the service ends it, which it has to."""
         parts = urlsplit(self.address)
-        with socket.create_connection((parts.hostname, parts.port), timeout=wait) as connection:
+        received = b""
+        with (
+            socket.create_connection((parts.hostname, parts.port), timeout=DEADLINE) as connection,
+            contextlib.suppress(ConnectionError),
+        ):
             connection.sendall(data)
-            received = b""
-            try:
-                while part := connection.recv(65536):
-                    received += part
-            except (TimeoutError, ConnectionError):
-                pass
-            return received
+            while part := connection.recv(65536):
+                received += part
+        return received
 
 
 @pytest.fixture(scope="module")
@@ -131,27 +149,32 @@ BOMBS = {
 }  # fmt: skip
 
 
-def _quickest(service: Service, address: str, content: bytes) -> tuple[float, httpx.Response]:
-    """The answer and its seconds: of the first request that takes less than one, or of three the quickest."""
-    tried: list[tuple[float, httpx.Response]] = []
-    while len(tried) < 3 and not (tried and tried[-1][0] < 1):
-        start = time.perf_counter()
-        answer = service.ask("POST", address, content=content)
-        tried.append((time.perf_counter() - start, answer))
-    return min(tried, key=lambda each: each[0])
+HONEST = b"".join(
+    b"Vehicle.S%d: {type: sensor, datatype: float, unit: km/h, max: 250, description: Speed of part %d.}\n" % (n, n)
+    for n in range(5_000)
+)
+
+
+@pytest.fixture(scope="module")
+def honest(service: Service) -> float:
+    """Seconds of the processor that the lint of an ordinary overlay takes, of five thousand signals."""
+    service.ask("POST", LINT, content=HONEST[:1_000])
+    return min(service.seconds_for(LINT, HONEST)[0] for _ in range(2))
 
 
 @pytest.mark.parametrize("address", ADDRESSES)
 @pytest.mark.parametrize("case", BOMBS)
-def test_a_bomb_is_answered_in_under_a_second_and_the_next_request_too(
-    service: Service, case: str, address: str
+def test_a_bomb_costs_no_more_than_an_ordinary_overlay_and_the_next_request_is_answered(
+    service: Service, honest: float, case: str, address: str
 ) -> None:
-    seconds, answer = _quickest(service, address, BOMBS[case])
+    seconds, answer = service.seconds_for(address, BOMBS[case])
     assert answer.status_code in (200, 422), answer.text[:300]
     report = answer.json()
     assert report["findings"] or report.get("ok"), report
     assert service.ask("GET", "/health/live").status_code == 200
-    assert is_within(seconds)
+    if seconds > honest:  # once may be bad luck
+        seconds, _ = service.seconds_for(address, BOMBS[case])
+    assert seconds < 2 * honest
 
 
 def test_memory_stays_bounded(service: Service) -> None:
@@ -176,24 +199,19 @@ def test_a_hundred_megabytes_are_refused_before_they_are_read(service: Service) 
 
 
 def test_a_hundred_megabytes_of_untold_length_are_refused_on_the_way(service: Service) -> None:
-    before = service.memory
-    start = time.perf_counter()
-    parts = (b"a" * 65536 for _ in range(100 * 16))
+    before, sent = service.memory, itertools.count()
+    parts = (b"a" * 65536 for _ in zip(range(100 * 16), sent, strict=False))
     # refused, and the connection closed, while we still send
     with contextlib.suppress(httpx.WriteError, httpx.RemoteProtocolError):
         assert service.ask("POST", LINT, content=parts).status_code == 413
-    assert is_within(time.perf_counter() - start)
+    assert next(sent) * 65536 < 50_000_000, "what is sent beyond the limit lies in the buffers of the connection"
     assert service.memory - before < 20_000_000
     assert service.ask("GET", "/health/live").status_code == 200
 
 
 def test_a_body_that_drips_is_refused(service: Service) -> None:
-    start = time.perf_counter()
     answer = service.send(f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\nVehicle".encode())
     assert b" 408 " in answer.split(b"\r\n", 1)[0]
-    assert is_within(
-        time.perf_counter() - start, 1.5
-    )  # half a second of which is the time that the settings of this test give
 
 
 FLOODS = {
@@ -213,9 +231,7 @@ FLOODS = {
 
 @pytest.mark.parametrize("case", FLOODS)
 def test_what_is_no_request_is_refused_at_once_and_the_next_one_answered(service: Service, case: str) -> None:
-    start = time.perf_counter()
     answer = service.send(FLOODS[case])
-    assert is_within(time.perf_counter() - start)
     assert answer.startswith(b"HTTP/1.1 4") or not answer, answer[:100]  # none: it closes before all of a flood is sent
     assert service.ask("GET", "/health/live").status_code == 200
 
@@ -223,7 +239,7 @@ def test_what_is_no_request_is_refused_at_once_and_the_next_one_answered(service
 def test_of_a_length_and_chunks_only_the_chunks_count(service: Service) -> None:
     """RFC 9112, 6.3. What follows them is a request of its own, whatever the length says."""
     head = f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n"
-    answer = service.send(head.encode() + b"0\r\n\r\nGET /nothing HTTP/1.1\r\nHost: a\r\n\r\n", wait=0.5)
+    answer = service.send(head.encode() + b"0\r\n\r\nGET /nothing HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
     assert re.findall(rb"HTTP/1.1 (\d+)", answer) == [b"200", b"404"]
 
 

@@ -221,7 +221,7 @@ def test_health_answers_while_heavy_work_runs(library: Library) -> None:
 def test_a_body_that_does_not_arrive_is_given_up(library: Library) -> None:
     async def drip() -> object:
         yield b"Vehicle"
-        await asyncio.sleep(5)
+        await asyncio.Event().wait()
 
     ask = asker(create_app(library, Settings(body_seconds=0.05)))
     late = ask("/api/v1/lint", "POST", content=drip())

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Locator, Page, Route, expect
+from playwright.sync_api import Locator, Route, expect
 
 from tests.web.conftest import Opener, Use
 
@@ -269,27 +269,16 @@ def test_the_first_thing_that_tab_reaches_leads_past_the_bar(open_page: Opener) 
 # -- what takes long --------------------------------------------------------------------------------------------------
 
 
-def _slow(page: Page, address: str) -> None:
-    def answer(route: Route) -> None:
-        page.wait_for_timeout(700)
-        route.continue_()
-
-    page.route(address, answer)
-
-
 def test_what_takes_long_shows_a_bar(open_page: Opener) -> None:
     page = open_page("/tree/small")
     bar = page.locator("#progress")
     expect(bar).to_be_hidden()
-    page.evaluate("""() => {
-        window.seen = false;
-        new MutationObserver(() => { window.seen ||= !document.getElementById("progress").hidden; })
-            .observe(document.getElementById("progress"), { attributes: true });
-    }""")
-    _slow(page, "**/rows/small?path=Vehicle.Door*")
+    held: list[Route] = []
+    page.route("**/rows/small?path=Vehicle.Door*", held.append)
     page.get_by_role("treeitem", name="Door").locator(".chevron").click()
+    expect(bar).to_be_visible()
+    held[0].continue_()
     expect(page.get_by_role("treeitem", name="Left")).to_be_visible()
-    assert page.evaluate("window.seen")
     expect(bar).to_be_hidden()
 
 

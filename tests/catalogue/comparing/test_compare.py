@@ -1,6 +1,6 @@
 """What holds for every comparison."""
 
-import time
+from functools import partial
 
 import pytest
 from hypothesis import given, settings
@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from sigcat.catalogue.comparing.diff import compare
 from tests.catalogue.comparing.running import changes, signal
 from tests.catalogue.trees import ROOT, catalogue_of
+from tests.growth import LINEAR, growth
 
 
 def kinds(old, new):
@@ -104,10 +105,4 @@ def flat(count, maximum):
 
 
 def test_ten_times_the_signals_take_about_ten_times_as_long():
-    def seconds(count):
-        old, new = flat(count, 7), flat(count, 11)
-        start = time.process_time()
-        compare(old, new)
-        return time.process_time() - start
-
-    assert seconds(20_000) < 30 * max(seconds(2_000), 0.01)
+    assert growth(lambda count: partial(compare, flat(count, 7), flat(count, 11)), 500) < LINEAR

@@ -60,7 +60,7 @@ class Handler(BaseHTTPRequestHandler):
         """Headers, and then nothing."""
         self.head(len(GOOD))
         self.wfile.flush()
-        time.sleep(3)
+        self.rfile.read(1)  # ends when the client has gone
 
     def slow(self) -> None:
         """A byte now and then."""

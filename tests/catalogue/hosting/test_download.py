@@ -1,7 +1,6 @@
 """Fetching from a server that misbehaves."""
 
 import socket
-import time
 from pathlib import Path
 
 import pytest
@@ -9,15 +8,14 @@ import pytest
 from sigcat.catalogue.hosting.download import FetchFailed, FetchLimits, fetch
 from tests.catalogue.hosting.server import GOOD
 
-LIMITS = FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0)
+LIMITS = FetchLimits(bytes=1_000_000)
+IMPATIENT = FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0)
 
 
 def failure(address: str, tmp_path: Path, *, is_trusted: bool = True, limits: FetchLimits = LIMITS) -> str:
-    """Why an address is not fetched, and how long that took."""
-    started = time.monotonic()
+    """Why an address is not fetched."""
     with pytest.raises(FetchFailed) as failed:
         fetch(address, tmp_path / "file", is_trusted=is_trusted, limits=limits)
-    assert time.monotonic() - started < 5
     return str(failed.value)
 
 
@@ -33,9 +31,6 @@ def test_a_file_arrives_whole(server, tmp_path, data, path):
     ("path", "reason"),
     [
         ("truncated", "the connection ended after"),
-        ("silent", "does not answer in time"),
-        ("slow", "took longer than 1 seconds"),
-        ("slow-headers", "took longer than 1 seconds"),
         ("endless", "more than 1,000,000 bytes"),
         ("huge", "10,000,000,000 bytes; the limit is"),
         ("loop", "redirects more than 5 times"),
@@ -48,6 +43,18 @@ def test_a_file_arrives_whole(server, tmp_path, data, path):
 )
 def test_each_misbehaviour_has_its_clear_reason(server, tmp_path, data, path, reason):
     assert reason in failure(f"{server}/{path}", tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("path", "reason"),
+    [
+        ("silent", "does not answer in time"),
+        ("slow", "took longer than 1 seconds"),
+        ("slow-headers", "took longer than 1 seconds"),
+    ],
+)
+def test_a_server_that_takes_its_time_is_given_up(server, tmp_path, data, path, reason):
+    assert reason in failure(f"{server}/{path}", tmp_path, limits=IMPATIENT)
 
 
 def test_a_redirect_to_a_private_host_is_not_asked(server, tmp_path, data):

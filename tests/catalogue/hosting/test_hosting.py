@@ -1,12 +1,12 @@
 """A library of many catalogues: each replaced whole, the last good state kept, readers never seeing a mix."""
 
 import threading
-import time
 
 import pytest
 
 from sigcat.catalogue.hosting.library import Library, Source, Watch
 from sigcat.errors import NotFound
+from tests.waiting import wait_until
 
 ROOT = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 
@@ -157,10 +157,7 @@ def test_hosting_other_sources_keeps_the_catalogues_that_stay(library, tree):
 def test_a_watch_reads_changed_files_again(library, tree):
     with Watch(library, seconds=0.02):
         (tree / "overlay.vspec").write_text(signal("Depth"))
-        until = time.monotonic() + 5
-        while leaves(library) != ["Speed", "Depth"] and time.monotonic() < until:
-            time.sleep(0.01)
-    assert leaves(library) == ["Speed", "Depth"]
+        wait_until(lambda: leaves(library) == ["Speed", "Depth"], "the changed overlay is read")
 
 
 def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):
@@ -169,12 +166,10 @@ def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):
 
     monkeypatch.setattr(library, "reload_changed", fail)
     with Watch(library, seconds=0.01):
-        time.sleep(0.1)
+        wait_until(lambda: "disk on fire" in caplog.text, "what goes wrong is logged")
         monkeypatch.undo()
         (tree / "overlay.vspec").write_text(signal("Depth"))
-        time.sleep(0.3)
-    assert leaves(library) == ["Speed", "Depth"]
-    assert "disk on fire" in caplog.text
+        wait_until(lambda: leaves(library) == ["Speed", "Depth"], "the changed overlay is read")
 
 
 def test_readers_never_see_a_mix(library, tree):

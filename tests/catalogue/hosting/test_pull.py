@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 
 import pytest
 
@@ -28,6 +27,7 @@ from sigcat.errors import InputRefused, NotFound, UsageError
 from tests.catalogue.hosting.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
 from tests.catalogue.hosting.server import GOOD
 from tests.needs import OFFICIAL, official_releases
+from tests.waiting import wait_until
 
 DIGEST = hashlib.sha256(GOOD).hexdigest()
 IMPATIENT = PullLimits(fetch=FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0))
@@ -185,28 +185,35 @@ def test_two_pulls_at_once_leave_one_release(server, data):
 
 
 _PULL = """
-import signal, sys
+import os, signal, sys
 from sigcat.catalogue.hosting.releases import pull
+address, last = sys.argv[1:]
+
+def step(event, arguments):
+    path = str(arguments[0]) if arguments else ""
+    if os.environ["SIGCAT_DATA"] in path and f"{event} {os.path.basename(path)}".startswith(last):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+if last:
+    sys.addaudithook(step)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background has it ignored
-pull(*sys.argv[1:])
+pull("v5.0", address)
 """
 
 
-def killed(arguments: list[str], seconds: float, how: int = signal.SIGKILL) -> None:
-    """Pull in a process of its own and end it after a time, which for SIGINT begins when the download does."""
-    process = subprocess.Popen([sys.executable, "-c", _PULL, *arguments], stderr=subprocess.DEVNULL)
-    until = time.monotonic() + 20
-    while how == signal.SIGINT and not list(releases_folder().glob(".pull-*/archive")) and time.monotonic() < until:
-        time.sleep(0.01)
-    time.sleep(seconds)
-    process.send_signal(how)
-    process.wait()
+def pulling(address: str, killed_at: str = "") -> "subprocess.Popen[bytes]":
+    """A pull in a process of its own, which kills itself before the first step in the data folder that is this one."""
+    return subprocess.Popen([sys.executable, "-c", _PULL, address, killed_at], stderr=subprocess.DEVNULL)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="POSIX, where a dead process is told from a living one")
-@pytest.mark.parametrize("seconds", [0.15, 0.25, 0.3, 0.35, 0.4, 0.5])
-def test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up(server, data, seconds):
-    killed(["v5.0", f"{server}/good"], seconds)
+@pytest.mark.parametrize(
+    "step",
+    ["open release.json", "os.mkdir releases", "open archive", "os.mkdir content", "open Cabin.vspec", "open LICENSE",
+     "os.rename content", "shutil.rmtree"],
+)  # fmt: skip
+def test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up(server, data, step):
+    assert pulling(f"{server}/good", killed_at=step).wait() == -signal.SIGKILL
     for release in pulled_releases():
         assert everything_in(release.folder) == sorted(
             [*(n for n in FILES if not n.startswith("docs")), "release.json"]
@@ -218,7 +225,10 @@ def test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up(serv
 
 @pytest.mark.skipif(os.name != "posix", reason="the signals of POSIX")
 def test_a_pull_that_is_interrupted_cleans_up_by_itself(server, data):
-    killed(["v5.0", f"{server}/slow"], 0.1, signal.SIGINT)
+    process = pulling(f"{server}/slow")
+    wait_until(lambda: list(releases_folder().glob(".pull-*/archive")), "the download begins")
+    process.send_signal(signal.SIGINT)
+    assert process.wait() != 0
     assert list(releases_folder().iterdir()) == []
 
 
