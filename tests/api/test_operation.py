@@ -10,7 +10,7 @@ import httpx
 import pytest
 
 from sigcat.api.application import create_app
-from sigcat.api.middleware.kept_answers import KeptAnswers
+from sigcat.api.middleware.answer_cache import AnswerCache
 from sigcat.api.read_settings import read_settings, shown
 from sigcat.api.server import uvicorn_config
 from sigcat.api.settings import Settings
@@ -155,12 +155,12 @@ def test_a_kept_answer_is_forgotten_when_its_catalogue_changes(tmp_path: Path) -
 
 
 def test_the_cache_stays_within_its_bound(library: Library) -> None:
-    kept = KeptAnswers(create_app(library, Settings(cache_bytes=0)), library, most_bytes=5_000)
-    ask = asker(kept)
+    cache = AnswerCache(create_app(library, Settings(cache_bytes=0)), library, most_bytes=5_000)
+    ask = asker(cache)
     paths = list(library.get("small").catalogue.nodes)
     sizes = [len(ask(f"{SMALL}/nodes/{path}").content) for path in paths]
     assert sum(sizes) > 10_000
-    assert 0 < sum(len(answer.body["body"]) for answer in kept._kept.values()) <= 5_000
+    assert 0 < sum(len(answer.body["body"]) for answer in cache._cached.values()) <= 5_000
     assert [ask(f"{SMALL}/nodes/{path}").json()["path"] for path in paths] == paths
 
 
