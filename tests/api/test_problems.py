@@ -33,7 +33,7 @@ def test_below_a_path_the_type_opens_its_page_there_too() -> None:
     ask = asker(create_site(Library(SOURCES[:1]), SETTINGS), root_path="/signals")
     body = problem(ask, f"/signals{SMALL}/nodes/Vehicle.Sped", 404, headers={"Accept": "application/json"})
     assert body["type"] == "/signals/problems/not-found"
-    assert "does not exist" in ask(body["type"]).text
+    assert "Not found" in ask(body["type"]).text
 
 
 def test_a_catalogue_that_does_not_exist_proposes_near_ones(ask: Ask) -> None:
@@ -108,7 +108,7 @@ def test_a_cursor_belongs_to_its_search(ask: Ask) -> None:
 
 def test_a_choice_that_is_none_is_answered_with_the_choices(ask: Ask) -> None:
     assert (
-        problem(ask, f"{SMALL}/search?deprecated=maybe", 422)["detail"] == "Parameter 'deprecated': it takes yes or no."
+        problem(ask, f"{SMALL}/search?deprecated=maybe", 422)["detail"] == "Parameter 'deprecated': must be yes or no."
     )
 
 

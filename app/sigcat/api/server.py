@@ -1,4 +1,4 @@
-"""Run an application until it is told to stop; requests under way are finished."""
+"""Run an application until it is stopped; requests under way are finished."""
 
 import gc
 import json
@@ -32,12 +32,12 @@ class _Lines(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         """The line."""
         time = self.formatTime(record, "%Y-%m-%dT%H:%M:%S%z")
-        told = {"time": time, "level": record.levelname.lower(), "logger": record.name}
+        record_fields = {"time": time, "level": record.levelname.lower(), "logger": record.name}
         if record.name == "sigcat.requests":
-            return json.dumps({**told, **json.loads(record.getMessage())})
+            return json.dumps({**record_fields, **json.loads(record.getMessage())})
         if record.exc_info:
-            told["trace"] = self.formatException(record.exc_info)
-        return json.dumps({**told, "message": record.getMessage()})
+            record_fields["trace"] = self.formatException(record.exc_info)
+        return json.dumps({**record_fields, "message": record.getMessage()})
 
 
 def run(application: FastAPI, settings: Settings) -> None:
@@ -53,7 +53,7 @@ _COULD_NOT_RUN = 2
 
 
 def prepare(application: FastAPI, settings: Settings) -> None:
-    """What a process needs that serves: its log, what is wrong with its catalogues told there, and a calm collector."""
+    """What a process needs that serves: its log, what is wrong with its catalogues in it, and fewer runs of the garbage collector."""
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
     tell_errors(application.state.library)
     if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):

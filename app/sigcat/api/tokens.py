@@ -37,10 +37,10 @@ def token_from_text(text: str) -> Token:
     """The token that a setting describes. Raises ValueError, which does not repeat the text."""
     match = _WRITTEN.fullmatch(text)
     if match is None:
-        raise ValueError("a token is written NAME:SCOPE+SCOPE:SHA-256; `sigcat config --new-token NAME` makes one")
+        raise ValueError("a token must be NAME:SCOPE+SCOPE:SHA-256; `sigcat config --new-token NAME` makes one")
     unknown = set(match[2].split("+")) - set(SCOPES)
     if unknown:
-        raise ValueError(f"there is no scope {min(unknown)!r}; there are {', '.join(SCOPES)}")
+        raise ValueError(f"a scope must be {' or '.join(SCOPES)}, not {min(unknown)!r}")
     return Token(match[1], frozenset(match[2].split("+")), match[3])
 
 

@@ -29,12 +29,12 @@ class WorkQueue:
         self._threads = ThreadPoolExecutor(at_once, "sigcat-heavy")
         self._counting = Lock()
         self.pending = 0
-        """How many are under way or wait. A work whose client was told to come again counts until it ends."""
+        """How many are under way or wait. Abandoned work counts until it ends."""
 
     async def run(self, work: Callable[[], Result]) -> Result:
         """The result of `work`. Raises Busy if too many wait already, or if it takes too long."""
         if self.pending >= self._most:
-            raise Busy("More work waits than the service takes. Ask again later.")
+            raise Busy("The queue of the service is full. Try again later.")
         self._count(1)
         future = self._threads.submit(work)
         future.add_done_callback(lambda _: self._count(-1))
@@ -45,7 +45,9 @@ class WorkQueue:
         except TimeoutError:
             if not limit.expired():
                 raise
-            raise Busy(f"This took longer than {self._seconds:g} seconds and was given up.") from None
+            raise Busy(
+                f"The work took longer than {self._seconds:g} seconds and was abandoned. Try again, or ask for less."
+            ) from None
 
     def _count(self, change: int) -> None:
         with self._counting:  # an end is counted by the thread in which it comes

@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _make(folder: Path) -> None:
     if folder.exists() and not folder.is_dir():
-        raise UsageError(f"{folder}: is not a folder")
+        raise UsageError(f"{folder} must be a folder")
     if not folder.parent.is_dir():
         raise UsageError(f"{folder.parent}: there is no such folder")
     folder.mkdir(exist_ok=True)

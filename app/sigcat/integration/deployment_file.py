@@ -34,7 +34,7 @@ def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> 
             return DEPLOYMENT_FILE.model_validate(document.value)
         except ValidationError as error:
             findings = (*findings, *structural_findings(error, document, DEPLOYMENT_FILE))
-    raise InputRefused(f"{name} is no deployment file.", in_order(findings))
+    raise InputRefused(f"{name} cannot be used as a deployment file.", in_order(findings))
 
 
 def deployment_schema() -> dict[str, Any]:

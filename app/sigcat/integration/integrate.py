@@ -18,5 +18,5 @@ def integrate(
     """Derive the Integration JSON for a platform. Raises InputRefused if a field of an interface has no place in it."""
     integrated = platform.derive(functions, deployment, getattr(deployment, platform.section))
     if has_errors(integrated.findings):
-        raise InputRefused("The functions cannot be integrated as they are.", integrated.findings)
+        raise InputRefused("The functions cannot be integrated: they have errors.", integrated.findings)
     return integrated

@@ -38,7 +38,7 @@ def entries(
     model: BaseModel,
     targets: "Mapping[str, FieldTarget] | Mapping[str, FieldTarget | str]",
 ) -> list[Entry]:
-    """An entry for each field that has a value. A field that no target is known for is told as not carried."""
+    """An entry for each field that has a value. A field that no target is known for is listed as not carried."""
     made = []
     named = [(str(field.alias or name), getattr(model, name)) for name, field in type(model).model_fields.items()]
     for field, value in (*named, *(model.model_extra or {}).items()):

@@ -284,7 +284,7 @@ def test_ids_that_depend_on_each_other_are_told_with_what_keeps_them():
     derived = derive([function(signals=[at(path) for path in paths])])
     told = [finding for finding in derived.findings if finding.rule == "A008"]
     assert told
-    assert told[0].fix.startswith("To keep it, write it into the deployment: identifiers: {VehicleBranchService.")
+    assert told[0].fix.startswith("To keep it, fix it in the deployment file: identifiers: {VehicleBranchService.")
 
 
 def test_ids_that_a_deployment_keeps_stay_whatever_is_added():
@@ -359,7 +359,7 @@ def test_a_field_that_no_one_knows_is_told():
     }  # fmt: skip
     derived = derive([function(contract={"MethodList": [method]})])
     assert rules(derived) == ["A012"]
-    assert derived.findings[0].message.startswith("Colour of M (Demo) is not carried")
+    assert derived.findings[0].message.startswith("Colour of M (Demo) has no place in the Integration JSON")
 
 
 def test_the_report_escapes_what_documents_contain():

@@ -120,4 +120,4 @@ def test_without_a_deployment_each_signal_without_a_path_is_told():
     assert function is not None
     findings = derive([function], DEFAULT_DEPLOYMENT).findings
     assert [finding.rule for finding in findings] == ["A002"] * 6
-    assert all("Tell its path in the deployment" in finding.fix for finding in findings)
+    assert all("Set its path in the deployment file" in finding.fix for finding in findings)

@@ -89,7 +89,7 @@ def chosen_type(accepted: str, offered: Sequence[str]) -> str:
     weights = {media_type: _weight(media_type, wishes) for media_type in offered}
     best = max(offered, key=lambda media_type: weights[media_type])
     if weights[best] <= 0:
-        raise HTTPException(HTTPStatus.NOT_ACCEPTABLE, f"This is answered as {', '.join(offered)}.")
+        raise HTTPException(HTTPStatus.NOT_ACCEPTABLE, f"The header `Accept` must allow {' or '.join(offered)}.")
     return best
 
 

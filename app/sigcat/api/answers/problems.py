@@ -23,18 +23,18 @@ PROBLEM: dict[str, Any] = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/compon
 _LOG = logging.getLogger("sigcat")
 
 KINDS: dict[int, tuple[str, str]] = {
-    400: ("bad-request", "The request cannot be understood"),
+    400: ("bad-request", "Bad request"),
     401: ("unauthorized", "A token is needed"),
     403: ("forbidden", "The token does not allow this"),
-    404: ("not-found", "What was named does not exist"),
-    405: ("method-not-allowed", "The address does not take this method"),
-    406: ("not-acceptable", "The answer cannot take the form that was asked for"),
-    408: ("too-slow", "The request took too long to arrive"),
-    413: ("too-large", "The posted text is too large"),
-    415: ("unsupported-media-type", "The posted text is of a kind that is not read"),
+    404: ("not-found", "Not found"),
+    405: ("method-not-allowed", "Method not allowed"),
+    406: ("not-acceptable", "Not acceptable"),
+    408: ("too-slow", "Request timed out"),
+    413: ("too-large", "Body too large"),
+    415: ("unsupported-media-type", "Unsupported media type"),
     422: ("input-refused", "The input cannot be used"),
-    500: ("internal-error", "sigcat failed"),
-    503: ("busy", "The service is busy"),
+    500: ("internal-error", "Internal error"),
+    503: ("busy", "Service busy"),
 }
 """Name in the problem's `type` and its title, by status."""
 
@@ -59,7 +59,7 @@ def problem_of(
 
 
 def problem_from(error: Exception) -> schemas.Problem:
-    """The problem that an exception stands for. What is not ours is an internal error that tells nothing."""
+    """The problem that an exception stands for. What is not ours is an internal error without details."""
     if isinstance(error, NotFound):
         return problem_of(404, str(error), nearest=error.nearest)
     if isinstance(error, InputRefused):
@@ -71,7 +71,7 @@ def problem_from(error: Exception) -> schemas.Problem:
         return problem_of(422, " ".join(finding.message for finding in findings), findings)
     if isinstance(error, HTTPException):
         return problem_of(error.status_code, _detail_of(error))
-    return problem_of(500, "Something went wrong on the server; its log says what.")
+    return problem_of(500, "The server failed; its log says why.")
 
 
 def install_problems(app: FastAPI) -> None:
@@ -114,9 +114,9 @@ def _invalid(error: dict[str, Any]) -> Finding:
     reason = error["msg"].removeprefix("Value error, ").rstrip(".")
     choices = re.fullmatch(r"\^\(([\w|]+)\)\$", str(error.get("ctx", {}).get("pattern", "")))
     if choices:
-        reason = f"it takes {choices[1].replace('|', ' or ')}"
+        reason = f"must be {choices[1].replace('|', ' or ')}"
     if error["type"] == "extra_forbidden":
-        return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"There is no parameter {name!r}.", pointer=pointer)
+        return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Unknown parameter {name!r}.", pointer=pointer)
     return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(
         f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer
     )
@@ -126,7 +126,7 @@ def _detail_of(error: HTTPException) -> str:
     if isinstance(error, BodyRefused):
         return error.detail
     if error.status_code == HTTPStatus.NOT_FOUND:
-        return "There is nothing at this address. /openapi.json lists the addresses."
+        return "No page or operation has this address. /openapi.json lists the operations."
     if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-        return "This address does not take the method; the header `Allow` says which it takes."
+        return "This address does not allow the method; the header `Allow` lists those that it does."
     return str(error.detail)

@@ -250,7 +250,7 @@ def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
 
 
 def diff_schema(changes: Sequence[Change], old: str, new: str) -> schemas.Diff:
-    """A comparison as `sigcat diff` tells it."""
+    """A comparison as `sigcat diff` prints it."""
     counts = schemas.ChangeCounts.model_validate(diff_data(changes)["summary"])
     return schemas.Diff(old=old, new=new, summary=counts, changes=changes_schema(changes))
 

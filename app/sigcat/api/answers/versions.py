@@ -20,7 +20,7 @@ def version_of(hosted: Hosted) -> str:
 
 
 def state_of(hosted: Hosted) -> str:
-    """The version, and with it what is told of a newer state that was not taken."""
+    """The version, and with it the findings of a newer state that was rejected."""
     if not hosted.rejected:
         return version_of(hosted)
     return f"{version_of(hosted)}-{hashlib.sha256(repr(hosted.rejected).encode('utf-8', 'replace')).hexdigest()[:8]}"

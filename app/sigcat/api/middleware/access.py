@@ -66,9 +66,11 @@ def check_scope(authorization: str, scope: Scope, tokens: Iterable[Token]) -> To
     kind, _, secret = authorization.partition(" ")
     token = token_named(secret.strip(), tokens) if kind.lower() == "bearer" else None
     if token is None:
-        detail = f"This needs a token with the scope {scope!r}: Authorization: Bearer TOKEN."
+        detail = (
+            f"The request must have a token with the scope {scope!r}. Send the header `Authorization: Bearer TOKEN`."
+        )
         raise HTTPException(HTTPStatus.UNAUTHORIZED, detail, headers={"WWW-Authenticate": 'Bearer realm="sigcat"'})
     if scope not in token.scopes:
-        detail = f"The token {token.name!r} has no scope {scope!r}."
+        detail = f"The token {token.name!r} must have the scope {scope!r}."
         raise HTTPException(HTTPStatus.FORBIDDEN, detail)
     return token

@@ -56,7 +56,7 @@ class RequestLog:
         except asyncio.CancelledError:  # the server stops, and `stop_seconds` are over
             if status:
                 raise
-            response = await answer_problem(Request(asked), Busy("The service stops. Ask again."))
+            response = await answer_problem(Request(asked), Busy("The service is stopping. Try again."))
             await response(asked, receive, noting_send)
         finally:
             self._note(asked, method, status or 500, perf_counter() - began)

@@ -18,7 +18,7 @@ def offset_of(cursor: str, digest: str) -> int:
         state, _, offset = urlsafe_b64decode(cursor + "=" * (-len(cursor) % 4)).decode("ascii").partition(":")
         number = int(offset)
     except ValueError:
-        raise UsageError("The cursor is none that this service gave. Take it from `next_cursor` as it is.") from None
+        raise UsageError("The cursor must be a `next_cursor` of this service. Send it unchanged.") from None
     if state != digest[:_STATE_CHARACTERS] or number < 0:
         raise UsageError(
             "The cursor belongs to another search or another state of the catalogue. Start again without one."

@@ -116,7 +116,7 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     hosted = find_hosted(library, catalogue_id)
     current = version_of(hosted)
     if version != current:
-        message = f"Catalogue {catalogue_id!r} is not hosted in the version {version[:80]!r}; now it is {current!r}."
+        message = f"The version of catalogue {catalogue_id!r} must be {current!r}, not {version[:80]!r}."
         raise NotFound(message, (f"{catalogue_id}@{current}",))
     return hosted._replace(rejected=()) if hosted.rejected else hosted, True
 
@@ -182,7 +182,7 @@ FileName = Annotated[str, Query(max_length=300, description="What findings call 
 async def posted_text(request: Request) -> bytes:
     """The body, not longer than the limit. Its media type does not matter, as long as it is the bare text."""
     if request.headers.get("content-type", "").startswith("multipart/"):
-        detail = "Post the bare text, not a form: curl --data-binary @FILE."
+        detail = "The body must be the text itself, not a form. Use `curl --data-binary @FILE`."
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
     return await posted_body(request)
 
@@ -191,7 +191,7 @@ async def posted_body(request: Request) -> bytes:
     """The body, whatever it is, not longer than the limit and within its time."""
     settings = settings_of(request)
     if request.headers.get("content-encoding", "identity") != "identity":
-        raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "Post the text uncompressed.")
+        raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "The body must not be compressed. Send it as it is.")
     declared = request.headers.get("content-length", "")
     if declared.isdecimal() and len(declared) <= len(str(settings.body_bytes)) + 1:
         _check_length(int(declared), settings)
@@ -201,7 +201,7 @@ async def posted_body(request: Request) -> bytes:
         async with asyncio.timeout(settings.body_seconds):
             return await _read(request, settings)
     except TimeoutError:
-        detail = f"The text did not arrive within {settings.body_seconds:g} seconds."
+        detail = f"The body must arrive within {settings.body_seconds:g} seconds."
         raise BodyRefused(HTTPStatus.REQUEST_TIMEOUT, detail, headers={"Connection": "close"}) from None
 
 
@@ -228,5 +228,5 @@ def text_body(description: str, example: str) -> dict[str, Any]:
 
 def _check_length(length: int, settings: Settings) -> None:
     if length > settings.body_bytes:
-        detail = f"The text has more than {settings.body_bytes:,} bytes, which is the limit."
+        detail = f"The body must have at most {settings.body_bytes:,} bytes."
         raise BodyRefused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail, headers={"Connection": "close"})

@@ -29,7 +29,7 @@ router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
 _LONGEST_NAME = 500
 _DEEPEST = 64
 _PAGE = 50
-_MOST_TOLD = 12
+_MOST_LISTED = 12
 """Values of a filter that are listed where none of them was given."""
 _OWN_FIELDS = ("path", "name", "category")
 """Fields of a node that are no attributes."""
@@ -210,7 +210,7 @@ def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
     for facet, value in query.filters.items():
         known = dict.fromkeys((*_possible(facet, hosted.catalogue), *hosted.search_index.values_of(facet)))
         if value not in known:
-            told = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_TOLD else ""
+            told = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_LISTED else ""
             hint = did_you_mean(value[:_LONGEST_NAME], known)
             raise UsageError(f"There is no {facet} {value[:100]!r} in this catalogue{told}. {hint}".rstrip())
 

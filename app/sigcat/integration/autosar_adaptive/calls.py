@@ -59,21 +59,21 @@ def _call(call: Runnable, part: Part, context: Context) -> model.Call:
 def _run_type(call: Runnable, part: Part, context: Context) -> str:
     run_type = _RUN_TYPES.get(call.run_type)
     if call.run_type == "EventTriggered":
-        message = f"{call.name} runs on events: the published schema has no word for that, and it is written as Cyclic."
-        context.findings.report(codes.CALL_ON_EVENTS, message, call.name, "Trigger tells the difference.")
-    if run_type is None:
-        message = f"{call.name} of {part.function_name} has the run type {call.run_type!r}, which does not exist; it is taken as Cyclic."
-        context.findings.report(
-            codes.RUN_TYPE_UNKNOWN, message, call.name, "Use Init, Cyclic, EventTriggered or Shutdown."
+        message = (
+            f"{call.name} runs on events, which the published schema has no run type for: it is written as Cyclic."
         )
+        context.findings.report(codes.CALL_ON_EVENTS, message, call.name, "Read `Trigger`, which says Event.")
+    if run_type is None:
+        message = f"The run type of {call.name} of {part.function_name} must be Init, Cyclic, EventTriggered or Shutdown, not {call.run_type!r}: it is written as Cyclic."
+        context.findings.report(codes.RUN_TYPE_UNKNOWN, message, call.name, "Correct it in the function.")
     return run_type or "Cyclic"
 
 
 def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if plain not in _SCHEDULING:
-        message = f"{call.name} of {part.function_name} has the scheduling {call.scheduling!r}, which does not exist; none is written."
-        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Use Preemptive or Non-Preemptive.")
+        message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
+        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Correct it in the function.")
     return _SCHEDULING.get(plain)
 
 
@@ -147,11 +147,11 @@ def _parameter(
 
 
 def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, context: Context) -> str | T:
-    """The word, if the published schema has it; a word of another spelling is told, not written."""
+    """The word, if the published schema has it; a word of another spelling is reported, not written."""
     if word is None or word in words:
         return word or otherwise
     near = {known.lower(): known for known in words}.get(word.lower())
-    message = f"{where}: {word!r} is none of {', '.join(words)}; {near or otherwise or 'nothing'} is written."
+    message = f"{where} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
     context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, where.split(" ", 1)[0])
     return near or otherwise
 

@@ -66,7 +66,7 @@ def derive(
 def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
     for entry in targets:
         if entry.target == NOT_CARRIED:
-            message = f"{entry.field} of {entry.interface} ({entry.function}) is not carried: {entry.note}."
+            message = f"{entry.field} of {entry.interface} ({entry.function}) has no place in the Integration JSON: {entry.note}."
             context.findings.report(codes.FIELD_NOT_CARRIED, message, entry.interface)
 
 
@@ -90,7 +90,7 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
 
 
 def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | None:
-    """The header that a code generator writes for a component, if the function tells variables of its code."""
+    """The header that a code generator writes for a component, if the function names variables of its code."""
     if settings.header_files is not None:
         return tuple(settings.header_files) or None
     contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
@@ -150,8 +150,8 @@ def _provider_names(service: Service, content: model.Services) -> list[str]:
 def _meta(context: Context) -> model.MetaInformation:
     app = context.application
     if app.date is None:
-        message = f"No function has a date: {NO_DATE} is written, as the published schema wants one."
-        context.findings.report(codes.DATE_MISSING, message, fix="Give one in the deployment, or in a function.")
+        message = f"The document must have a date, and no function has one: {NO_DATE} is written."
+        context.findings.report(codes.DATE_MISSING, message, fix="Set `date` in the deployment file or in a function.")
     return model.MetaInformation(
         authority=app.authority,
         author=app.author,

@@ -1,4 +1,4 @@
-"""Integration JSON from anywhere: read, checked, and completed by rule where it tells no ids."""
+"""Integration JSON from anywhere: read, checked, and completed by rule where it has no ids."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -55,7 +55,7 @@ def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) ->
             findings = tuple(_finding(defect, document) for defect in _defects(whole))
             if not findings:
                 return whole
-    raise InputRefused(f"{name} cannot be used as Integration JSON for AUTOSAR adaptive.", findings)
+    raise InputRefused(f"{name} must be Integration JSON as `sigcat integrate autosar-adaptive` writes it.", findings)
 
 
 def completed(model: IntegrationModel) -> IntegrationModel:
@@ -113,7 +113,9 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
         here = (*at, "ServiceInterfaceList", index)
         yield from _name(here, interface.name, "service")
         if roles.index((interface.name, interface.role)) != index:
-            yield Defect(here, f"Service {interface.name!r} stands twice in the same role.", "Join the two.")
+            yield Defect(
+                here, f"Service {interface.name!r} must be listed once in each role, not twice.", "Merge the two."
+            )
         for position, services in enumerate(interface.services):
             yield from _in_services(services, (*here, "ServiceList", position), types)
 
@@ -139,7 +141,7 @@ def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[D
 
 def _word(pointer: Pointer, word: str, owner: str, types: set[str]) -> Iterator[Defect]:
     if word not in types and word not in BY_ADAPTIVE:
-        yield Defect(pointer, f"Datatype {word!r} of {owner} is not defined.", "Define it under DataTypes.")
+        yield Defect(pointer, f"Datatype {word!r} of {owner} is not defined.", "Define it under `DataTypes`.")
 
 
 def _names(places: Iterable[tuple[Pointer, str]], what: str) -> Iterator[Defect]:
@@ -147,16 +149,14 @@ def _names(places: Iterable[tuple[Pointer, str]], what: str) -> Iterator[Defect]
     for pointer, name in places:
         yield from _name(pointer, name, what)
         if name.lower() in seen:
-            message = f"The {what} names {seen[name.lower()]!r} and {name!r} are the same to AUTOSAR."
+            message = f"The {what} names {seen[name.lower()]!r} and {name!r} must differ in more than case."
             yield Defect(pointer, message, "Rename one of them.")
         seen[name.lower()] = name
 
 
 def _name(pointer: Pointer, name: str, what: str) -> Iterator[Defect]:
     if not _SHORT_NAME.fullmatch(name):
-        message = (
-            f"{name[:60]!r} is no name for a {what}: letters, digits and underscores, a letter first, at most 128."
-        )
+        message = f"The name of a {what} must be at most 128 letters, digits and underscores, a letter first, not {name[:60]!r}."
         yield Defect(pointer, message, f"Use {short_name(name)[:60]!r}.")
 
 
@@ -167,17 +167,17 @@ def _type_references(model: IntegrationModel, types: set[str]) -> Iterator[Defec
         words += [word for word in (entry.type, entry.storage, entry.c_definition) if word]
         for word in words:
             if word not in types and word not in BY_ADAPTIVE:
-                message = f"Datatype {entry.name} refers to {word!r}, which is not defined."
-                yield Defect(("DataTypes", index), message, "Define it under DataTypes.")
+                message = f"Datatype {word!r} of {entry.name} is not defined."
+                yield Defect(("DataTypes", index), message, "Define it under `DataTypes`.")
 
 
 def _members(entry: TypeEntry, at: Pointer) -> Iterator[Defect]:
     if entry.name.lower() in _PRIMITIVES:
-        yield Defect(at, f"{entry.name!r} is the name of a primitive.", "Rename the datatype.")
+        yield Defect(at, f"A datatype must not have the name of a primitive, {entry.name!r}.", "Rename it.")
     yield from _names((((*at, "Field", i), field.name) for i, field in enumerate(entry.fields or ())), "member")
     yield from _names((((*at, "EnumField", i), item.symbol) for i, item in enumerate(entry.symbols or ())), "value")
     if entry.kind == "array" and not entry.element:
-        yield Defect(at, f"The array {entry.name} has no datatype of its elements.", "Give it a Type.")
+        yield Defect(at, f"The array {entry.name} must have the datatype of its elements.", "Set its `Type`.")
 
 
 def _identifiers(model: IntegrationModel) -> Iterator[Defect]:
@@ -189,11 +189,15 @@ def _identifiers(model: IntegrationModel) -> Iterator[Defect]:
             for kind, owner, value, span in _numbers(interface):
                 if not span.first <= value <= span.last:
                     yield Defect(
-                        at, f"Id {value} of {owner} is not from {span.first} to {span.last}.", "Give another one."
+                        at,
+                        f"The id of {owner} must be from {span.first} to {span.last}, not {value}.",
+                        "Use another one.",
                     )
                 other = owners.setdefault((*kind, value), owner)
                 if other != owner:
-                    yield Defect(at, f"{other} and {owner} have the same id: {value}.", "Give one of them another one.")
+                    yield Defect(
+                        at, f"{other} and {owner} must have different ids, not both {value}.", "Change one of them."
+                    )
 
 
 def _numbers(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
@@ -237,7 +241,7 @@ class _Numbers(NamedTuple):
 
 
 def _filled(model: IntegrationModel) -> IntegrationModel:
-    """The model with ids by the rule of `derive` wherever it tells none, and with names for the deployment."""
+    """The model with ids by the rule of `derive` wherever it has none, and with names for the deployment."""
     listed = [interface for component in model.components for interface in component.services]
     names = {interface.name for interface in listed}
     numbers = _Numbers(

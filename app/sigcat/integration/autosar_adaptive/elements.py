@@ -130,12 +130,12 @@ def _wanted(identity: str, side: Placed, context: Context) -> str:
 def _report_renamed(wanted: dict[str, str], context: Context) -> None:
     for name, plain in wanted.items():
         if name != plain:
-            message = f"{plain} is already taken by another interface: this one is called {name}."
+            message = f"{plain} is the name of another interface too: short names have no dots, and case does not count. This one is {name}."
             context.findings.report(codes.NAME_TAKEN, message, plain)
 
 
 def _numbers(names: Iterable[str], span: Span, context: Context, scope: str, suffix: str) -> dict[str, int]:
-    """Ids, those of the deployment first; what is wrong with them is told."""
+    """Ids, those of the deployment first; what is wrong with them is reported."""
     listed = sorted(set(names))
     given = context.settings.identifiers
     fixed: dict[str, int] = {}
@@ -145,20 +145,24 @@ def _numbers(names: Iterable[str], span: Span, context: Context, scope: str, suf
             continue
         if not span.first <= number <= span.last or number in fixed.values():
             reason = (
-                "is given twice" if number in fixed.values() else f"is not from 0x{span.first:04X} to 0x{span.last:04X}"
+                "must not be used twice"
+                if number in fixed.values()
+                else f"must be from 0x{span.first:04X} to 0x{span.last:04X}"
             )
-            message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment {reason}."
-            context.findings.report(codes.ID_REFUSED, message, f"{scope}{name}", "Give another one.")
+            message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment file {reason}."
+            context.findings.report(codes.ID_REFUSED, message, f"{scope}{name}", "Use another one.")
             continue
         fixed[name] = number
     if len(listed) > span.last - span.first + 1:
-        message = f"{len(listed)} names need an id and SOME/IP has {span.last - span.first + 1} of this kind."
+        message = (
+            f"At most {span.last - span.first + 1} names can have an id of this kind in SOME/IP, not {len(listed)}."
+        )
         context.findings.report(codes.ID_REFUSED, message, scope.rstrip("."), "Spread them over several services.")
         return dict.fromkeys(listed, span.first)
     assigned = assign(listed, span, fixed, f"{scope}{suffix}")
     for name, other, number in assigned.collisions:
-        message = f"{scope}{name} and {scope}{other} ask for the same id: 0x{number:04X} depends on both being there."
-        fix = f"To keep it, write it into the deployment: identifiers: {{{scope}{name}{suffix}: {number}}}."
+        message = f"{scope}{name} and {scope}{other} have the same digest: id 0x{number:04X} changes if one of them is removed."
+        fix = f"To keep it, fix it in the deployment file: identifiers: {{{scope}{name}{suffix}: {number}}}."
         context.findings.report(codes.ID_DEPENDS_ON_OTHERS, message, f"{scope}{name}", fix)
     return assigned.ids
 
@@ -236,7 +240,7 @@ def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
 
 
 def sent(value: float | None, interface: Signal | DataQueue) -> int | float | None:
-    """A limit of the code, in the unit in which the value is sent, exact; None if it cannot be told."""
+    """A limit of the code, in the unit in which the value is sent, exact; None if it is not known."""
     if value is None or interface.conversion_factor is None:
         return value
     factor, offset = _fraction(interface.conversion_factor), _fraction(interface.conversion_offset or "0")

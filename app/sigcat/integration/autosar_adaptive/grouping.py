@@ -20,7 +20,7 @@ from sigcat.integration.autosar_names import branch_of, service_name
 
 MODES = "ModeManagement"
 SAFETY = "SafetyManagement"
-"""Parts of the base software: who tells a function its mode, and who informs it of safety conditions."""
+"""Parts of the base software: which sends a function its mode, and which informs it of safety conditions."""
 
 
 class Group(NamedTuple):
@@ -64,8 +64,8 @@ def _providers(items: Iterable[Item], context: Context) -> dict[tuple[bool, str]
     for (_, identity), parts in found.items():
         if len(parts) > 1:
             names = ", ".join(part.name for part in parts)
-            message = f"{identity} is provided by {names}: consumers are connected to {parts[0].name}."
-            context.findings.report(codes.SEVERAL_PROVIDERS, message, identity, "Let one of them provide it.")
+            message = f"{identity} must have one provider, not {names}. Consumers are connected to {parts[0].name}."
+            context.findings.report(codes.SEVERAL_PROVIDERS, message, identity, "Let only one of them provide it.")
     return found
 
 
@@ -88,8 +88,8 @@ def _outside(item: Item, identity: str, context: Context) -> Group:
     is_path = not isinstance(item.interface, Method) and bool(context.path_of(item))
     if is_path:
         return _configured(identity, context) or _of_origin(branch_of(identity))
-    message = f"{identity} ({item.where}) has no VSS path, and no function of the set provides it."
-    fix = f"Tell its path in the deployment, under paths: {item.part.function_name}.{item.interface.name}, or add the provider."
+    message = f"{identity} ({item.where}) must have a VSS path or a provider in the set."
+    fix = f"Set its path in the deployment file, as `paths: {{{item.part.function_name}.{item.interface.name}: Vehicle...}}`, or add the provider."
     context.findings.report(
         codes.PROVIDER_UNKNOWN, message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
     )

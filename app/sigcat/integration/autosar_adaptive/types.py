@@ -88,8 +88,13 @@ class TypeTable:
             )
             for field in datatype.fields or ()
         )
-        told = {**common, "kind": "structure", "reference": datatype.reference, "description": datatype.description}
-        return TypeEntry(**told, fields=fields)  # type: ignore[arg-type]
+        fields_of_entry = {
+            **common,
+            "kind": "structure",
+            "reference": datatype.reference,
+            "description": datatype.description,
+        }
+        return TypeEntry(**fields_of_entry, fields=fields)  # type: ignore[arg-type]
 
     def _array(self, function: FunctionJson, datatype: Datatype, common: dict[str, str | None]) -> TypeEntry:
         element = self.word(function, datatype.element or "")
@@ -101,8 +106,8 @@ class TypeTable:
     def _opaque(self, function: FunctionJson, reference: str, datatype: Datatype | None) -> str:
         """A datatype whose content the function does not tell: an empty structure, so that it has a place."""
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
-        message = f"Datatype {reference} of {function.info.function_name} has {what}: its content is not known."
-        fix = "Give it a Kind with members, symbols or elements; until then it is an empty structure."
+        message = f"Datatype {reference} of {function.info.function_name} must have content: it has {what}, and is written as an empty structure."
+        fix = "Give it a `Kind` with members, symbols or elements."
         self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, fix=fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
@@ -116,11 +121,11 @@ class TypeTable:
         return entry.name
 
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
-        message = f"Datatype {datatype.reference} of {function.info.function_name} contains itself."
+        message = f"Datatype {datatype.reference} of {function.info.function_name} must not contain itself: SOME/IP cannot send it."
         self._context.findings.report(
             codes.DATATYPE_CONTAINS_ITSELF,
             message,
-            fix="SOME/IP cannot send it: cut the cycle, for instance by an index.",
+            fix="Break the cycle, for instance with an index.",
         )
 
 

@@ -22,7 +22,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     for service in settings.services:
         for above in service.paths:
             if not any(path == above or path.startswith(f"{above}.") for path in paths):
-                message = f"The deployment puts {above} into service {service.name}: no signal of the set stands there."
+                message = f"No signal of the set is at or below {above}, which the deployment file puts into service {service.name}."
                 context.findings.report(
                     codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths))
                 )
@@ -31,7 +31,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
 def _report_unknown(section: str, keys: Collection[str], known: Collection[str], context: Context) -> None:
     for key in keys:
         if key not in known:
-            message = f"The deployment names {key!r} under {section}: there is none in the set."
+            message = f"Nothing in the set is called {key!r}, which the deployment file names under `{section}`."
             context.findings.report(codes.DEPLOYMENT_NAMES_NOTHING, message, key, did_you_mean(key, known))
 
 

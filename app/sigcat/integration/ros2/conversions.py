@@ -82,8 +82,10 @@ def _linear(factor: object, offset: object, interface: str, findings: FindingCol
         return IDENTITY
     numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
     if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
-        message = f"{interface}: factor {factor!r} and offset {offset!r} are no conversion."
-        findings.report(codes.CONVERSION_NOT_A_NUMBER, message, interface, "Give a factor other than 0, and numbers.")
+        message = (
+            f"{interface}: the factor must be a non-zero number and the offset a number, not {factor!r} and {offset!r}."
+        )
+        findings.report(codes.CONVERSION_NOT_A_NUMBER, message, interface, "Correct them in the function.")
         return IDENTITY
     return Linear(numbers[0], numbers[1])
 

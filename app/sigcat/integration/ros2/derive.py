@@ -88,9 +88,7 @@ def _above_qm(name: str, asil: str | None, why: str, findings: FindingCollector)
     level = asil_of(asil)
     if level != "QM":
         message = f"{name}: ROS 2 does not support ASIL {level}: {why}."
-        findings.report(
-            codes.ASIL_NOT_SUPPORTED, message, name, "Protect it in the code, or use a platform that is qualified."
-        )
+        findings.report(codes.ASIL_NOT_SUPPORTED, message, name, "Protect it in the code, or use a qualified platform.")
 
 
 # -- the parts of the document ------------------------------------------------------------------------------------

@@ -19,4 +19,4 @@ def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) ->
             return Ros2Integration.model_validate(document.value, by_name=False)
         except ValidationError as error:
             findings = (*findings, *structural_findings(error, document, Ros2Integration))
-    raise InputRefused(f"{name} is no Integration JSON for ROS 2.", findings)
+    raise InputRefused(f"{name} must be Integration JSON as `sigcat integrate ros2` writes it.", findings)

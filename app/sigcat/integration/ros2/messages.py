@@ -75,9 +75,9 @@ class MessageBook:
         if reference in self._structs:
             return self._structs[reference]
         if reference in self._open:
-            message = f"{interface}: {reference} contains itself, which no message of ROS 2 can."
+            message = f"{interface}: {reference} must not contain itself: no ROS 2 message can."
             self._findings.report(
-                codes.DATATYPE_UNRESOLVED, message, interface, "Refer to the other value by a number."
+                codes.DATATYPE_UNRESOLVED, message, interface, "Break the cycle, for instance with an index."
             )
             return None
         self._open.append(reference)
@@ -110,9 +110,9 @@ class MessageBook:
 
 def unresolved(findings: FindingCollector, interface: str, reference: str) -> None:
     """Note that a datatype cannot be resolved."""
-    message = f"{interface}: the datatype {reference} is not defined, or C has no such type; the field is left out."
+    message = f"{interface}: the datatype {reference} must be defined, with a C type. The field is left out."
     findings.report(
-        codes.DATATYPE_UNRESOLVED, message, interface, f"Define {reference} under `Datatypes`, with a C definition."
+        codes.DATATYPE_UNRESOLVED, message, interface, f"Define {reference} under `Datatypes`, with its `cDef`."
     )
 
 

@@ -36,7 +36,7 @@ class Name(NamedTuple):
 def report_renamed(name: Name, source: str, interface: str, findings: FindingCollector) -> None:
     """Report the name of an interface, or of a part of it, if there is a reason why it is not as in the source."""
     if name.reason:
-        findings.report(codes.NAME_CHANGED, f"{source!r} is called {name.text!r} in ROS 2: {name.reason}.", interface)
+        findings.report(codes.NAME_CHANGED, f"{source!r} is named {name.text!r} in ROS 2: {name.reason}.", interface)
 
 
 def field_name(source: str, taken: Container[str] = ()) -> Name:

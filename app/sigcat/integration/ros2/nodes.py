@@ -117,9 +117,9 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
         findings.report(
             codes.CALL_WITHOUT_TRIGGER,
-            f"{call.name} has no trigger: {lacking} is missing.",
+            f"{call.name} must have {lacking} to run on.",
             call.name,
-            "Add it, or the run type.",
+            "Add it, or correct the run type.",
         )
     own_group = call.scheduling.lower().replace("-", "").replace("_", "") == "preemptive"
     group = package_name(call.name if own_group else f"{part.name}_calls").text
@@ -156,9 +156,9 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
     if not before or (before in own and run_kind(own[before]) == INIT):
         return None
     if before not in own:
-        message = f"{call.name} runs after {before}, which is in no call of node {part.name}: nodes have no order."
+        message = f"{call.name} must run after a call of its own node, not after {before}: nodes have no order."
         findings.report(
-            codes.ORDER_BETWEEN_NODES, message, call.name, "Let a signal of the one trigger the other, or use offsets."
+            codes.ORDER_BETWEEN_NODES, message, call.name, "Let a signal of one trigger the other, or use offsets."
         )
         return None
     return before
@@ -169,8 +169,8 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
     if text.isascii() and text.isdecimal() and len(text) < 4 and int(text) in _PRIORITIES:
         return int(text)
     if text:
-        message = f"{call.name}: {_short(text)!r} is no priority of a thread, which goes from 1 to 99."
-        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, call.name, "Give a number; a higher one runs first.")
+        message = f"The priority of {call.name} must be from 1 to 99, not {_short(text)!r}."
+        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, call.name, "Use a number; higher ones run first.")
     return None
 
 
@@ -206,11 +206,15 @@ def report_calls(part: Part, findings: FindingCollector) -> None:
 
 def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
     if call.stack_size:
-        message = f"{call.name}: ROS 2 sets no stack size; {_short(call.stack_size)} bytes are not carried."
-        findings.report(codes.STACK_SIZE_NOT_CARRIED, message, call.name, "Set it for the process, with ulimit -s.")
+        message = (
+            f"{call.name}: ROS 2 has no setting for the stack size of {_short(call.stack_size)} bytes; it is left out."
+        )
+        findings.report(
+            codes.STACK_SIZE_NOT_CARRIED, message, call.name, "Set it for the process, for instance with `ulimit -s`."
+        )
     if call.watchdog and call.watchdog.logical:
-        message = f"{call.name}: the logical supervision is in words, which no node can check."
-        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, call.name, "Supervise it by hand in the adapter.")
+        message = f"{call.name}: the logical supervision is free text, which no node can check."
+        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, call.name, "Supervise it in hand-written code.")
 
 
 # -- modes --------------------------------------------------------------------------------------------------------
@@ -219,10 +223,10 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
 def _modes(
     part: Part, settings: Ros2Settings, book: MessageBook, findings: FindingCollector, *, is_first: bool
 ) -> Iterable[ModeTopic]:
-    """A topic for each mode interface of the function. Every node is told the mode; the first one tells it."""
+    """A topic for each mode interface of the function. Every node receives the mode; the first one sends it."""
     for interface in part.function.mode_interfaces or ():
-        is_told = interface.direction.lower() == "in"
-        if not is_told and not is_first:
+        is_received = interface.direction.lower() == "in"
+        if not is_received and not is_first:
             continue
         kind = field_type(interface.datatype, None, book.table)
         if kind is None or kind.element is None:
@@ -232,7 +236,7 @@ def _modes(
         yield ModeTopic(
             interface=interface.name,
             topic=settings.namespace + topic_name(part.function_name, way),
-            role=SUBSCRIPTION if is_told else PUBLISHER,
+            role=SUBSCRIPTION if is_received else PUBLISHER,
             message=f"{book.package}/msg/{_mode_message(interface, part, book, findings)}",
             field="mode",
             quality=MODE,
@@ -269,13 +273,13 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
 def _diagnostic(error: Error, part: Part, statuses: Mapping[str, str], findings: FindingCollector) -> Diagnostic:
     if error.ignition_count_limit:
         message = (
-            f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is not carried."
+            f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is left out."
         )
         findings.report(
-            codes.IGNITION_CYCLES_NOT_COUNTED, message, error.name, "Keep the count in a fault memory beside ROS 2."
+            codes.IGNITION_CYCLES_NOT_COUNTED, message, error.name, "Count them in a fault memory outside ROS 2."
         )
     if error.reset_condition:
-        message = f"{error.name}: the reset condition is in words, which no node can check."
+        message = f"{error.name}: the reset condition is free text, which no node can check."
         findings.report(
             codes.RESET_CONDITION_IN_WORDS, message, error.name, "Report the error as passed when the condition holds."
         )
@@ -314,9 +318,9 @@ def _statuses(
     made = []
     for error in errors:
         if error not in statuses:
-            message = f"{name} depends on {_short(error)}, which no function of the set reports."
+            message = f"{name} depends on {_short(error)}, which no function in the set reports."
             findings.report(
-                codes.ERROR_FROM_OUTSIDE, message, name, f"Whoever reports it names its status {_short(error)}."
+                codes.ERROR_FROM_OUTSIDE, message, name, f"Whoever reports it must call its status {_short(error)!r}."
             )
         made.append(statuses.get(error, error))
     return tuple(made)

@@ -47,7 +47,7 @@ def _parameter(
         unresolved(findings, interface, item.datatype)
         return None
     if kind.element is None:
-        message = f"{interface}: nodes have no parameters that are structs; it is left out."
+        message = f"{interface}: a node parameter must not be a struct. It is left out."
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Declare a parameter for each member.")
         return None
     _unexpressed(item, kind, interface, findings)
@@ -143,11 +143,11 @@ def _constraints(kind: FieldType) -> str | None:
 
 def _unexpressed(item: Parameter, kind: FieldType, interface: str, findings: FindingCollector) -> None:
     if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
-        message = f"{interface} is kept over a restart; parameters of nodes are not."
+        message = f"{interface} must survive a restart, and node parameters do not."
         findings.report(codes.VALUE_NOT_KEPT, message, interface, "Write it to a file when the node is cleaned up.")
     if item.interface_type == "Measurement":
-        message = f"{interface} is a measurement; as a parameter it is read, and nobody is told when it changes."
+        message = f"{interface} is a measurement; as a node parameter it can be read, but sends no updates."
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Provide it as a signal.")
     if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
-        message = f"{interface}: integers of parameters end at {_LARGEST}."
+        message = f"{interface}: `max` must be at most {_LARGEST} in a node parameter, not {item.max}."
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Narrow the range with `max`.")

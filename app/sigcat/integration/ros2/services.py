@@ -79,8 +79,8 @@ def _service(
         )
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
-        message = f"{call.part.function_name} and another function mean the method {method.name} with other arguments."
-        findings.report(codes.MEANINGS_DIFFER, message, method.name, "Give one of them another name.")
+        message = f"The method {method.name} must have the same arguments everywhere; those of {call.part.function_name} differ from another function's."
+        findings.report(codes.MEANINGS_DIFFER, message, method.name, "Rename one of them.")
     return RosService(
         name=settings.namespace + topic_name(method.name),
         method=method.name,

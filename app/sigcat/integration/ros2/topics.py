@@ -92,19 +92,15 @@ def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[st
     providers: dict[str, str] = {}
     for use in uses:
         if not use.path:
-            message = (
-                f"{use.interface} names no path of the catalogue; only {use.part.function_name} can know its topic."
-            )
+            message = f"{use.interface} must have a path in the catalogue; without it only {use.part.function_name} can know its topic."
             findings.report(
-                codes.SIGNAL_WITHOUT_PATH, message, use.interface, "Give its path under `paths` in the deployment file."
+                codes.SIGNAL_WITHOUT_PATH, message, use.interface, "Set it under `paths` in the deployment file."
             )
         if use.is_provider:
             first = providers.setdefault(use.key, use.part.function_name)
             if first != use.part.function_name:
-                message = (
-                    f"{first} and {use.part.function_name} both publish {use.interface}; subscribers get a mixture."
-                )
-                findings.report(codes.SEVERAL_PUBLISHERS, message, use.interface, "Let one function provide it.")
+                message = f"{use.interface} must have one publisher, not {first} and {use.part.function_name}: subscribers get a mixture."
+                findings.report(codes.SEVERAL_PUBLISHERS, message, use.interface, "Let only one of them provide it.")
     return providers
 
 
@@ -180,8 +176,10 @@ def _member(own: list[SignalUse], taken: set[str], book: MessageBook, findings: 
         return None
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
-            message = f"{first.part.function_name} and {use.part.function_name} mean {first.interface} in two datatypes or units."
-            findings.report(codes.MEANINGS_DIFFER, message, first.interface, "Build both functions from one catalogue.")
+            message = f"{first.interface} must have one datatype and unit; {first.part.function_name} and {use.part.function_name} differ."
+            findings.report(
+                codes.MEANINGS_DIFFER, message, first.interface, "Build both functions from the same catalogue."
+            )
     written = book.written(kind, first.interface)
     if written is None:
         return None
@@ -253,9 +251,9 @@ def _check_timeouts(mine: Sequence[SignalUse], topic: Topic, findings: FindingCo
     for use in mine:
         cycle = slowest.get(use.key)
         if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
-            message = f"{use.interface}: a time-out of {use.timeout} ms passes before the second cycle of {cycle} ms."
+            message = f"{use.interface}: the time-out must be at least two cycles of {cycle} ms, not {use.timeout} ms."
             findings.report(
-                codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, "One late value sets it: allow twice the cycle."
+                codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, "Raise it, or one late value triggers it."
             )
 
 
@@ -280,8 +278,8 @@ def _row(
 ) -> tuple[FieldMapping, Conversion | None]:
     data = use.data
     if not data.variable:
-        message = f"{use.interface} names no variable; its name {data.name!r} is taken for one."
-        findings.report(codes.VARIABLE_ASSUMED, message, use.interface, "Give `variable` in the declaration.")
+        message = f"{use.interface} must name the variable of the code; its own name, {data.name!r}, is used."
+        findings.report(codes.VARIABLE_ASSUMED, message, use.interface, "Set `variable` in the declaration.")
     way = "to_topic" if use.is_provider else "from_topic"
     name = package_name(f"{use.part.function_name}_{data.name}_{way}", taken).text
     made = conversion(

@@ -155,7 +155,7 @@ def _chosen(functions: Sequence[str] | None) -> tuple[str, ...]:
 
 def _check_size(functions: Sequence[object]) -> None:
     if len(functions) > _MOST_FUNCTIONS:
-        raise UsageError(f"A set has {_MOST_FUNCTIONS} functions at most.")
+        raise UsageError(f"A set must have at most {_MOST_FUNCTIONS} functions.")
 
 
 def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[GeneratedDocument]:

@@ -101,7 +101,7 @@ def _tried_form(request: Request, hosted: Hosted, rules: ServiceRules, form: For
     given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
-        raise UsageError(f"{given[:100]!r} is no kind of text; there are {', '.join(KINDS)}.")
+        raise UsageError(f"The kind must be {' or '.join(KINDS)}, not {given[:100]!r}.")
     data = _posted_data(form)
     result = _judged(request, hosted, rules, kind, data)
     if form.last("download"):

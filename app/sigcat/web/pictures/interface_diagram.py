@@ -29,7 +29,7 @@ class Port(NamedTuple):
     inner: str
     """Label inside: its name in the function, with datatype or unit."""
     path: str
-    """Path in the catalogue; empty if the document tells none."""
+    """Path in the catalogue; empty if the document has none."""
     title: str
 
 

@@ -61,13 +61,13 @@ def _modes(component: Component) -> list[tuple[str, object]]:
 
 
 def _calls(calls: Iterable[Call]) -> list[tuple[str, object]]:
-    """Calls have no element in the manifests of AUTOSAR adaptive: each is told with its fields, `name.field`."""
-    told: list[tuple[str, object]] = []
+    """Calls have no element in the manifests of AUTOSAR adaptive: each is listed with its fields, `name.field`."""
+    facts: list[tuple[str, object]] = []
     for call in calls:
-        told.append(("Call", call.name))
+        facts.append(("Call", call.name))
         written = call.model_dump(mode="json", exclude_none=True)
-        told.extend((f"{call.name}.{field}", value) for field, value in written.items() if field != "Name")
-    return told
+        facts.extend((f"{call.name}.{field}", value) for field, value in written.items() if field != "Name")
+    return facts
 
 
 def _port(interface: ServiceInterface, known: Library) -> Tag:

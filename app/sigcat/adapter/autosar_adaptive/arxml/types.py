@@ -149,8 +149,8 @@ def _type(entry: TypeEntry, known: Library) -> Tag:
     if entry.kind == "array":
         return _array(entry, admin, known)
     members = listed("SUB-ELEMENTS", (_member(field, known) for field in entry.fields or ()))
-    told = description(entry.description)
-    return tag(TYPE, told, tag("CATEGORY", text="STRUCTURE"), admin, members, name=entry.name)
+    text = description(entry.description)
+    return tag(TYPE, text, tag("CATEGORY", text="STRUCTURE"), admin, members, name=entry.name)
 
 
 def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
