@@ -41,7 +41,7 @@ def files() -> Mapping[str, str]:
 
 def _filled(place: re.Match[str]) -> str:
     name, arguments = place["name"], place["arguments"]
-    return f"<!-- {name}{arguments} -->\n{_TABLES[name](*arguments.split())}\n<!-- /{name} -->"
+    return f"<!-- {name}{arguments} -->\n{_TABLES[name](*arguments.split()).strip()}\n<!-- /{name} -->"
 
 
 def _keys(name: str, *path: str) -> str:
