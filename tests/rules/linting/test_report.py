@@ -17,8 +17,8 @@ from tests.rules.linting.conftest import CABIN
 def test_the_text_report_shows_the_line_with_a_caret_and_ends_with_a_count(tree):
     result = lint_paths([tree / "vspec"], LintOptions(select=("V105",)))
     lines = report(result.findings, "text", sources_of(result.findings)).splitlines()
-    assert lines[0].endswith("Cabin.vspec:8:16: warning V105 The description starts with a small letter. Start it with "
-                             "a capital letter.")  # fmt: skip
+    assert lines[0].endswith("Cabin.vspec:8:16: warning V105 The description must start with a capital letter. Capitalize "
+                             "its first letter.")  # fmt: skip
     assert lines[1:] == [
         "    8 |   description: noise in the cabin",
         "                       ^^^^^",
