@@ -9,8 +9,10 @@ from sigcat.function.function_json.model import Contract, FunctionJson
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
+from sigcat.integration.autosar_adaptive.component_views import view
 from sigcat.integration.autosar_adaptive.context import Context, items, named_parts
-from sigcat.integration.autosar_adaptive.elements import Service, report_disagreements, services, view
+from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
+from sigcat.integration.autosar_adaptive.elements import Service, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import placed
 from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings

@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.arxml.tree import written
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.document import completed
+from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 
 
@@ -20,7 +20,7 @@ def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
 
     Raises InputRefused if the model names what AUTOSAR cannot.
     """
-    whole = completed(model)
+    whole = writable(model)
     assert whole.deployment is not None
     paths = Paths(whole.deployment.package)
     known = types.library(whole, paths)

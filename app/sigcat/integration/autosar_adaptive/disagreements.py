@@ -1,0 +1,43 @@
+"""Where the sides of an event differ in what they take to be sent."""
+
+from collections.abc import Iterable
+
+from sigcat import codes
+from sigcat.function.function_json.model import (
+    DataQueue,
+    Signal,
+)
+from sigcat.integration.autosar_adaptive.context import Context
+from sigcat.integration.autosar_adaptive.elements import Element, Service
+from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.types import TypeTable
+
+
+def report_disagreements(all_services: Iterable[Service], types: TypeTable, context: Context) -> None:
+    """Report where the sides of an event differ in what they take to be sent."""
+    for service in all_services:
+        for element in service.elements:
+            if element.kind is Signal:
+                _compare(element, types, context)
+
+
+def _compare(element: Element, types: TypeTable, context: Context) -> None:
+    leading = element.leading
+    wanted = _sent_as(leading, types)
+    for side in element.sides:
+        found = _sent_as(side, types)
+        if found != wanted:
+            message = (
+                f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
+                f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
+            )
+            context.findings.report(
+                codes.MEANINGS_DIFFER_ADAPTIVE, message, element.identity, "Build both from the same catalogue."
+            )
+
+
+def _sent_as(side: Placed, types: TypeTable) -> tuple[str, str]:
+    interface = side.item.interface
+    assert isinstance(interface, Signal | DataQueue)
+    word = types.on_the_wire(side.item.part.function, interface.datatype, interface.vss_datatype)
+    return word, (interface.vss_unit or interface.units or "")

@@ -1,0 +1,169 @@
+"""What an Integration JSON has that ARXML cannot: names, datatypes and ids that AUTOSAR does not accept."""
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_adaptive.identifiers import (
+    EVENT_GROUPS,
+    EVENTS,
+    INSTANCES,
+    METHODS,
+    SERVICES,
+    Span,
+)
+from sigcat.integration.autosar_adaptive.model import (
+    Component,
+    IntegrationModel,
+    ServiceInterface,
+    Services,
+    TypeEntry,
+)
+from sigcat.integration.autosar_names import short_name
+from sigcat.integration.datatypes import BY_ADAPTIVE
+
+_PRIMITIVES = {row.autosar.lower() for row in BY_ADAPTIVE.values()}
+_SHORT_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
+
+
+class Problem(NamedTuple):
+    """What AUTOSAR has no name, number or datatype for, and where it stands."""
+
+    pointer: Pointer
+    message: str
+    fix: str = ""
+
+
+def problems_of(model: IntegrationModel) -> Iterator[Problem]:
+    """Everything in a completed model that ARXML cannot have."""
+    types = {entry.name for entry in model.datatypes or ()}
+    if model.deployment is not None:
+        yield from _name(("Deployment", "Package"), model.deployment.package, "package")
+        yield from _name(("Deployment", "FunctionGroup"), model.deployment.function_group, "function group")
+    yield from _names(((("DataTypes", i), entry.name) for i, entry in enumerate(model.datatypes or ())), "datatype")
+    yield from _type_references(model, types)
+    at: Pointer = ("ComponentList",)
+    yield from _names((((*at, i), item.name) for i, item in enumerate(model.components)), "component")
+    yield from _names((((*at, i), item.executable) for i, item in enumerate(model.components)), "executable")
+    for index, component in enumerate(model.components):
+        yield from _in_component(component, (*at, index), types)
+    yield from _identifiers(model)
+
+
+def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterator[Problem]:
+    listed = enumerate(component.parameters or ())
+    yield from _names((((*at, "ParameterList", i), parameter.name) for i, parameter in listed), "parameter")
+    modes = enumerate(dict.fromkeys(component.modes))
+    yield from _names((((*at, "FunctionGroupModes", i), mode) for i, mode in modes), "mode")
+    for index, parameter in enumerate(component.parameters or ()):
+        yield from _word((*at, "ParameterList", index), parameter.datatype.word, parameter.name, types)
+    roles = [(interface.name, interface.role) for interface in component.services]
+    for index, interface in enumerate(component.services):
+        here = (*at, "ServiceInterfaceList", index)
+        yield from _name(here, interface.name, "service")
+        if roles.index((interface.name, interface.role)) != index:
+            yield Problem(
+                here, f"Service {interface.name!r} must be listed once in each role, not twice.", "Merge the two."
+            )
+        for position, services in enumerate(interface.services):
+            yield from _in_services(services, (*here, "ServiceList", position), types)
+
+
+def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[Problem]:
+    places: list[tuple[Pointer, str]] = [((*at, "Events", i), event.name) for i, event in enumerate(services.events)]
+    places += [((*at, "Methods", i), method.name) for i, method in enumerate(services.methods)]
+    places += [((*at, "Fields", i), field.name) for i, field in enumerate(services.fields)]
+    yield from _names(places, "element")
+    groups = {item.event_group for item in services.events} | {item.event_group for item in services.fields}
+    for group in sorted(group for group in groups if group):
+        yield from _name(at, group, "event group")
+    for index, method in enumerate(services.methods):
+        arguments = (*(method.inputs or ()), *(method.outputs or ()))
+        yield from _names((((*at, "Methods", index), argument.name) for argument in arguments), "argument")
+        for argument in arguments:
+            yield from _word((*at, "Methods", index), argument.datatype, f"{method.name}.{argument.name}", types)
+    for index, field in enumerate(services.fields):
+        yield from _word((*at, "Fields", index), field.datatype or "uint8_t", field.name, types)
+    for index, event in enumerate(services.events):
+        yield from _word((*at, "Events", index), event.datatype, event.name, types)
+
+
+def _word(pointer: Pointer, word: str, owner: str, types: set[str]) -> Iterator[Problem]:
+    if word not in types and word not in BY_ADAPTIVE:
+        yield Problem(pointer, f"Datatype {word!r} of {owner} is not defined.", "Define it under `DataTypes`.")
+
+
+def _names(places: Iterable[tuple[Pointer, str]], what: str) -> Iterator[Problem]:
+    seen: dict[str, str] = {}
+    for pointer, name in places:
+        yield from _name(pointer, name, what)
+        if name.lower() in seen:
+            message = f"The {what} names {seen[name.lower()]!r} and {name!r} must differ in more than case."
+            yield Problem(pointer, message, "Rename one of them.")
+        seen[name.lower()] = name
+
+
+def _name(pointer: Pointer, name: str, what: str) -> Iterator[Problem]:
+    if not _SHORT_NAME.fullmatch(name):
+        message = f"The name of a {what} must be at most 128 letters, digits and underscores, a letter first, not {name[:60]!r}."
+        yield Problem(pointer, message, f"Use {short_name(name)[:60]!r}.")
+
+
+def _type_references(model: IntegrationModel, types: set[str]) -> Iterator[Problem]:
+    for index, entry in enumerate(model.datatypes or ()):
+        yield from _members(entry, ("DataTypes", index))
+        words = [field.type for field in entry.fields or ()]
+        words += [word for word in (entry.type, entry.storage, entry.c_definition) if word]
+        for word in words:
+            if word not in types and word not in BY_ADAPTIVE:
+                message = f"Datatype {word!r} of {entry.name} is not defined."
+                yield Problem(("DataTypes", index), message, "Define it under `DataTypes`.")
+
+
+def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
+    if entry.name.lower() in _PRIMITIVES:
+        yield Problem(at, f"A datatype must not have the name of a primitive, {entry.name!r}.", "Rename it.")
+    yield from _names((((*at, "Field", i), field.name) for i, field in enumerate(entry.fields or ())), "member")
+    yield from _names((((*at, "EnumField", i), item.symbol) for i, item in enumerate(entry.symbols or ())), "value")
+    if entry.kind == "array" and not entry.element:
+        yield Problem(at, f"The array {entry.name} must have the datatype of its elements.", "Set its `Type`.")
+
+
+def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
+    """Ids that two have, or that SOME/IP does not know; an element of one name in one service is one element."""
+    owners: dict[tuple[str, str, int], str] = {}
+    for index, component in enumerate(model.components):
+        for number, interface in enumerate(component.services):
+            at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number)
+            for kind, owner, value, span in numbers_of(interface):
+                if not span.first <= value <= span.last:
+                    yield Problem(
+                        at,
+                        f"The id of {owner} must be from {span.first} to {span.last}, not {value}.",
+                        "Use another one.",
+                    )
+                other = owners.setdefault((*kind, value), owner)
+                if other != owner:
+                    yield Problem(
+                        at, f"{other} and {owner} must have different ids, not both {value}.", "Change one of them."
+                    )
+
+
+def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
+    """Scope and kind, owner, id and its range, of every id of a service."""
+    name = interface.name
+    assert interface.service_id is not None
+    assert interface.instance_id is not None
+    yield ("", "service"), name, interface.service_id, SERVICES
+    yield ("", "instance"), name, interface.instance_id, INSTANCES
+    for group in interface.event_groups or ():
+        yield (name, "group"), f"{name}.{group.name}", group.id, EVENT_GROUPS
+    for services in interface.services:
+        for event in services.events:
+            yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
+        for field in services.fields:
+            yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
+            yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
+        for method in services.methods:
+            yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS
