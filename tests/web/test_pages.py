@@ -120,6 +120,14 @@ def test_a_filter_that_every_result_meets_is_not_offered(site: Ask) -> None:
     assert "datatype=" not in site("/search/small?type=branch").text
 
 
+def test_a_filter_that_nothing_can_have_is_refused_as_in_the_api(site: Ask) -> None:
+    page = site("/search/small?type=sensr")
+    assert page.status_code == 400
+    assert "There is no type &#39;sensr&#39; in this catalogue" in page.text
+    assert "Did you mean &#39;sensor&#39;?" in page.text
+    assert site("/search/small?type=struct").status_code == 200
+
+
 def test_a_near_miss_proposes_names(site: Ask) -> None:
     assert re.search(r'Did you mean <a href="/search/small\?q=speed"', site("/search/small?q=sped").text)
     assert re.search(

@@ -32,9 +32,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def search(arguments: argparse.Namespace) -> int:
     """Print the nodes; what the words may have meant, and how many there are, goes to standard error."""
     from sigcat.catalogue.search import SearchIndex
+    from sigcat.catalogue.search_filters import checked_filters
 
-    filters = {"type": arguments.type} if arguments.type else {}
-    index = SearchIndex(read_tree(arguments))
+    catalogue = read_tree(arguments)
+    index = SearchIndex(catalogue)
+    filters = checked_filters({"type": arguments.type}, catalogue, index)
     result = index.search(" ".join(arguments.words), filters, limit=max(arguments.limit, 0))
     if arguments.format == "json":
         print(_json(result.nodes))

@@ -1,6 +1,6 @@
 """Routes that read catalogues: trees, nodes, search, units."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
@@ -13,13 +13,12 @@ from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
 from sigcat.api.settings import Settings
-from sigcat.asil import LEVELS
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.model.datatypes import DATATYPES
-from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, TYPES
-from sigcat.catalogue.model.interfaces import CATEGORIES, category_of
-from sigcat.catalogue.search import FACETS, SearchResult, overlay_name
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
+from sigcat.catalogue.model.interfaces import category_of
+from sigcat.catalogue.search import FACETS, SearchResult
+from sigcat.catalogue.search_filters import checked_filters
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound, UsageError
 from sigcat.names import did_you_mean, nearest
@@ -29,8 +28,6 @@ router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
 _LONGEST_NAME = 500
 _DEEPEST = 64
 _PAGE = 50
-_MOST_LISTED = 12
-"""Values of a filter that are listed where none of them was given."""
 _OWN_FIELDS = ("path", "name", "category")
 """Fields of a node that are no attributes."""
 
@@ -207,22 +204,7 @@ def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
     """Raises UsageError for a text that is too long, and for a filter with a value that no node here can have."""
     if len(query.q) > settings.query_characters:
         raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
-    for facet, value in query.filters.items():
-        known = dict.fromkeys((*_possible(facet, hosted.catalogue), *hosted.search_index.values_of(facet)))
-        if value not in known:
-            told = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_LISTED else ""
-            hint = did_you_mean(value[:_LONGEST_NAME], known)
-            raise UsageError(f"There is no {facet} {value[:100]!r} in this catalogue{told}. {hint}".rstrip())
-
-
-def _possible(facet: str, catalogue: Catalogue) -> Iterable[str]:
-    """Values of a filter that a node may have, whether or not one has it."""
-    fixed: Mapping[str, Iterable[str]] = {
-        "type": TYPES, "category": CATEGORIES, "datatype": DATATYPES, "asil": LEVELS,
-        "deprecated": ("yes", "no"), "unit": (unit.key for unit in catalogue.vocabulary.distinct_units),
-        "overlay": (overlay_name(layer.name) for layer in catalogue.overlays),
-    }  # fmt: skip
-    return fixed[facet]
+    checked_filters(query.filters, hosted.catalogue, hosted.search_index)
 
 
 def _refuse_repeated(request: Request) -> None:

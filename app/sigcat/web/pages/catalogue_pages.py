@@ -1,6 +1,7 @@
 """Pages of a catalogue: its tree, a search in it, its units, its layers and findings."""
 
 from collections.abc import Mapping
+from http import HTTPStatus
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
@@ -14,6 +15,8 @@ from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
 from sigcat.catalogue.search import FACETS
+from sigcat.catalogue.search_filters import checked_filters
+from sigcat.errors import UsageError
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
@@ -82,8 +85,9 @@ def list_rows(
 def show_search(
     request: Request, hosted: AnyCatalogue, settings: TheSettings, query: Annotated[PageQuery, Query()]
 ) -> Response:
-    """Search results with the counts of every filter."""
+    """Search results with the counts of every filter. A filter that no node can have is refused, as in the API."""
     text = query.q[: settings.query_characters]
+    refusal = _refusal(query, hosted)
     state = searched_state(hosted, query)
     offset = offset_of(query.cursor, state) if query.cursor else 0
     result = hosted.search_index.search(text, query.filters, limit=min(query.limit, settings.results), offset=offset)
@@ -91,7 +95,9 @@ def show_search(
     return page(
         request,
         "search.html",
+        HTTPStatus.BAD_REQUEST if refusal else HTTPStatus.OK,
         hosted=hosted,
+        refusal=refusal,
         text=text,
         sought=text.replace(".", " ").split(),
         filters=query.filters,
@@ -121,6 +127,15 @@ def show_catalogue(request: Request, hosted: AnyCatalogue) -> Response:
 def no_icon(page_name: str) -> Response:  # noqa: ARG001 - browsers ask for it even where a page names its icon
     """No content, rather than a missing page in every log."""
     return Response(status_code=204)
+
+
+def _refusal(query: SearchQuery, hosted: Hosted) -> str:
+    """Why the filters of a search are refused; empty where they are not."""
+    try:
+        checked_filters(query.filters, hosted.catalogue, hosted.search_index)
+    except UsageError as error:
+        return str(error)
+    return ""
 
 
 def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) -> Response:
