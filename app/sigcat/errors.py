@@ -10,7 +10,7 @@ from sigcat.findings import Finding
 
 
 class SigcatError(Exception):
-    """Base of every error that sigcat raises on purpose; its text is fit for a user to read."""
+    """Base of every error that sigcat raises on purpose; its text is written for users."""
 
 
 class InputRefused(SigcatError):
@@ -22,7 +22,7 @@ class InputRefused(SigcatError):
 
 
 class NotFound(SigcatError):
-    """What was named does not exist. `nearest` are names that do."""
+    """A catalogue, node, rule or file that was named does not exist. `nearest` are names that do."""
 
     def __init__(self, message: str, nearest: tuple[str, ...] = ()) -> None:
         super().__init__(message)

@@ -136,10 +136,10 @@ def test_the_status_is_0_when_clean_1_with_findings_and_2_when_it_could_not_run(
         ("sigcat.toml", "[lint.severity]\nV101 = 'eror'\n", "Did you mean 'error'?"),
         ("sigcat.toml", "[lint.per-file.here]\nX1 = 'off'\n", "No rule has the code 'X1'."),
         ("sigcat.toml", "[lint.options.V102]\nprefxes = ['Is']\n", "Did you mean 'prefixes'?"),
-        ("sigcat.toml", "[lint.options.V102]\nprefixes = 3\n", "has the wrong type"),
+        ("sigcat.toml", "[lint.options.V102]\nprefixes = 3\n", "must be a list, not 3"),
         ("sigcat.toml", "[lint.options.R001]\nmost = 3\n", "Rule R001 has no options."),
         ("pyproject.toml", "[tool.sigcat.lint]\nrules = ['own.yaml']\n", "ACME1"),
-        ("own.toml", "[lint]\nbaseline = 'own.yaml'\n", "is no baseline"),
+        ("own.toml", "[lint]\nbaseline = 'own.yaml'\n", "is not a baseline"),
     ],
 )
 def test_a_configuration_that_cannot_be_used_is_status_2_and_the_reason_is_told(file, text, reason, capsys):
@@ -156,7 +156,7 @@ def test_what_is_wrong_with_a_rule_is_told_when_an_overlay_alone_is_linted(capsy
     Path("sigcat.toml").write_text("[lint]\nrules = ['own.yaml']\n")
     Path("more.vspec").write_text("Vehicle.Speed: {max: 5}\n")
     assert main(["lint", "more.vspec"]) == 1
-    assert "own.yaml:1:1: error L010 Rule ACME001 names the unknown check 'nmae'" in capsys.readouterr().out
+    assert "own.yaml:1:1: error L010 Unknown check 'nmae' of rule ACME001." in capsys.readouterr().out
 
 
 class Counting:

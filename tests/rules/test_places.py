@@ -111,7 +111,7 @@ def test_items_within_items_have_their_places(attribute, steps, place):
             "Use a name such as 'Step'.",
         ),
         ("I505", STEP + "  ASILlevel: ASIL-B\n", "Write B."),
-        ("I505", STEP + "  stackSize: 0\n", "Give an integer from 1 in bytes."),
+        ("I505", STEP + "  scheduling: Pre-emptive\n", "Write Preemptive."),
         ("I517", STEP + "  aliveSupervision: {minIndications: 5, maxIndications: 2}\n", "Raise `aliveSupervision.max"),
         ("P005", "Vehicle.int: {type: branch, description: A.}\n", "Use a name such as 'Int'."),
     ],

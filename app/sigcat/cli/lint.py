@@ -30,18 +30,18 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="check trees, overlays, function files and rule files",
         description=(
             "Check files and folders: trees, overlays (over the tree near them, or the shipped one), function files and "
-            "rule files. Settings stand in [tool.sigcat.lint] of a pyproject.toml or in [lint] of a sigcat.toml."
+            "rule files. Settings are in [tool.sigcat.lint] of a pyproject.toml or [lint] of a sigcat.toml."
         ),
     )
     parser.add_argument("paths", nargs="*", type=Path, metavar="PATH", help="files and folders (default: this folder)")
-    _add_choice(parser)
+    _add_selection(parser)
     _add_context(parser)
     _add_result(parser)
     parser.set_defaults(run=lint)
 
 
-def _add_choice(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("which rules run; a code may be cut short, V1 stands for all that start so")
+def _add_selection(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("which rules run; a code may be cut short: V1 means all that start with it")
     for name, text in (
         ("--select", "only these"),
         ("--ignore", "not these"),
@@ -74,9 +74,9 @@ def _add_result(parser: argparse.ArgumentParser) -> None:
         "--unsafe-fixes", action="store_true", help="with --fix or --diff: repairs that change a meaning"
     )
     group.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
-    group.add_argument("--baseline", type=Path, metavar="FILE", help="tell only what this file does not know")
+    group.add_argument("--baseline", type=Path, metavar="FILE", help="report only what this file does not list")
     group.add_argument(
-        "--write-baseline", type=Path, metavar="FILE", help="write all findings of now as known, and end"
+        "--write-baseline", type=Path, metavar="FILE", help="write the present findings as known, and stop"
     )
     group.add_argument(
         "--color",
@@ -117,7 +117,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     try:
         _report(result, options, arguments)
         sys.stdout.flush()
-    except BrokenPipeError:  # the verdict stands, whoever reads
+    except BrokenPipeError:  # the exit status is right even if nobody reads
         discard_output()
     return int(result.fails)
 
@@ -183,12 +183,12 @@ def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequen
     from sigcat.rules.linting.baseline import baseline_text
 
     write_text(baseline_text(result.findings, options.root, paths), file)
-    print(f"{file}: {len(result.findings)} findings are known from now on", file=sys.stderr)
+    print(f"{file}: {len(result.findings)} findings are known now", file=sys.stderr)
     return 0
 
 
 def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResult":
-    """Repair files, or show how; the result that is left is told by the caller."""
+    """Repair files, or show how; the caller reports the result."""
     from sigcat.rules.linting.fixes import fixed_files
 
     fixed = fixed_files(result.findings, result.repairs, _texts_of(result.findings), unsafe=arguments.unsafe_fixes)

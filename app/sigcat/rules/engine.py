@@ -61,8 +61,11 @@ def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
     for definition in tree.judged:
         category = category_of(definition.path) or ""
         selection = rules.select(definition.type, category, has_overlays=has_overlays)
+        is_deleted = _is_deleted_in_vain(definition)
         for node_rule in _for_values(selection, definition.values):
             if not (node_rule.is_for_all or node_rule.concerns(definition)):
+                continue
+            if is_deleted and not node_rule.check.of_overlays:
                 continue
             rule = node_rule.rule
             test = tests.get(rule.id)
@@ -98,8 +101,8 @@ def _guarded(rule: Rule, problems: Iterable[Problem]) -> Iterator[Found]:
         for problem in problems:
             yield _finding(rule, problem), problem.repair
     except SlowPattern as error:
-        message = f"Pattern {error.pattern!r} of rule {rule.id} takes too long; the rule is not finished."
-        fix = "Write it without nested repetition, such as (a+)+."
+        message = f"Pattern {error.pattern!r} of rule {rule.id} takes too long; the rule was stopped."
+        fix = "Write it without nested repetition such as (a+)+."
         yield codes.RULE_TOO_SLOW.finding(message, rule.file, rule.line, 1, rule.id, fix=fix), None
 
 
@@ -140,20 +143,38 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
 
 
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
-    """What composing found. A branch that is an instance is defined by `instances` and need not be written."""
-    replaced = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
+    """What composing found, less what follows from something else that is reported."""
+    changes_are_reported = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
     for finding in catalogue.findings:
-        if finding.rule == codes.BRANCH_UNDEFINED.id and tree.is_instance(finding.path):
+        if finding.rule == codes.BRANCH_UNDEFINED.id and _need_not_be_written(finding.path, tree):
             continue
-        if replaced and finding.rule == codes.TYPE_MISSING_OR_UNKNOWN.id and _is_overlay_change(finding.path, tree):
+        definition = tree.definitions.get(finding.path)
+        if definition is not None and _is_deleted_in_vain(definition):
+            continue
+        if (
+            changes_are_reported
+            and finding.rule == codes.TYPE_MISSING_OR_UNKNOWN.id
+            and _is_changed_in_vain(definition)
+        ):
             continue
         severity = rules.of_composition.get(finding.rule, finding.severity)
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
 
 
-def _is_overlay_change(path: str, tree: Tree) -> bool:
-    """Whether the node is unknown and an overlay changes it: the check of unknown nodes says so, and better."""
-    definition = tree.definitions.get(path)
-    if definition is None or definition.values.get("delete"):
+def _need_not_be_written(branch: str, tree: Tree) -> bool:
+    """Whether a branch is an instance, which `instances` defines, or has nothing below it but nodes deleted in vain."""
+    children = tree.children.get(branch, ())
+    return tree.is_instance(branch) or (bool(children) and all(map(_is_deleted_in_vain, children)))
+
+
+def _is_deleted_in_vain(definition: Definition) -> bool:
+    """Whether an overlay deletes a node that is not there: the rule for that says all there is to say."""
+    if not definition.values.get("delete"):
         return False
-    return bool(definition.statements[0].file.overlay) and "type" not in definition.values
+    first = definition.statements[0]
+    return bool(first.values.get("delete")) and bool(first.file.overlay)
+
+
+def _is_changed_in_vain(definition: Definition | None) -> bool:
+    """Whether an overlay changes a node that is not there: the rule for that says so, and better."""
+    return definition is not None and bool(definition.statements[0].file.overlay) and "type" not in definition.values

@@ -36,7 +36,7 @@ def _quick(text: str) -> Pattern:
     try:
         compiled = re.compile(text)
     except (re.error, OverflowError, RecursionError) as error:
-        raise BadPattern(f"{text!r} is no regular expression: {error}") from None
+        raise BadPattern(f"Pattern {text!r} is not a regular expression: {error}") from None
     return Pattern(text, compiled.fullmatch, compiled.search)
 
 
@@ -44,7 +44,7 @@ def _bounded(text: str) -> Pattern:
     try:
         compiled = compile_bounded(text)
     except BadPattern as error:
-        raise BadPattern(f"{text!r} is no regular expression: {error}") from None
+        raise BadPattern(f"Pattern {text!r} is not a regular expression: {error}") from None
 
     def limited(match: Callable[..., object]) -> Callable[[str], object]:
         def attempt(subject: str) -> object:

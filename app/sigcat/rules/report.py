@@ -36,7 +36,7 @@ def report(
         return _writable(text.report(findings, sources or {}, rules, colour=colour))
     if form not in FORMATS:
         hint = did_you_mean(form, FORMATS)
-        raise UsageError(f"There is no format {form!r}; use one of {', '.join(FORMATS)}. {hint}".strip())
+        raise UsageError(f"The format must be one of {', '.join(FORMATS)}, not {form!r}. {hint}".strip())
     made: str = import_module(f"sigcat.rules.reports.{FORMATS[form]}").report(findings, sources or {}, rules)
     return _writable(made)
 

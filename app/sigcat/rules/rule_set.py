@@ -45,7 +45,7 @@ class Selection(NamedTuple):
 
 
 class RuleSet:
-    """Rules that run. One whose options do not fit its check does not; why is among the findings."""
+    """Rules that run. One whose options do not fit its check does not run and has a finding."""
 
     def __init__(self, rules: Iterable[Rule]) -> None:
         self.rules = tuple(rules)
@@ -59,7 +59,7 @@ class RuleSet:
         self._types = {name for rule in self.rules for name in rule.nodes.types}
         self._selections: dict[tuple[str, str, bool], Selection] = {}
         self.findings = tuple(found for rule in self.rules if (found := self._take(rule)) is not None)
-        """What is wrong with rules that cannot be used (L010)."""
+        """Findings about rules that cannot be used (L010)."""
 
     @cached_property
     def attributes(self) -> frozenset[str]:
@@ -118,7 +118,7 @@ def _no_tree() -> Tree:
 def _check_of(rule: Rule) -> Check:
     check = CHECKS.get(rule.check)
     if check is None:
-        raise BadOption(f"Rule {rule.id} names the unknown check {rule.check!r}.", did_you_mean(rule.check, CHECKS))
+        raise BadOption(f"Unknown check {rule.check!r} of rule {rule.id}.", did_you_mean(rule.check, CHECKS))
     if not rule.trusted:
         check_options(rule, check)
     return check

@@ -1,6 +1,6 @@
-"""What the checks know of the whole tree: paths without regard to case, instances, interfaces by name.
+"""What the checks know of the whole tree: instances, children, interfaces by name.
 
-Everything is worked out when it is first asked for: a run in which no rule needs it does not pay for it.
+Everything is computed when it is first asked for: a run in which no rule needs it does not pay for it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -16,7 +16,7 @@ from sigcat.catalogue.reading.layers import Layer
 from sigcat.names import last_name, parent_path
 
 _MOST_INSTANCES = 100_000
-"""A level with more instances is not looked into: composing refuses it anyway."""
+"""A level with more instances is not looked into: composing refuses it."""
 
 
 class Tree:
@@ -47,20 +47,20 @@ class Tree:
         return children
 
     @cached_property
-    def whole(self) -> Mapping[str, Mapping[str, str]]:
+    def typed(self) -> Mapping[str, Mapping[str, str]]:
         """Paths of the nodes that have a type, below each branch by their last names: what a wrong path may have meant."""
-        whole: dict[str, dict[str, str]] = {}
+        typed: dict[str, dict[str, str]] = {}
         for path, definition in self.definitions.items():
             if definition.type:
-                whole.setdefault(parent_path(path), {})[last_name(path)] = path
-        return whole
+                typed.setdefault(parent_path(path), {})[last_name(path)] = path
+        return typed
 
     @cached_property
-    def places(self) -> Mapping[str, Definition]:
-        """What is written, at every path that it has with instances expanded; as written where there is no tree."""
+    def expanded(self) -> Mapping[str, Definition]:
+        """The definition of every path with instances expanded; the paths as written where there is no tree."""
         written = self.definitions
-        places = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
-        return places or written
+        expanded = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
+        return expanded or written
 
     @property
     def interfaces(self) -> Mapping[str, Definition]:
@@ -73,7 +73,7 @@ class Tree:
 
     @cached_property
     def uninstantiated(self) -> Mapping[str, list[Definition]]:
-        """Definitions that stand beside the instances of the branch above, by the path of that branch."""
+        """Definitions that are beside the instances of the branch above, by the path of that branch."""
         found: dict[str, list[Definition]] = {}
         for path, definition in self.definitions.items():
             if definition.values.get("instantiate") is False:
@@ -81,7 +81,7 @@ class Tree:
         return found
 
     def beside_instances(self, definition: Definition) -> Iterator[tuple[str, str]]:
-        """Paths of the first instances of a branch, each with that of a node that is written to stand beside it."""
+        """Paths of the first instances of a branch, each with that of a node that is written beside it."""
         is_sibling = definition.values.get("instances_relation") == "sibling"
         above = parent_path(definition.path) if is_sibling else definition.path
         beside = (self.children if is_sibling else self.uninstantiated).get(above, ())
@@ -101,7 +101,7 @@ class Tree:
         return _resolve(path.split("."), self.definitions) if self.is_instance(path) else None
 
     def is_instance(self, path: str) -> bool:
-        """Whether the path names an instance, or stands for a definition through the names of instances."""
+        """Whether the path names an instance, or leads to a definition through the names of instances."""
         names = path.split(".")
         plain = _without_instances(names, self.definitions)
         return plain is not None and len(plain) < len(names)
@@ -115,7 +115,7 @@ def _resolve(names: list[str], definitions: Mapping[str, Definition]) -> Definit
 def _without_instances(names: list[str], definitions: Mapping[str, Definition]) -> list[str] | None:
     """The names without those of instances; None where one is neither a child nor an instance.
 
-    Below an instance stands what is instantiated, once all levels of instances are named.
+    Below an instance is what is instantiated, once all levels of instances are named.
     """
     plain: list[str] = []
     left: list[frozenset[str]] = []

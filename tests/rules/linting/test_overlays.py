@@ -34,7 +34,7 @@ Vehicle.Row.Common: {type: sensor, datatype: uint8, instantiate: false, descript
         ("Vehicle.Row.Row1: {type: sensor, datatype: uint8, description: A row.}\n", ("V019", 1, 26)),
         ("Vehicle.Row.Row1.Common: {max: 3}\n", ("O101", 1, 1)),
         ("Vehicle.Row: {instances: ['Row[1,2]', [L, R]]}\nVehicle.Row.Row1.X: {max: 3}\n", ("O101", 2, 1)),
-        ("Vehicle.Gone: {delete: true}\n", ("V001", 1, 1)),
+        ("Vehicle.Gone: {delete: true}\n", ("O102", 1, 16)),
         ("Vehicle.Row: {instances: ['A[1,1000]', 'B[1,1000]']}\n", ("V025", 1, 26)),
         ("Vehicle.B: {type: sensor, datatype: flaot, unit: foo, description: Two slips.}\n", ("V006", 1, 50)),
     ],

@@ -32,7 +32,7 @@ def forbidden(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         for attribute in names:
             if definition.values.get(attribute) is not None:
-                message = f"`{attribute}` does not belong here."
+                message = f"`{attribute}` is not allowed here."
                 yield Problem(definition, message, attribute, "Remove it.", {"attribute": attribute}, at_name=True)
 
     return test
@@ -45,7 +45,7 @@ def exclusive(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         present = [name for name in names if definition.values.get(name) is not None]
         if len(present) > 1:
-            message = f"{listed(present)} exclude each other."
+            message = f"{listed(present)} cannot be used together."
             repair = Repair("remove attribute", safe=False)
             fix = f"Remove `{present[0]}`."
             yield Problem(definition, message, present[0], fix, repair=repair, at_name=True)
@@ -70,12 +70,12 @@ def implied(rule: Rule, _tree: Tree) -> NodeTest:
         facts = {"attribute": attribute, "value": items[first]}
         for name in then:
             if is_empty(nested(definition.values, name)):
-                message = f"{because} needs `{name}`, which is not there."
+                message = f"{because} requires `{name}`."
                 missing = {**facts, "missing": name}
                 yield Problem(definition, message, attribute, f"Add `{name}`.", missing, within=within)
         for name in never:
             if nested(definition.values, name) is not None:
-                message = f"{because} goes without `{name}`."
+                message = f"{because} takes no `{name}`."
                 top, *within = name.split(".")
                 yield Problem(definition, message, top, f"Remove `{name}`.", facts, at_name=True, within=tuple(within))
 
@@ -89,7 +89,7 @@ def backed(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         given = definition.values.get(by)
         if definition.values[attribute] is not None and value not in (given if isinstance(given, list) else [given]):
-            message = f"`{attribute}` has no effect: `{by}` does not say {value}."
+            message = f"`{attribute}` has no effect unless `{by}` includes {value}."
             yield Problem(
                 definition, message, attribute, f"Add {value} to `{by}`, or remove `{attribute}`.", at_name=True
             )
@@ -109,7 +109,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
                 continue
             if before and value < nested(definition.values, before):
                 least = nested(definition.values, before)
-                message = f"`{name}` {value} is below `{before}` {least}."
+                message = f"`{name}` must be at least `{before}` ({least}), not {value}."
                 top, *within = name.split(".")
                 fix = f"Raise `{name}`, or lower `{before}`."
                 yield Problem(definition, message, top, fix, within=tuple(within))
@@ -119,7 +119,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
-    """Where a single value has `allowed` and `default`, the default stands first; `vspec --strict` asks for it."""
+    """Where a single value has `allowed` and `default`, the default is the first item; `vspec --strict` asks for it."""
 
     def test(definition: Definition) -> Iterator[Problem]:
         values = definition.values
@@ -127,16 +127,16 @@ def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
         is_single = not str(values.get("datatype", "")).endswith("[]")
         if is_single and isinstance(allowed, list) and allowed and default != allowed[0]:
             if default and default not in allowed:
-                return  # told as V011
-            message = f"The default {shown(default)} does not stand first in `allowed`; {shown(allowed[0])} does."
-            fix = "Put it first: generated enumerations begin with it."
+                return  # V011 says so
+            message = f"The first item of `allowed` must be the default {shown(default)}, not {shown(allowed[0])}."
+            fix = "Move the default to the front: generated enumerations begin with it."
             yield Problem(definition, message, definition.last_written(("default", "allowed")), fix)
 
     return test
 
 
 def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
-    """Every attribute is one of VSS, one that a rule's table of fields has, or one that the configuration names."""
+    """Every attribute is one of VSS, one in a rule's table of fields, or one that the configuration names."""
     known = CORE_ATTRIBUTES | tree.attributes | {str(name) for name in rule.options.get("attributes", ())}
 
     def test(definition: Definition) -> Iterator[Problem]:
@@ -156,7 +156,7 @@ def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> P
     )
     is_free = bool(near) and near[0] not in definition.values
     repair = Repair("rename attribute", near[0], safe=False) if is_free else None
-    message = f"`{attribute}` is no attribute that VSS or a rule knows."
+    message = f"Unknown attribute `{attribute}`."
     return Problem(definition, message, attribute, fix, {"attribute": attribute}, repair, at_name=True)
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.names import did_you_mean
 from sigcat.rules.checks.attributes import is_empty
-from sigcat.rules.checks.kind import BadOption, NodeTest, is_number, shown
+from sigcat.rules.checks.kind import BadOption, NodeTest, either, is_number, shown
 from sigcat.rules.patterns import Pattern, compile_pattern
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
@@ -70,7 +70,7 @@ def field_values(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 class _Wrong(NamedTuple):
-    """What is wrong with a value, and the steps that lead to the part of it that is."""
+    """What is wrong with a value, and the steps that lead to the wrong part of it."""
 
     message: str
     fix: str = ""
@@ -82,12 +82,13 @@ class _Wrong(NamedTuple):
 def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
     for name, field in fields.items():
         if not isinstance(field, dict):
-            raise BadOption(f"Field {name!r} of the table takes a mapping.")
+            raise BadOption(f"Field {name!r} must be a mapping, not {shown(field)}.")
         for key in field:
             if key not in _KEYS:
-                raise BadOption(f"Field {name!r} has the unknown key {key!r}.", did_you_mean(str(key), _KEYS))
+                raise BadOption(f"Unknown key {key!r} of field {name!r}.", did_you_mean(str(key), _KEYS))
         if field.get("datatype", "value") not in _DATATYPES:
-            raise BadOption(f"Field {name!r} has no datatype of {', '.join(_DATATYPES)}.")
+            given = shown(field["datatype"])
+            raise BadOption(f"The datatype of field {name!r} must be {either(_DATATYPES)}, not {given}.")
     table: Mapping[str, Mapping[str, Any]] = fields
     return table
 
@@ -111,8 +112,7 @@ def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[An
 
     def test(value: Any) -> Iterator[_Wrong]:
         if not fits(value):
-            article = "an" if datatype[0] in "aeiou" else "a"
-            yield _Wrong(f"`{name}` {shown(value)} is not {article} {datatype}.", _expected(field))
+            yield _Wrong(f"`{name}` must be {_expected(field)}, not {shown(value)}.")
         elif isinstance(value, dict):
             yield from _wrong_inner(name, inner, value)
         elif isinstance(value, list):
@@ -126,19 +126,21 @@ def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[An
 
 def _wrong_item(name: str, field: Mapping[str, Any], item: Any, pattern: Pattern | None) -> Iterator[_Wrong]:
     values = field.get("values")
-    low, high = field.get("min"), field.get("max")
     if values is not None and (isinstance(item, list | dict) or item not in values):
         meant = field.get("repairs", {}).get(item) if isinstance(item, str) else None
         only = values[0] if len(values) == 1 else None
         fix = f"Write {meant or only}." if meant or only else did_you_mean(str(item), map(str, values))
-        message = f"`{name}` {shown(item)} is {'not' if only else 'none of'} {', '.join(map(str, values))}."
+        message = f"`{name}` must be {either(values)}, not {shown(item)}."
         yield _Wrong(message, fix, meant and Repair("replace", meant))
     elif pattern is not None and not (isinstance(item, str) and pattern.matches(item)):
-        yield _Wrong(f"`{name}` {shown(item)} does not match {pattern.text}.", _expected(field))
-    elif is_number(item) and low is not None and item < low:
-        yield _Wrong(f"`{name}` {item} is below {low}.", _expected(field))
-    elif is_number(item) and high is not None and item > high:
-        yield _Wrong(f"`{name}` {item} is above {high}.", _expected(field))
+        yield _Wrong(f"`{name}` must match {pattern.text}; {shown(item)} does not.")
+    elif is_number(item) and not _is_in_range(item, field):
+        yield _Wrong(f"`{name}` must be {_expected(field)}, not {item}.")
+
+
+def _is_in_range(number: float, field: Mapping[str, Any]) -> bool:
+    low, high = field.get("min"), field.get("max")
+    return (low is None or number >= low) and (high is None or number <= high)
 
 
 def _wrong_inner(
@@ -146,20 +148,23 @@ def _wrong_inner(
 ) -> Iterator[_Wrong]:
     for key, item in value.items():
         if key not in inner and inner:
-            message = f"`{name}` has the unknown field {key!r}."
+            message = f"Unknown field {key!r} in `{name}`."
             yield _Wrong(message, did_you_mean(str(key), inner), within=(str(key),), at_key=True)
         elif key in inner and item is not None:
             yield from (wrong._replace(within=(str(key), *wrong.within)) for wrong in inner[key](item))
 
 
 def _expected(field: Mapping[str, Any]) -> str:
-    unit = f" in {field['unit']}" if "unit" in field else ""
+    """What a field takes, as a message names it: `a number from 0 to 100 in ms`."""
     if "values" in field:
-        return f"Use one of {', '.join(map(str, field['values']))}."
+        return either(field["values"])
+    datatype = str(field.get("datatype", "value")).replace(" or ", " or a ")
+    unit = f" in {field['unit']}" if "unit" in field else ""
+    return f"{'an' if datatype[0] in 'aeiou' else 'a'} {datatype}{_range(field)}{unit}"
+
+
+def _range(field: Mapping[str, Any]) -> str:
     low, high = field.get("min"), field.get("max")
-    least = f" from {low}" if low is not None else ""
-    most = f" up to {high}" if high is not None else ""
-    datatype = str(field.get("datatype", "value"))
-    article = "an" if datatype[0] in "aeiou" else "a"
-    is_said = unit or least or most or "datatype" in field
-    return f"Give {article} {datatype}{least}{most}{unit}." if is_said else ""
+    if low is not None and high is not None:
+        return f" from {low} to {high}"
+    return f" of at least {low}" if low is not None else f" of at most {high}" if high is not None else ""

@@ -1,4 +1,4 @@
-"""Checks of a branch and what stands below it."""
+"""Checks of a branch and what is below it."""
 
 from collections.abc import Iterator
 
@@ -6,7 +6,7 @@ from sigcat.asil import is_above, level_of, rank
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.names import last_name, parent_path
-from sigcat.rules.checks.kind import NodeTest, listed
+from sigcat.rules.checks.kind import NodeTest, either, listed
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
@@ -14,15 +14,14 @@ from sigcat.rules.tree import Tree
 
 
 def companions(rule: Rule, tree: Tree) -> NodeTest:
-    """A child matching each pattern of `required` stands below."""
+    """A branch has a child that matches each pattern of `required`."""
     needed = [compile_pattern(pattern, trusted=rule.trusted) for pattern in rule.options["required"]]
 
     def test(definition: Definition) -> Iterator[Problem]:
         children = [last_name(child.path) for child in tree.children.get(definition.path, ())]
         missing = [pattern.text for pattern in needed if not any(pattern.matches(name) for name in children)]
         if missing:
-            present = listed(children) if children else "nothing"
-            message = f"{definition.path!r} has {present}, but no {listed(missing, 'or')}."
+            message = f"{definition.path!r} must have {listed(missing)} below it."
             yield Problem(definition, message, fix=f"Add {listed(missing)}.")
 
     return test
@@ -34,7 +33,8 @@ def type_of(rule: Rule, _tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Problem]:
         if definition.type and definition.type not in types:
-            yield Problem(definition, f"The node is of type {definition.type}.", "type", f"Use {' or '.join(types)}.")
+            message = f"The type must be {either(types)}, not {definition.type}."
+            yield Problem(definition, message, "type", f"Write `type: {types[0]}`." if len(types) == 1 else "")
 
     return test
 
@@ -53,7 +53,7 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
         wanted = ((level, other) for level, other in above if category_of(other.path) in provided)
         level, highest = max(wanted, key=lambda each: rank(each[0]), default=(None, None))
         if highest is not None:
-            message = f"ASIL {own} is below ASIL {level} of {highest.path!r}."
+            message = f"The ASIL must be at least {level}, as that of {highest.path!r}, not {own}."
             yield Problem(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
 
     return test

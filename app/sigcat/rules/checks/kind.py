@@ -24,14 +24,14 @@ LineTest = Callable[[str], Iterable[LineProblem]]
 
 
 class NodeCheck(NamedTuple):
-    """A check of one node at a time. `needs` names the option with the attribute without which there is no problem."""
+    """A check of one node at a time. `needs` names the option with the attribute without which there is nothing to check."""
 
     prepare: Callable[[Rule, Tree], NodeTest]
-    options: Mapping[str, type | tuple[type, ...]]
+    options: Mapping[str, type]
     required: tuple[str, ...] = ()
     needs: str = ""
     of_overlays: bool = False
-    """Whether it looks at what overlays do, and so at nothing in a tree without them."""
+    """Whether it looks at what overlays do: there is nothing for it in a tree without any."""
     needs_whole_tree: bool = False
     """Whether a part of a tree alone shows nothing: what is looked up may stand in another part."""
 
@@ -40,7 +40,7 @@ class TreeCheck(NamedTuple):
     """A check of the tree as a whole."""
 
     prepare: Callable[[Rule, Tree], TreeTest]
-    options: Mapping[str, type | tuple[type, ...]]
+    options: Mapping[str, type]
     required: tuple[str, ...] = ()
     needs_whole_tree: bool = False
 
@@ -49,10 +49,12 @@ class LineCheck(NamedTuple):
     """A check of the text of a file."""
 
     prepare: Callable[[Rule], LineTest]
-    options: Mapping[str, type | tuple[type, ...]]
+    options: Mapping[str, type]
     required: tuple[str, ...] = ()
     needs_whole_tree: Literal[False] = False
 
+
+_TYPES: Mapping[type, str] = {str: "a text", int: "a whole number", list: "a list", dict: "a mapping"}
 
 Check = NodeCheck | TreeCheck | LineCheck
 
@@ -62,14 +64,14 @@ def check_options(rule: Rule, check: Check) -> None:
     for name, value in rule.options.items():
         kind = check.options.get(name)
         if kind is None:
-            raise BadOption(f"Check {rule.check!r} has no option {name!r}.", did_you_mean(str(name), check.options))
+            raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", did_you_mean(str(name), check.options))
         if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
-            raise BadOption(f"Option {name!r} of rule {rule.id} has the wrong type.")
+            raise BadOption(f"Option {name!r} of rule {rule.id} must be {_TYPES[kind]}, not {shown(value)}.")
         if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
-            raise BadOption(f"Option {name!r} of rule {rule.id} takes a list of texts or numbers.")
+            raise BadOption(f"Option {name!r} of rule {rule.id} must be a list of texts or numbers.")
     for name in check.required:
         if name not in rule.options:
-            raise BadOption(f"Rule {rule.id} needs the option {name!r}.")
+            raise BadOption(f"Rule {rule.id} must have the option {name!r}.")
 
 
 def shown(value: Any) -> str:
@@ -82,6 +84,12 @@ def listed(names: Iterable[str], last: str = "and") -> str:
     """Names as an enumeration: `a`, `b` and `c`."""
     quoted = [f"`{name}`" for name in names]
     return " ".join(part for part in (", ".join(quoted[:-1]), last if len(quoted) > 1 else "", quoted[-1]) if part)
+
+
+def either(values: Iterable[Any]) -> str:
+    """Values of which one is allowed: a, b or c."""
+    *first, last = map(str, values)
+    return f"{', '.join(first)} or {last}" if first else last
 
 
 def nested(values: Mapping[str, Any], dotted: str) -> Any:

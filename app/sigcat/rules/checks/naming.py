@@ -17,7 +17,7 @@ _RANGE = r"\[\d+,\d+\]$"
 def name(rule: Rule, _tree: Tree) -> NodeTest:
     """The last name of a path matches `pattern` as a whole, or begins with one of `prefixes` and a capital or digit."""
     pattern = _pattern(rule)
-    exempt = frozenset(("", *map(str, rule.options.get("exempt", ()))))  # an empty name is told as V024
+    exempt = frozenset(("", *map(str, rule.options.get("exempt", ()))))  # an empty name is a finding V024
     prefixes = " or ".join(f"`{prefix}`" for prefix in rule.options.get("prefixes", ()))
     known: dict[str, bool] = {}
 
@@ -28,7 +28,7 @@ def name(rule: Rule, _tree: Tree) -> NodeTest:
         if not known[own]:
             proposal = _proposal(own, rule)
             fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
-            message = f"Name {own!r} does not follow the naming convention {pattern.text}."
+            message = f"Name {own!r} must match {pattern.text}."
             yield Problem(definition, message, fix=fix, facts={"name": own, "proposal": proposal, "prefixes": prefixes})
 
     return test
@@ -43,7 +43,7 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
             label = re.sub(_RANGE, "", str(entry))
             if not pattern.matches(label):
                 proposal = camel_case(_plain(label))
-                message = f"Instance {label!r} does not follow the naming convention {pattern.text}."
+                message = f"Instance {label!r} must match {pattern.text}."
                 fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
                 facts = {"name": label, "proposal": proposal}
                 yield Problem(definition, message, "instances", fix, facts, within=within)

@@ -12,22 +12,24 @@ from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
 _MOST_PROPOSALS = 100
-"""A proposal compares a name with all others. Who has more wrong names than this has another tree in mind."""
+"""A proposal compares a name with all others. With more wrong names than this, another tree was meant."""
 
 
 def _near(path: str, tree: Tree) -> str:
-    """Who was probably meant: a child of the same branch, or else a node of that name, or of a path like that."""
-    own, beside = last_name(path), tree.whole.get(parent_path(path), {})
+    """What was probably meant: a child of the same branch, or else a node of that name, or one with a similar path."""
+    own = last_name(path)
+    beside = {name: other for name, other in tree.typed.get(parent_path(path), {}).items() if other != path}
     near = nearest(own, beside)
     if near:
         return did_you_mean(path, [beside[name] for name in near])
     if beside:
-        return did_you_mean(path, [children[own] for children in tree.whole.values() if own in children])
-    return did_you_mean(path, [other for children in tree.whole.values() for other in children.values()])
+        return did_you_mean(path, [c[own] for c in tree.typed.values() if c.get(own, path) != path])
+    others = (other for children in tree.typed.values() for other in children.values())
+    return did_you_mean(path, [other for other in others if other != path])
 
 
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
-    """A node that an overlay writes and that was not there before is a whole node: it says its `type`."""
+    """A node that an overlay adds has a `type`; one without was meant to change a node that is there."""
 
     proposals = iter(range(_MOST_PROPOSALS))
 
@@ -43,7 +45,7 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
-    """`delete: true` stands on a node that a layer before has written."""
+    """`delete: true` is written for a node that an earlier layer has."""
 
     proposals = iter(range(_MOST_PROPOSALS))
 
@@ -103,8 +105,8 @@ def conflict(rule: Rule, _tree: Tree) -> NodeTest:
                 setting[-1].values[attribute], setting[0].values[attribute]
             ):
                 steps = [f"{s.file.overlay} sets {shown(s.values[attribute])}" for s in setting]
-                message = f"Overlays disagree on `{attribute}`: {', then '.join(steps)}; the last one counts."
-                yield Problem(setting[-1], message, attribute)
+                message = f"Overlays disagree on `{attribute}`: {', then '.join(steps)}; the last one applies."
+                yield Problem(setting[-1], message, attribute, "Set it in one of them.")
 
     return test
 
@@ -154,12 +156,12 @@ def _differs(one: Any, other: Any) -> bool:
 
 def _narrowed(attribute: str, base: Any, now: Any) -> str:
     if attribute == "min" and is_number(now) and (base is None or (is_number(base) and now > base)):
-        return f"{shown(base)} becomes {now}" if base is not None else f"there was none, now it is {now}"
+        return f"{shown(base)} becomes {now}" if base is not None else f"it had no limit and becomes {now}"
     if attribute == "max" and is_number(now) and (base is None or (is_number(base) and now < base)):
-        return f"{shown(base)} becomes {now}" if base is not None else f"there was none, now it is {now}"
+        return f"{shown(base)} becomes {now}" if base is not None else f"it had no limit and becomes {now}"
     if attribute in ("allowed", "enum") and isinstance(now, list | dict):
         if not isinstance(base, list | dict):
-            return "every value was allowed"
+            return "any value was allowed"
         kept = {_comparable(item) for item in now}
         gone = [str(item) for item in base if _comparable(item) not in kept]
         return f"{listed(gone)} {'is' if len(gone) == 1 else 'are'} no longer allowed" if gone else ""

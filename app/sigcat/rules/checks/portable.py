@@ -1,11 +1,11 @@
-"""Checks of names as other languages see them: reserved words, lengths, and names that meet after conversion."""
+"""Checks of names as other languages see them: reserved words, lengths, and names that collide after conversion."""
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
-from sigcat.rules.checks.kind import BadOption, NodeTest, TreeTest
+from sigcat.rules.checks.kind import BadOption, NodeTest, TreeTest, either, shown
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
@@ -34,7 +34,7 @@ def reserved_word(rule: Rule, _tree: Tree) -> NodeTest:
         if converted in words:
             how = "is" if converted == own else f"becomes {converted!r},"
             message = f"Name {own!r} {how} a reserved word of {target}."
-            fix = f"Say more, as in {parent_path(definition.path).rpartition('.')[2] + own!r}."
+            fix = f"Use a longer name, such as {parent_path(definition.path).rpartition('.')[2] + own!r}."
             yield Problem(definition, message, fix=fix, facts={"name": own, "converted": converted})
 
     return test
@@ -54,7 +54,7 @@ def converted_name(rule: Rule, _tree: Tree) -> NodeTest:
             known[own] = "" if pattern.matches(converted) else converted
         if known[own]:
             how = f" becomes {known[own]!r}, which" if known[own] != own else ""
-            message = f"Name {own!r}{how} is no name in {target} ({pattern.text})."
+            message = f"Name {own!r}{how} is not a valid name in {target}: it must match {pattern.text}."
             proposal = camel_case(own)
             fix = f"Use a name such as {proposal!r}." if pattern.matches(convert(proposal)) else "Rename it."
             yield Problem(definition, message, fix=fix, facts={"name": own, "converted": known[own]})
@@ -70,9 +70,9 @@ def name_length(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         subject = definition.path if of_path else last_name(definition.path)
         if len(subject) > most:
-            what = "The path" if of_path else f"Name {subject!r}"
-            message = f"{what} has {len(subject)} characters; {target} takes {most}."
-            yield Problem(definition, message, fix=f"Shorten it by {len(subject) - most}.")
+            what = "The path" if of_path else f"Name {shown(subject)}"
+            message = f"{what} must have at most {most} characters for {target}, not {len(subject)}."
+            yield Problem(definition, message, fix=f"Use {len(subject) - most} fewer.")
 
     return test
 
@@ -80,7 +80,7 @@ def name_length(rule: Rule, _tree: Tree) -> NodeTest:
 def collision(rule: Rule, tree: Tree) -> TreeTest:
     """No two children of a branch (`of: name`), or paths of the tree (`of: path`), are equal after conversion.
 
-    Instances are expanded; what meets in several of them is told of the first.
+    Instances are expanded; what collides in several of them is reported for the first.
     """
     of_path = rule.options.get("of") == "path"
     convert = _case(rule) if of_path else cache(_case(rule))
@@ -88,24 +88,24 @@ def collision(rule: Rule, tree: Tree) -> TreeTest:
 
     def test() -> Iterator[Problem]:
         seen: dict[tuple[str, str], str] = {}
-        told: set[tuple[str, str]] = set()
-        for path, definition in tree.places.items():
+        reported: set[tuple[str, str]] = set()
+        for path, definition in tree.expanded.items():
             above = "" if of_path else parent_path(path)
             converted = convert(path.replace(".", "_") if of_path else last_name(path))
             other = seen.setdefault((above, converted), path)
-            if other == path or (of_path and _met_above(path, other, convert)):
+            if other == path or (of_path and _collide_above(path, other, convert)):
                 continue
-            pair = (definition.path, tree.places[other].path)
-            if pair not in told:
-                told.add(pair)
-                message = f"{path!r} and {other!r} are both {converted!r} in {target}."
+            pair = (definition.path, tree.expanded[other].path)
+            if pair not in reported:
+                reported.add(pair)
+                message = f"{path!r} and {other!r} are both called {converted!r} in {target}."
                 yield Problem(definition, message, fix="Rename one of the two.", facts={"converted": converted})
 
     return test
 
 
-def _met_above(path: str, other: str, convert: Callable[[str], str]) -> bool:
-    """Whether the branches above two paths meet already, and their last names are the same: told of the branches."""
+def _collide_above(path: str, other: str, convert: Callable[[str], str]) -> bool:
+    """Whether two paths collide only because the branches above them do, which is reported for the branches."""
     above, other_above = parent_path(path), parent_path(other)
     is_same = last_name(path) == last_name(other) and above != other_above
     return is_same and convert(above.replace(".", "_")) == convert(other_above.replace(".", "_"))
@@ -114,5 +114,5 @@ def _met_above(path: str, other: str, convert: Callable[[str], str]) -> bool:
 def _case(rule: Rule) -> Callable[[str], str]:
     case = rule.options.get("case", "unchanged")
     if case not in CASES:
-        raise BadOption(f"Option 'case' of rule {rule.id} is none of {', '.join(CASES)}.")
+        raise BadOption(f"Option 'case' of rule {rule.id} must be {either(CASES)}, not {shown(case)}.")
     return CASES[case]

@@ -1,4 +1,4 @@
-"""Checks of references between interfaces, by interface name: that each leads somewhere, and none in a circle."""
+"""Checks of references between interfaces, by interface name: that each exists, and that they form no cycle."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -22,7 +22,7 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
     external = pattern.split("*") if pattern else None
 
     def test(definition: Definition) -> Iterator[Problem]:
-        for within, named in _places(nested(definition.values, attribute)):
+        for within, named in _named_items(nested(definition.values, attribute)):
             target = tree.interfaces.get(named)
             if target is not None and category_of(target.path) == category:
                 continue
@@ -34,26 +34,26 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
 
 
 def cycle(rule: Rule, tree: Tree) -> TreeTest:
-    """Following `attribute` from interface to interface never leads back."""
+    """Following `attribute` from interface to interface forms no cycle."""
     attribute = rule.options["attribute"]
 
     def test() -> Iterator[Problem]:
-        told: set[str] = set()
+        reported: set[str] = set()
         for name in tree.interfaces:
-            circle = () if name in told else _circle(name, attribute, tree.interfaces)
-            if circle:
-                told.update(circle)
-                message = f"`{attribute}` leads in a circle: {' → '.join((*circle, circle[0]))}."
-                yield Problem(tree.interfaces[circle[0]], message, attribute, "Break the circle.")
+            names = () if name in reported else _cycle_through(name, attribute, tree.interfaces)
+            if names:
+                reported.update(names)
+                message = f"`{attribute}` forms a cycle: {' → '.join((*names, names[0]))}."
+                yield Problem(tree.interfaces[names[0]], message, attribute, "Remove one of these references.")
 
     return test
 
 
 def _named(value: Any) -> list[str]:
-    return [name for _, name in _places(value)]
+    return [name for _, name in _named_items(value)]
 
 
-def _places(value: Any) -> list[tuple[tuple[int, ...], str]]:
+def _named_items(value: Any) -> list[tuple[tuple[int, ...], str]]:
     """Names, each with the steps that lead to it."""
     items = [((i,), item) for i, item in enumerate(value)] if isinstance(value, list) else [((), value)]
     return [(within, item) for within, item in items if isinstance(item, str) and item]
@@ -63,10 +63,11 @@ def _unresolved(
     definition: Definition, attribute: str, within: tuple[int, ...], named: str, category: str, tree: Tree
 ) -> Problem:
     readable = category.replace("_", " ")
+    article = "an" if readable[0] in "aeiou" else "a"
     names = {
         interface: last_name(d.path) for interface, d in tree.interfaces.items() if category_of(d.path) == category
     }
-    message = f"`{attribute}` names {named!r}, which is no {readable} interface of this tree."
+    message = f"`{attribute}` must name {article} {readable} interface of this tree, not {named!r}."
     own = {
         name: last
         for name, last in names.items()
@@ -80,7 +81,7 @@ def _unresolved(
     return Problem(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
 
 
-def _circle(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:
+def _cycle_through(start: str, attribute: str, interfaces: Mapping[str, Definition]) -> tuple[str, ...]:
     """The names on a way from `start` back to itself; empty if there is none. Iterative: chains may be long."""
     before: dict[str, str] = {}
     waiting = [start]

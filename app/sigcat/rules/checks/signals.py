@@ -1,4 +1,4 @@
-"""Checks of what VSS says of single nodes beside their texts: units, deprecation, instances, paths."""
+"""Checks of single nodes, beside their texts: units, deprecation, instances, paths."""
 
 import re
 from collections.abc import Iterator
@@ -38,7 +38,7 @@ def unit_spelling(_rule: Rule, tree: Tree) -> NodeTest:
         written = next((s.values["unit"] for s in reversed(definition.statements) if "unit" in s.values), None)
         unit = tree.vocabulary.unit(written) if isinstance(written, str) else None
         if unit is not None and written != unit.key:
-            message = f"Unit {written!r} is not written by its key {unit.key!r}."
+            message = f"The unit must be written as its key {unit.key!r}, not {written!r}."
             yield Problem(definition, message, "unit", f"Write {unit.key!r}.", repair=Repair("replace", unit.key))
 
     return test
@@ -53,7 +53,7 @@ def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         match = re.search(_TARGET, str(definition.values["deprecation"]))
         if match and not _leads_somewhere(match[1], definition.path, tree):
-            message = f"The node is said to have moved to {match[1]!r}, which does not exist."
+            message = f"`deprecation` must name a node of the tree, not {match[1]!r}."
             yield Problem(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
 
     return test
@@ -73,7 +73,7 @@ def instance_start(rule: Rule, _tree: Tree) -> NodeTest:
         for within, entry in labels_of(definition.values):
             match = re.search(_RANGE, entry) if isinstance(entry, str) else None
             if match and int(match[1]) != first and int(match[1]) <= int(match[2]):
-                message = f"Range {shown(entry)} starts at {int(match[1])}, not at {first}."
+                message = f"Range {shown(entry)} must start at {first}, not {int(match[1])}."
                 yield Problem(definition, message, "instances", f"Count instances from {first}.", within=within)
 
     return test
@@ -90,7 +90,7 @@ def instance_duplicates(_rule: Rule, _tree: Tree) -> NodeTest:
             other = seen.get(key)
             seen[key] = label
             if other is not None:
-                how = "is named twice" if other == label else f"differs from {other!r} in case only"
+                how = "is listed twice" if other == label else f"differs from {other!r} only in case"
                 message = f"Instance {label!r} {how}."
                 yield Problem(definition, message, "instances", "Remove or rename one of the two.", within=within)
 
@@ -105,18 +105,18 @@ def unique_path(_rule: Rule, tree: Tree) -> TreeTest:
         for definition in tree.judged:
             path, other = definition.path, first[definition.path.lower()]
             if other != path and not _follows(path, other):
-                message = f"Path {path!r} differs from {other!r} in case only."
+                message = f"Path {path!r} differs from {other!r} only in case."
                 yield Problem(definition, message, fix="Rename one of the two.", facts={"other": other})
             for instance, beside in tree.beside_instances(definition) if "instances" in definition.values else ():
                 if instance != beside and instance.lower() == beside.lower():
-                    message = f"Instance {instance!r} differs from {beside!r} in case only."
+                    message = f"Instance {instance!r} differs from {beside!r} only in case."
                     yield Problem(definition, message, "instances", "Rename one of the two.", {"other": beside})
 
     return test
 
 
 def _follows(path: str, other: str) -> bool:
-    """Whether two paths differ only because those of their branches do: that is told of the branches."""
+    """Whether two paths differ only because those of their branches do: that is reported for the branches."""
     above, other_above = parent_path(path), parent_path(other)
     return above != other_above and path[len(above) :] == other[len(other_above) :]
 
@@ -136,7 +136,7 @@ def twice_written(rule: Rule, tree: Tree) -> TreeTest:
                 differing = [k for k in both if later.values[k] != earlier.values[k]]
                 if differing:
                     origin = earlier.origin(differing[0])
-                    message = f"`{differing[0]}` is given in {origin.file}:{origin.line} too, with another value."
+                    message = f"`{differing[0]}` has another value in {origin.file}:{origin.line}."
                     yield Problem(later, message, differing[0], "Keep one of the two.")
 
     return test
@@ -149,7 +149,7 @@ def path_depth(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         count = definition.path.count(".") + 1
         if count > most:
-            yield Problem(definition, f"The path has {count} names; the limit is {most}.")
+            yield Problem(definition, f"The path must have at most {most} names, not {count}.")
 
     return test
 
@@ -160,7 +160,7 @@ def path(rule: Rule, _tree: Tree) -> NodeTest:
 
     def test(definition: Definition) -> Iterator[Problem]:
         if not pattern.matches(definition.path):
-            message = f"Path {definition.path!r} does not match {pattern.text}."
+            message = f"Path {definition.path!r} must match {pattern.text}."
             yield Problem(definition, message, facts={"path": definition.path})
 
     return test

@@ -32,8 +32,8 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
 
     def wrong(item: str) -> str:
         if not pattern.found(item):
-            return f"`{attribute}` {shown(item)} does not match {pattern.text}."
-        return f"`{attribute}` {shown(item)} holds what {bad.text} forbids." if bad and bad.found(item) else ""
+            return f"`{attribute}` must match {pattern.text}; {shown(item)} does not."
+        return f"`{attribute}` must not match {bad.text}; {shown(item)} does." if bad and bad.found(item) else ""
 
     def test(definition: Definition) -> Iterator[Problem]:
         for within, item in _texts(definition.values[attribute], by_key=by_key):
@@ -66,8 +66,8 @@ def line_length(rule: Rule) -> LineTest:
             longest = max(map(len, line.split()), default=0)
             if len(line) > most and longest < most - len(line) + len(line.lstrip()):
                 number = content.count("\n", 0, match.start()) + 1
-                message = f"The line has {len(line)} characters; the limit is {most}."
-                yield LineProblem(number, most + 1, message, "Break it; YAML folds the lines of a text into one.")
+                message = f"The line must have at most {most} characters, not {len(line)}."
+                yield LineProblem(number, most + 1, message, "Break it: YAML joins the lines of a text.")
 
     return test
 

@@ -1,7 +1,7 @@
-"""A baseline: findings that stand in a tree already, so that only new ones are told.
+"""A baseline: findings that a tree has already, so that only new ones are reported.
 
-Entries name a rule and a path, not a line: they survive every move of the node. A finding that is about no node is
-named by its file.
+Entries name a rule and a path, not a line: they stay true when the node moves. A finding that is about no node is named
+by its file.
 """
 
 from collections import Counter
@@ -56,7 +56,7 @@ def read_baseline(path: Path) -> Baseline:
     except OSError as error:
         raise InputRefused(f"The baseline {str(path)!r} cannot be read: {error.strerror}.") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        raise InputRefused(f"{str(path)!r} is no baseline; write it with `sigcat lint --write-baseline`.") from None
+        raise InputRefused(f"{str(path)!r} is not a baseline. Write one with `sigcat lint --write-baseline`.") from None
     return Baseline(str(path), known, paths)
 
 
@@ -68,7 +68,7 @@ def covers(paths: Iterable[Path], baseline: Baseline, root: Path) -> bool:
 
 
 def compare(findings: Iterable[Finding], baseline: Baseline, root: Path, *, complete: bool = True) -> Compared:
-    """Take away what the baseline knows. Without `complete`, part of the tree was linted: nothing is called stale."""
+    """Leave out what the baseline knows. Without `complete`, part of the tree was linted, and no entry is stale."""
     left = Counter(baseline.known)
     new = []
     known = 0

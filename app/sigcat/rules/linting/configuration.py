@@ -1,6 +1,6 @@
 """Configuration: `[tool.sigcat.lint]` of a pyproject.toml, or `[lint]` of a sigcat.toml, found upwards.
 
-Paths in it are relative to its folder. Options of the command line are laid over it by whoever reads them.
+Paths in it are relative to its folder. The command line lays its options over it.
 """
 
 from collections.abc import Callable, Mapping
@@ -38,7 +38,7 @@ def read_configuration(path: Path) -> LintOptions:
         raise InputRefused(f"The configuration {str(path)!r} is not valid TOML: {error}") from None
     table = _table_in(data) if path.name == FILES[1] else data.get("lint", {})
     if not isinstance(table, dict):
-        raise InputRefused(f"`lint` in {str(path)!r} takes a table.")
+        raise InputRefused(f"`lint` in {str(path)!r} must be a table.")
     return _options(table, path)
 
 
@@ -55,7 +55,7 @@ def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
     for key, value in table.items():
         try:
             if key not in _FIELDS:
-                raise UsageError(f"`{key}` is nothing that can be configured. {did_you_mean(key, _FIELDS)}".strip())
+                raise UsageError(f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}".strip())
             field, convert = _FIELDS[key]
             read[field] = convert(key, value, path.parent)
         except UsageError as error:
@@ -67,13 +67,13 @@ def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
 
 def _texts(key: str, value: Any, _folder: Path) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        raise UsageError(f"`{key}` takes a list of texts.")
+        raise UsageError(f"`{key}` must be a list of texts.")
     return tuple(value)
 
 
 def _path(key: str, value: Any, folder: Path) -> Path:
     if not isinstance(value, str):
-        raise UsageError(f"`{key}` takes the name of a file.")
+        raise UsageError(f"`{key}` must be the name of a file, not {value!r}.")
     if not (folder / value).exists():
         raise UsageError(f"`{key}` names {value!r}, which does not exist in {str(folder)!r}.")
     return _near(folder / value)
@@ -97,7 +97,7 @@ def _near(path: Path) -> Path:
 
 def _severities(key: str, value: Any, _folder: Path) -> dict[str, str]:
     if not isinstance(value, dict):
-        raise UsageError(f"`{key}` takes a table of codes with severities.")
+        raise UsageError(f"`{key}` must be a table of codes with severities.")
     for severity in value.values():
         if severity != OFF:
             as_severity(str(severity))
@@ -106,13 +106,13 @@ def _severities(key: str, value: Any, _folder: Path) -> dict[str, str]:
 
 def _per_file(key: str, value: Any, folder: Path) -> tuple[PerFile, ...]:
     if not isinstance(value, dict):
-        raise UsageError(f"`{key}` takes a table for each pattern of files.")
+        raise UsageError(f"`{key}` must have a table for each pattern of files.")
     return tuple(PerFile(glob, _severities(f"{key}.{glob}", inner, folder)) for glob, inner in value.items())
 
 
 def _rule_options(key: str, value: Any, _folder: Path) -> dict[str, dict[str, Any]]:
     if not isinstance(value, dict) or not all(isinstance(inner, dict) for inner in value.values()):
-        raise UsageError(f"`{key}` takes a table of options for each code.")
+        raise UsageError(f"`{key}` must have a table of options for each code.")
     return value
 
 

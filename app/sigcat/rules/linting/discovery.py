@@ -1,7 +1,7 @@
 """What the named files are: trees, overlays, struct types, parts of a tree, function files, rule files.
 
-Only names and a first look at the bytes decide; nothing is parsed twice. A file that another file of the same tree
-includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
+`sigcat.file_kind` tells vspec files from others; here the files beside one decide what it is. A file that another file of
+the same tree includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
 includes them.
 """
 
@@ -65,7 +65,7 @@ def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterab
         elif path.is_file():
             found[path] = True
         else:
-            raise NotFound(f"{str(path)!r} {'is no file.' if path.exists() else 'does not exist.'}")
+            raise NotFound(f"{str(path)!r} {'is not a file.' if path.exists() else 'does not exist.'}")
     includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = _parts(includes)
     known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
@@ -122,7 +122,7 @@ def _listed_includes(data: bytes) -> Iterator[tuple[bytes, bytes]]:
 def first_bytes(path: Path) -> bytes:
     """The bytes of a file, as far as they are needed to tell what it is; nothing if it cannot be read.
 
-    A pipe is not opened: it would be waited for.
+    A pipe is not opened: reading would wait for it.
     """
     if not path.is_file():
         return b""
@@ -152,13 +152,13 @@ def tree_of(part: Path) -> tuple[Path, str] | None:
 
 
 def default_tree(near: Path) -> Path | None:
-    """The tree that an overlay is made for, where nobody says: `vspec/` or `spec/` beside the overlays, or above.
+    """The tree that an overlay is made for, where no option names it: `vspec/` or `spec/` beside the overlays, or above.
 
     It has the usual name, or it is the only tree in a folder with units.
     """
     for folder in list(near.resolve().parents)[:6]:
-        for place in (folder / "vspec", folder / "spec", folder):
-            candidate = place / ROOT_NAME if (place / ROOT_NAME).is_file() else _only_tree(place, near)
+        for near_by in (folder / "vspec", folder / "spec", folder):
+            candidate = near_by / ROOT_NAME if (near_by / ROOT_NAME).is_file() else _only_tree(near_by, near)
             if candidate is not None:
                 return candidate
         if (folder / ".git").exists():
@@ -224,7 +224,7 @@ def _top(path: Path, named: bool, includes: _Includes) -> Source:
 
 
 def _is_in_overlay_folder(path: Path) -> bool:
-    """Whether the file stands below a folder for overlays; what is above the repository does not count."""
+    """Whether the file is below a folder for overlays; folders above the repository do not count."""
     for folder in Path(os.path.abspath(path)).parents:  # noqa: PTH100 — without `..`, and links as they are
         if folder.name in OVERLAY_FOLDERS:
             return True

@@ -1,4 +1,4 @@
-"""What a lint is asked to do, and what it answers."""
+"""The options of a lint, and its result."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ _NONE: Mapping[str, Any] = MappingProxyType({})
 FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], Sequence[Finding]]
 """Checks function files, bytes with names, alone and as one set; the flag says whether there are no further ones.
 
-Given by who may import the function room.
+Passed in by the command line: this room does not import functions.
 """
 
 
@@ -26,7 +26,7 @@ class PerFile(NamedTuple):
 
 
 class LintOptions(NamedTuple):
-    """Options of a lint. Codes may be cut short: `V1` stands for all that start with it."""
+    """Options of a lint. Codes may be cut short: `V1` selects all that start with it."""
 
     select: tuple[str, ...] = ()
     """Only these rules, in place of the default set."""

@@ -20,7 +20,7 @@ _CODE = r"[A-Z]+[0-9]*"
 
 
 class Suppression(NamedTuple):
-    """A comment that suppresses `codes` on the lines from `first` to `last`, at its own place."""
+    """A comment that suppresses `codes` on the lines from `first` to `last`; `line` and `column` are its own."""
 
     codes: tuple[str, ...]
     first: int
@@ -118,19 +118,19 @@ def _unused(
             for code in suppression.codes:
                 ran = any(rule.startswith(code) for rule in active)
                 if ran and (entry.file, suppression.line, suppression.column, code) not in used:
-                    message = f"Nothing is suppressed by `ignore[{code}]`."
-                    place = (entry.file, suppression.line, suppression.column)
-                    finding = codes.SUPPRESSION_UNUSED.finding(message, *place, fix="Remove it.")
+                    message = f"`ignore[{code}]` suppresses nothing."
+                    at = (entry.file, suppression.line, suppression.column)
+                    finding = codes.SUPPRESSION_UNUSED.finding(message, *at, fix="Remove it.")
                     yield finding, Repair("remove suppression", code)
 
 
 def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...], str]:
     if match["what"] not in ("ignore", "ignore-file"):
         hint = did_you_mean(match["what"], ("ignore", "ignore-file"))
-        return (), f"{match['what']!r} is nothing that a comment can ask for. {hint}".strip()
+        return (), f"A comment must say `ignore` or `ignore-file`, not {match['what']!r}. {hint}".strip()
     named = [code.strip() for code in (match["codes"] or "").split(",") if code.strip()]
     if not named:
-        return (), f"The comment names no codes; write `sigcat: {match['what']}[CODE]`."
+        return (), f"The comment must name codes, as in `sigcat: {match['what']}[CODE]`."
     good = tuple(code for code in named if re.fullmatch(_CODE, code) and any(rule.startswith(code) for rule in known))
     bad = [code for code in named if code not in good]
     hint = did_you_mean(bad[0], known) if bad else ""

@@ -1,4 +1,4 @@
-"""What build servers call a finding and its file: wherever it stands, and whoever runs the linter where."""
+"""Names of findings and files for build servers: the same on every machine and after a node has moved."""
 
 import hashlib
 from collections.abc import Iterable, Iterator

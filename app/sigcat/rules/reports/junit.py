@@ -35,9 +35,9 @@ def _case(finding: Finding) -> str:
     advice = f" {finding.fix}" if finding.fix else ""
     if finding.severity == "info":
         return f"{head}>\n      <system-out>{_text(finding.message + advice)}</system-out>\n    </testcase>\n"
-    place = f"{finding.file}:{finding.line}:{finding.column}"
+    position = f"{finding.file}:{finding.line}:{finding.column}"
     failure = f"<failure type={_attribute(finding.severity)} message={_attribute(finding.message)}>"
-    return f"{head}>\n      {failure}{_text(f'{place}: {finding.message}{advice}')}</failure>\n    </testcase>\n"
+    return f"{head}>\n      {failure}{_text(f'{position}: {finding.message}{advice}')}</failure>\n    </testcase>\n"
 
 
 def _attribute(text: str) -> str:

@@ -20,8 +20,9 @@ _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sa
 
 def report(findings: Sequence[Finding], _sources: Mapping[str, str], rules: Sequence[Rule]) -> str:
     """One run; results are told apart by rule and node path, so that they survive moves."""
-    told = list(fingerprinted(findings))
-    kept = sorted(told, key=lambda pair: _RANKS[pair[0].severity])[:MOST_RESULTS] if len(told) > MOST_RESULTS else told
+    kept = list(fingerprinted(findings))
+    if len(kept) > MOST_RESULTS:
+        kept = sorted(kept, key=lambda pair: _RANKS[pair[0].severity])[:MOST_RESULTS]
     known = {rule.id: rule for rule in rules}
     codes = sorted({finding.rule for finding, _ in kept})
     driver = {

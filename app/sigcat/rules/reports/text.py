@@ -1,4 +1,4 @@
-"""Findings for people: place, rule, message, and the line with a caret below it."""
+"""Findings for people: position, rule, message, and the line with a caret below it."""
 
 import re
 from collections import Counter
@@ -33,9 +33,9 @@ def count(findings: Sequence[Finding]) -> str:
         return "No findings."
     counts = Counter(finding.severity for finding in findings)
     words = {"error": "error", "warning": "warning", "info": "note"}
-    told = [_plural(counts[severity], words[severity]) for severity in SEVERITIES if counts[severity]]
+    counted = [_plural(counts[severity], words[severity]) for severity in SEVERITIES if counts[severity]]
     files = len({finding.file for finding in findings})
-    listed = " and ".join(part for part in (", ".join(told[:-1]), told[-1]) if part)
+    listed = " and ".join(part for part in (", ".join(counted[:-1]), counted[-1]) if part)
     return f"Found {listed} in {_plural(files, 'file')}."
 
 
@@ -44,11 +44,11 @@ def _plural(number: int, word: str) -> str:
 
 
 def _finding(finding: Finding, lines: list[str], colour: bool) -> str:
-    place = ":".join(str(part) for part in (finding.file, finding.line or "", finding.column or "") if part)
+    position = ":".join(str(part) for part in (finding.file, finding.line or "", finding.column or "") if part)
     severity = _painted(finding.severity, finding.severity, colour)
     rule = _painted(finding.rule, "bold", colour)
     advice = f" {finding.fix}" if finding.fix else ""
-    head = f"{place}: {severity} {rule} {_visible(finding.message + advice)}\n".removeprefix(": ")
+    head = f"{position}: {severity} {rule} {_visible(finding.message + advice)}\n".removeprefix(": ")
     return head + _excerpt(finding, lines, colour)
 
 
