@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from sigcat.data import EXAMPLES, INTERFACE_RULES, OVERLAYS, VSPEC
-from sigcat.file_kind import FUNCTION_KINDS, FileKind, file_kind, holds_only_structs, is_json
+from sigcat.file_kind import FileKind, file_kind, holds_function, holds_only_structs, is_json
 from sigcat.rules.linting.discovery import discover
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.rule_set import RuleSet
@@ -91,7 +91,7 @@ def test_function_json_is_read_as_json_whatever_it_is_called() -> None:
 @pytest.mark.parametrize("data", [FUNCTION, FUNCTION_JSON, ADAPTIVE_JSON])
 @pytest.mark.parametrize("is_tree", [False, True])
 def test_a_function_among_vspec_texts_is_one_finding(data: bytes, is_tree: bool) -> None:
-    assert file_kind(data) in FUNCTION_KINDS
+    assert holds_function(data)
     (finding,) = lint_text(data, "posted.vspec", None, RuleSet(()), is_tree=is_tree)
     assert (finding.rule, finding.line) == ("F003", 1)
 

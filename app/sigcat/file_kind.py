@@ -22,13 +22,12 @@ TREE_ENDINGS = (".vspec", ".yaml", ".yml")
 """How the names of trees and overlays end; an include that names none of them means the first."""
 ENDINGS = (*TREE_ENDINGS, ".json")
 
-FUNCTION_KINDS: tuple[FileKind, ...] = ("function", "function json", "integration json")
-
 _FUNCTION_KEYS = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
 _INTEGRATION_KEYS = (b'"FunctionInformation"', b'"CommunicationList"')
 """What the Integration JSON of AUTOSAR adaptive has in place of the keys of Function JSON, and that of ROS 2 beside them."""
 _FUNCTION_NAME = rb"""^["']?[Ff]unction["']?:[ \t]+[^\s#{&!]"""
 _FUNCTION_PARTS = (rb"^function:", rb"^components:")
+_RULE_WORD = b"check:"
 _RULE = (rb"^[A-Z]+[0-9]{3}:[ \t]*\r?$", rb"^[ \t]+check:[ \t]*\S")
 _TYPE = rb"""(?:^[ \t]+|[{,][ \t]*)["']?type["']?[ \t]*:[ \t]*["']?"""
 _NODE = _TYPE + rb"(branch|sensor|actuator|attribute|struct|property)\b"
@@ -42,11 +41,16 @@ def file_kind(data: bytes, name: str = "") -> FileKind:
     ending = ending_of(name)
     if ending == ".vspec":
         return "vspec"
-    if ending == ".json" or data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
+    if ending == ".json" or _is_json_text(data):
         kind = _kind_of_json(data)
         if kind != "unknown" or ending == ".json":
             return kind
     return _kind_of_yaml(data, os.path.basename(name))  # noqa: PTH119 — of every file of a folder
+
+
+def holds_function(data: bytes) -> bool:
+    """Whether a text is a function or what was derived from one, whatever it is called: quick for any text."""
+    return _declares_function(data) or (_is_json_text(data) and _kind_of_json(data) != "unknown")
 
 
 def is_json(data: bytes, name: str) -> bool:
@@ -69,6 +73,10 @@ def holds_top_level_node(data: bytes) -> bool:
     return _holds(_TOP_LEVEL_NODE, data)
 
 
+def _is_json_text(data: bytes) -> bool:
+    return data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"{")
+
+
 def _kind_of_json(data: bytes) -> FileKind:
     if any(key in data for key in _INTEGRATION_KEYS):
         return "integration json"
@@ -76,7 +84,7 @@ def _kind_of_json(data: bytes) -> FileKind:
 
 
 def _kind_of_yaml(data: bytes, base: str) -> FileKind:
-    if all(_holds(pattern, data) for pattern in _RULE):
+    if _RULE_WORD in data and all(_holds(pattern, data) for pattern in _RULE):
         return "rules"
     if base in UNIT_NAMES:
         return "units"
@@ -84,7 +92,7 @@ def _kind_of_yaml(data: bytes, base: str) -> FileKind:
         return "quantities"
     if _is_function_name(base) or _declares_function(data):
         return "function"
-    return "vspec" if _holds(_NODE, data) else "unknown"
+    return "vspec" if b"type" in data and _holds(_NODE, data) else "unknown"
 
 
 def _is_function_name(base: str) -> bool:
@@ -94,9 +102,14 @@ def _is_function_name(base: str) -> bool:
 
 def _declares_function(data: bytes) -> bool:
     """`function:` with a name behind it, which no node of a tree has, or the two keys that every function.yaml has."""
+    if b"unction" not in data:
+        return False
     return _holds(_FUNCTION_NAME, data) or all(_holds(pattern, data) for pattern in _FUNCTION_PARTS)
 
 
 def _holds(pattern: bytes, data: bytes) -> bool:
-    """Patterns are compiled when they are needed, and kept by `re`: a linter lives by its start-up time."""
+    """Patterns are compiled when they are needed, and kept by `re`: a linter lives by its start-up time.
+
+    They try every line; where a text of any size may come, ask for a word of them first.
+    """
     return re.search(pattern, data, re.MULTILINE) is not None

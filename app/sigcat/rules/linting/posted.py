@@ -8,7 +8,7 @@ from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import Layer, layer_from_text
-from sigcat.file_kind import FUNCTION_KINDS, file_kind
+from sigcat.file_kind import holds_function
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.rules.engine import Found, found_in, lint_lines
@@ -54,7 +54,7 @@ def _refused(text: bytes, name: str, *, is_tree: bool) -> Finding | None:
     if not text.strip():
         fix = f"Send the text of {wanted}."
         return codes.POSTED_TEXT_EMPTY.finding("The text must not be empty.", name, 1, 1, fix=fix)
-    if file_kind(text) in FUNCTION_KINDS:
+    if holds_function(text):
         fix = "Check it with the kind `function`."
         return codes.FIELD_UNKNOWN.finding(f"The text must be {wanted}, not a function.", name, 1, 1, fix=fix)
     return None
