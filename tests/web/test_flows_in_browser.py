@@ -160,7 +160,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     expect(page.locator(".findings").first).to_contain_text("in km/h, and m/s^2 is expected")
     use(page.get_by_role("button", name="ROS 2"))
     expect(page.locator("#made ~ .notice")).to_have_text("It cannot be made.")
-    expect(page.locator("#made ~ .findings")).to_contain_text("in two datatypes or units")
+    expect(page.locator("#made ~ .findings")).to_contain_text("must have one datatype and unit")
     use(page.get_by_role("button", name="AUTOSAR adaptive"))
     expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc and EcoControlMpc"')
     use(page.get_by_role("button", name="Files"))
