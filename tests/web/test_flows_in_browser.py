@@ -274,7 +274,11 @@ def test_what_takes_long_shows_a_bar(open_page: Opener) -> None:
     bar = page.locator("#progress")
     expect(bar).to_be_hidden()
     held: list[Route] = []
-    page.route("**/rows/small?path=Vehicle.Door*", held.append)
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    page.route("**/rows/small?path=Vehicle.Door*", hold)
     page.get_by_role("treeitem", name="Door").locator(".chevron").click()
     expect(bar).to_be_visible()
     held[0].continue_()
