@@ -3,8 +3,7 @@
 Written down here so that help, API and checks need no vss-tools code; a test compares the table with vss-tools.
 """
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.shared_options import (
@@ -18,19 +17,6 @@ from sigcat.catalogue.exporting.shared_options import (
 
 if TYPE_CHECKING:
     from sigcat.catalogue.exporting.files import Export
-
-
-class Call(NamedTuple):
-    """How vss-tools takes the tree and the output, where an exporter of it differs from the others."""
-
-    output: str = "output"
-    """Name of the option that names the file or folder."""
-    takes_tree_options: bool = True
-    """False where the exporter reads the units beside the tree and knows no overlays, types or strictness."""
-    output_exists: bool = False
-    """Whether the folder to write has to exist already."""
-    copies_unit_files: bool = False
-    """Whether the files of units and quantities themselves become part of the export."""
 
 
 _ATTRIBUTES = Option("attr", "texts", "attribute to show at each node; may be repeated")
@@ -162,16 +148,3 @@ VSS_TOOLS = (
     _folder("avro", "Avro IDL of the struct types", *_AVRO, *STRICTNESS, needs_types=True),
     _folder("vhal", "Android vehicle properties", *_VHAL),
 )  # fmt: skip
-
-CALLS: Mapping[str, Call] = {
-    "s2dm": Call(copies_unit_files=True),
-    "samm": Call("target-folder"),
-    "apigear": Call("output-dir"),
-    "vhal": Call("aosp-workspace-path", takes_tree_options=False, output_exists=True),
-}
-"""The exporters that are called in another way than the rest, by name."""
-
-
-def call_of(name: str) -> Call:
-    """How vss-tools is called for an exporter."""
-    return CALLS.get(name, Call())

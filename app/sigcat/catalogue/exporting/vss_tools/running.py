@@ -15,7 +15,7 @@ from sigcat.catalogue.exporting.export_json import kept_instances
 from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.shared_options import KEEP_INSTANCES
-from sigcat.catalogue.exporting.vss_tools.exporters import call_of
+from sigcat.catalogue.exporting.vss_tools.calls import call_of
 from sigcat.catalogue.exporting.vss_tools.written_catalogue import Files, refused_attributes, write_catalogue
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
