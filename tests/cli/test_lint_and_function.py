@@ -87,7 +87,7 @@ def test_overlays_and_functions_are_checked_over_the_tree_that_is_named(capsys):
     assert main(["lint", "-s", "trees/tree.vspec", "function.yaml", "overlay.vspec"]) == 0
     assert main(["lint", "-s", "vss", "overlay.vspec"]) == 1
     assert main(["lint", "-s", "v0.0", "overlay.vspec"]) == 2
-    assert "release v0.0 is not here" in capsys.readouterr().err
+    assert "release v0.0 is not pulled" in capsys.readouterr().err
 
 
 def test_json_goes_to_a_file(capsys):

@@ -67,7 +67,7 @@ def test_a_path_that_leads_out_is_refused(tmp_path, name, pack):
 
 @pytest.mark.parametrize("name", [f"{TOP}/spec/a\nb", f"{TOP}/spec/\x1b[31m", f"{TOP}//spec/a", f"{TOP}/./a"])
 def test_a_path_that_is_none_is_refused(tmp_path, name):
-    assert "no usable path" in refusal(tmp_path, tar_bytes([member(name, "evil")]))
+    assert "not a usable path" in refusal(tmp_path, tar_bytes([member(name, "evil")]))
 
 
 @pytest.mark.parametrize("name", [f"{TOP}/spec/{'a' * 300}", f"{TOP}{'/a' * 50}"])
@@ -197,7 +197,7 @@ def test_what_is_no_archive_is_refused(tmp_path, data):
 
 def test_an_archive_without_a_tree_is_refused(tmp_path):
     message = refusal(tmp_path, tar_bytes(files={"README.md": "Nothing.\n"}))
-    assert "no release of VSS" in message
+    assert "not a release of VSS" in message
 
 
 @pytest.mark.parametrize("data", [tar_bytes(), zip_bytes()], ids=["tar.gz", "zip"])

@@ -77,8 +77,8 @@ def test_an_empty_file_says_nothing(folder):
 def test_unknown_settings_are_refused_with_the_line_and_the_nearest_name(folder):
     text = '# Catalogues\nwach = true\n\n[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlay = []\n'
     assert findings(folder, text) == [
-        ("C002", 2, "There is no setting 'wach'.", "Did you mean 'watch'?"),
-        ("C002", 7, "There is no setting 'overlay'.", "Did you mean 'overlays'?"),
+        ("C002", 2, "Unknown setting 'wach'.", "Did you mean 'watch'?"),
+        ("C002", 7, "Unknown setting 'overlay'.", "Did you mean 'overlays'?"),
     ]
 
 
@@ -99,21 +99,21 @@ def test_the_line_is_that_of_the_catalogue_meant(folder):
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\nrelease = "shipped"\n',
             ("C004", 1, "The catalogue has both `spec` and `release`; one of them is needed."),
         ),
-        ('[[catalogue]]\nid = 5\nspec = "tree.vspec"\n', ("C003", 2, "'id' takes a text.")),
+        ('[[catalogue]]\nid = 5\nspec = "tree.vspec"\n', ("C003", 2, "`id` must be text, not 5.")),
         (
             '[[catalogue]]\nid = "../a"\nspec = "tree.vspec"\n',
-            ("C003", 2, "'../a' is no id: letters, digits, '.', '_' and '-' are."),
+            ("C003", 2, "`id` must be letters, digits, '.', '_' and '-', not '../a'."),
         ),
-        ('watch = "yes"\n', ("C003", 1, "'watch' takes true or false.")),
-        ('[catalogue]\nid = "a"\n', ("C003", 1, "'catalogue' takes a list.")),
-        ("catalogue = [1]\n", ("C003", 1, "'catalogue' takes tables: [[catalogue]].")),
+        ('watch = "yes"\n', ("C003", 1, "`watch` must be true or false, not 'yes'.")),
+        ('[catalogue]\nid = "a"\n', ("C003", 1, "`catalogue` must be a list, not {'id': 'a'}.")),
+        ("catalogue = [1]\n", ("C003", 1, "`catalogue` must be tables: [[catalogue]].")),
         (
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlays = "x"\n',
-            ("C003", 4, "'overlays' takes a list."),
+            ("C003", 4, "`overlays` must be a list, not 'x'."),
         ),
         (
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\noverlays = [\n  1,\n]\n',
-            ("C003", 4, "'overlays' takes a list of texts."),
+            ("C003", 4, "`overlays` must be a list of texts."),
         ),
         (
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\ninclude_dirs = ["tree.vspec"]\n',
@@ -135,7 +135,7 @@ def test_two_catalogues_cannot_have_one_id(folder):
 
 def test_a_release_that_was_not_pulled_is_told_with_how_to_pull_it(folder, data):
     text = '[[catalogue]]\nid = "a"\nrelease = "v4.0"\n'
-    assert findings(folder, text) == [("C005", 3, "Release v4.0 is not here. `sigcat pull v4.0` fetches it.", "")]
+    assert findings(folder, text) == [("C005", 3, "Release v4.0 is not pulled. Run `sigcat pull v4.0`.", "")]
 
 
 def test_tables_of_others_are_handed_on_and_else_refused(folder):
@@ -207,7 +207,7 @@ def test_nothing_to_host_is_an_error_of_usage(folder, monkeypatch):
 
 def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder):
     assert findings(folder, '[[catalogue]]\nid = "a"\nspec = "overlays"\n') == [
-        ("C005", 3, "'overlays' is a folder.", "Name the root .vspec file in it."),
+        ("C005", 3, "`spec` must be a file, not the folder 'overlays'.", "Name the root .vspec file in it."),
     ]
     assert [finding[:2] for finding in findings(folder, '[[catalogue]]\nid = "a"\ntree = "tree.vspec"\n')] == [
         ("C002", 3)

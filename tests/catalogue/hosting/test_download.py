@@ -36,7 +36,7 @@ def test_a_file_arrives_whole(server, tmp_path, data, path):
         ("loop", "redirects more than 5 times"),
         ("to-file", "redirects to 'file:///etc/passwd', which is not followed"),
         ("to-nowhere", "without an address"),
-        ("to-other-port", "only https is"),
+        ("to-other-port", "it must be https"),
         ("broken", "answers 503"),
         ("nothing-here", "answers 404 Not Found: there is no such file"),
     ],
@@ -60,11 +60,11 @@ def test_a_server_that_takes_its_time_is_given_up(server, tmp_path, data, path, 
 def test_a_redirect_to_a_private_host_is_not_asked(server, tmp_path, data):
     reason = failure(f"{server}/to-private-https", tmp_path)
     assert "localhost" in reason
-    assert "no public address" in reason
+    assert "not a public address" in reason
 
 
 def test_plain_http_and_private_hosts_are_only_for_addresses_that_the_user_named(server, tmp_path, data):
-    assert "only https is" in failure(f"{server}/good", tmp_path, is_trusted=False)
+    assert "it must be https" in failure(f"{server}/good", tmp_path, is_trusted=False)
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "localhost", "[::1]", "0.0.0.0", "127.1", "2130706433"])
@@ -72,7 +72,7 @@ def test_a_private_address_is_refused_however_it_is_written(tmp_path, data, host
     with socket.create_server(("127.0.0.1", 0)) as listening:
         port = listening.getsockname()[1]
         reason = failure(f"https://{host}:{port}/", tmp_path, is_trusted=False)
-    assert ("no public address" if host != "[::1]" else "cannot be read") in reason
+    assert ("not a public address" if host != "[::1]" else "cannot be read") in reason
 
 
 @pytest.mark.parametrize(

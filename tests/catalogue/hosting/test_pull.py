@@ -140,7 +140,7 @@ def test_names_that_could_be_paths_are_refused(data, name):
 
 
 def test_without_an_origin_a_name_has_to_be_a_version(data):
-    with pytest.raises(UsageError, match="is no version"):
+    with pytest.raises(UsageError, match="is not a version"):
         pull("master")
 
 
@@ -160,7 +160,7 @@ def test_a_digest_that_is_none_is_refused(data, digest):
 
 def test_what_is_not_here_is_told_with_how_to_pull_it(server, data):
     pull("v5.0", f"{server}/good", f"SHA256:{DIGEST.upper()}")
-    with pytest.raises(NotFound, match=r"Pulled are v5\.0\. `sigcat pull v5\.1`"):
+    with pytest.raises(NotFound, match=r"Pulled are v5\.0\. Run `sigcat pull v5\.1`"):
         find_release("5.1")
 
 

@@ -44,17 +44,17 @@ class Change(NamedTuple):
     """Aligned with `paths`; empty where nothing moved."""
     attributes: tuple[AttributeChange, ...] = ()
     evidence: Evidence = ""
-    """What says that a node moved. `same definition` is a guess."""
+    """How it is known that a node moved. `same definition` is a guess."""
     came: tuple[str, ...] = ()
-    """What stands in the tree since `instances` changed; topmost paths."""
+    """What is in the tree since `instances` changed; topmost paths."""
     went: tuple[str, ...] = ()
-    """What no longer stands in the tree since `instances` changed; topmost paths."""
+    """What is no longer in the tree since `instances` changed; topmost paths."""
     note: str = ""
-    """What the deprecation of a node that is gone said."""
+    """The deprecation text of a node that is gone."""
 
     @property
     def is_guess(self) -> bool:
-        """Whether nobody said that the node moved."""
+        """Whether the move is only a guess."""
         return self.evidence == "same definition"
 
     @property
@@ -64,7 +64,7 @@ class Change(NamedTuple):
 
 
 def worst(classes: Iterable[Class]) -> Class:
-    """The worst of the classes; `text` if there is none."""
+    """The worst of the classes; `text` if there are none."""
     return min(classes, key=CLASSES.index, default="text")
 
 
@@ -74,7 +74,7 @@ def at_least(compatibility: Class, bound: Class) -> bool:
 
 
 def same(old: Any, new: Any) -> bool:
-    """Whether two values say the same. 1 and 1.0 do, 1 and true do not, and a value that is no number is itself."""
+    """Whether two values say the same. 1 and 1.0 do, 1 and true do not, and .nan equals itself."""
     if isinstance(old, dict) and isinstance(new, dict):
         return old.keys() == new.keys() and all(same(value, new[name]) for name, value in old.items())
     if isinstance(old, list) and isinstance(new, list):

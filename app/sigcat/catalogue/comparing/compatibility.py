@@ -24,7 +24,7 @@ class Row(NamedTuple):
     why: str
 
     def for_type(self, node_type: str) -> Class:
-        """The class for a node; what is no signal (branch, struct, property) takes the worst."""
+        """The class for a node; other nodes (branch, struct, property) get the worst."""
         by_type: dict[str, Class] = {"actuator": self.actuator, "sensor": self.sensor, "attribute": self.attribute}
         return by_type.get(node_type) or worst(by_type.values())
 
@@ -52,7 +52,7 @@ TABLE: tuple[Row, ...] = (
         "unit-respelled", "`unit`: another key or case for the same unit", "risky",
         "Values mean the same; code that compares keys as text fails.",
     ),
-    _row("unit-presence", "`unit`: added or removed", "risky", "Whether the meaning changed, only people know."),
+    _row("unit-presence", "`unit`: added or removed", "risky", "Only people know whether the meaning changed."),
     Row(
         "range-narrowed", "`min`, `max`: less is allowed", "breaking", "compatible", "risky",
         "Values set until now are refused; a parameter may hold one; a reader gets only what it knows.",
@@ -85,7 +85,7 @@ TABLE: tuple[Row, ...] = (
     _row("extended", "an attribute that VSS does not define", "risky", "What it means is agreed elsewhere."),
     _row("deprecation-added", "`deprecation`: new", "compatible", "A warning; the node is still there."),
     _row("deprecation-changed", "`deprecation`: reworded or withdrawn", "text", "Only the advice is another one."),
-    _row("text", "`description`, `comment`, `fka`", "text", "Words for people."),
+    _row("text", "`description`, `comment`, `fka`", "text", "Only people read it."),
 )  # fmt: skip
 ROWS: Mapping[str, Row] = {row.rule: row for row in TABLE}
 

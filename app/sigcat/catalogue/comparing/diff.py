@@ -1,4 +1,4 @@
-"""Compare two catalogues, node by node as expanded, and tell each change once.
+"""Compare two catalogues, node by node as expanded, and report each change once.
 
 Instances share definitions: what changed in one definition is one change, whose paths are listed. What came or went
 as a whole is one change at the topmost path.

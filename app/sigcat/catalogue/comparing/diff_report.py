@@ -26,7 +26,7 @@ _HEADINGS: Mapping[Class, str] = {
 _ABSENT = "(none)"
 _SHOWN = 72
 _LISTED = 6
-"""So many paths are listed; of more, the number is told."""
+"""At most so many paths are listed; of the rest, the number."""
 
 
 def summary(changes: Iterable[Change], hidden: int = 0) -> str:
@@ -52,7 +52,7 @@ def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden:
         indent = "  " * len(branches)
         sign = _coloured(_SIGNS[change.kind], _SIGNS[change.kind], is_coloured)
         label = _coloured(f"[{_class_in_words(change.compatibility)}]", change.compatibility, is_coloured)
-        lines.append(f"{indent}{sign} {printable(name)}{_told(change)}  {label}")
+        lines.append(f"{indent}{sign} {printable(name)}{_behind_name(change)}  {label}")
         lines += [f"{indent}    {detail}" for detail in _details(change)]
     return "\n".join([*lines, *([""] if lines else []), summary(changes, hidden), ""])
 
@@ -114,8 +114,8 @@ def _coloured(text: str, of: str, is_coloured: bool) -> str:
 # -- one change in words ------------------------------------------------------------------------------------------
 
 
-def _told(change: Change) -> str:
-    """What stands behind the name: how many it concerns, and where it went."""
+def _behind_name(change: Change) -> str:
+    """What follows the name: how many nodes it concerns, and where they went."""
     parts = [f"  → {printable(change.path)}"] if change.former and change.kind == "moved" else []
     counted = _counted(change)
     if counted:

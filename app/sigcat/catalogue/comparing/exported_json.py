@@ -31,20 +31,20 @@ from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 UNKNOWN = frozenset(("arraysize", "aggregate", "uuid"))
-"""Attributes that tell no change: an export may have lost them, or, `uuid`, have made them from the path."""
+"""Attributes that are not compared: an export may have lost them or, for `uuid`, have made them from the path."""
 _REPEATED = ("type", "description", "comment")
-"""What exports of before repeat of a branch in its instances; those of today repeat everything."""
+"""What older exports repeat of a branch in its instances; those of today repeat everything."""
 _REFERS_OUTSIDE = frozenset((codes.DATATYPE_UNKNOWN.id, codes.UNIT_UNKNOWN.id, codes.UNIT_OF_WRONG_DATATYPE.id))
 """Findings about units and struct types, which an export may not carry along."""
 _TYPES = "ComplexDataTypes"
 _HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})|\\u[dD][89a-fA-F][0-9a-fA-F]{2}")
-"""A character that JSON escapes as two halves; or a half without its other, which is none."""
+"""A character that JSON escapes as two halves (surrogates), or one half alone, which is not a character."""
 
 Positions = Mapping[str, tuple[int, int]]
 
 
 def read_export(path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS) -> Catalogue:
-    """The catalogue of an exported file. Raises InputRefused if it is no JSON."""
+    """The catalogue of an exported file. Raises InputRefused if it is not JSON."""
     if path.stat().st_size > limits.file_bytes:
         message = f"The file has {path.stat().st_size:,} bytes; the limit is {limits.file_bytes:,}."
         raise _refused(str(path), codes.FILE_TOO_LARGE.finding(message, str(path)))
@@ -54,11 +54,11 @@ def read_export(path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEF
 def catalogue_from_export(
     data: bytes, name: str, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS
 ) -> Catalogue:
-    """The catalogue of an export, with its instances expanded. Raises InputRefused if it is no JSON."""
+    """The catalogue of an export, with its instances expanded. Raises InputRefused if it is not JSON."""
     document = _positions_of(data, name, limits)
     content = _content(data, name)
     if not isinstance(content, dict) or not isinstance(document.root, MappingNode):
-        raise _refused(name, codes.NOT_A_MAPPING.finding("The file is not an object of root nodes.", name, 1, 1))
+        raise _refused(name, codes.NOT_A_MAPPING.finding("The file must be an object of root nodes.", name, 1, 1))
     source = SourceFile(name, "", hashlib.sha256(data).hexdigest())
     reading = _Reading(source)
     pairs = _pairs(document.root)
@@ -80,18 +80,18 @@ def catalogue_from_export(
 class _Exported(Statement):
     """A node of an export, with a position for each attribute: lines may be far longer than those of a vspec file."""
 
-    __slots__ = ("_place", "_places")
+    __slots__ = ("_position", "_positions")
 
     def __init__(
-        self, path: str, file: SourceFile, values: Mapping[str, Any], place: tuple[int, int], places: Positions
+        self, path: str, file: SourceFile, values: Mapping[str, Any], position: tuple[int, int], positions: Positions
     ) -> None:
         super().__init__(path, file, values, 0, ())
-        self._place = place
-        self._places = places
+        self._position = position
+        self._positions = positions
 
     def origin(self, attribute: str = "") -> Origin:
         """Position of the value of `attribute`; of the node's key if the attribute is empty or not here."""
-        return Origin(self.file.name, *self._places.get(attribute, self._place), self.file.overlay)
+        return Origin(self.file.name, *self._positions.get(attribute, self._position), self.file.overlay)
 
     def origin_of_key(self, attribute: str) -> Origin:
         """Position of the value: in JSON its key stands before it on the same line."""
@@ -109,7 +109,7 @@ class _Reading:
     def read_children(self, above: str, children: Any, document: YamlNode) -> None:
         """Read the nodes of an object of nodes by name, and all below them."""
         if not isinstance(children, dict) or not isinstance(document, MappingNode):
-            self._wrong(above, document, "An object of nodes belongs here.")
+            self._wrong(above, document, "The children must be an object of nodes.")
             return
         pairs = _pairs(document)
         for name, values in children.items():
@@ -118,13 +118,13 @@ class _Reading:
             if isinstance(values, dict) and isinstance(value, MappingNode):
                 self._read_node(path, values, key, value)
             else:
-                self._wrong(path, value, "A node belongs here: an object with `type`.")
+                self._wrong(path, value, "A node must be an object with `type`.")
 
     def _read_node(self, path: str, values: dict[str, Any], key: YamlNode, document: MappingNode) -> None:
         pairs = _pairs(document)
-        places = {name: position(value) for name, (_, value) in pairs.items()}
+        positions = {name: position(value) for name, (_, value) in pairs.items()}
         own = {name: value for name, value in values.items() if name != "children"}
-        self.statements.append(_Exported(path, self.source, own, position(key), places))
+        self.statements.append(_Exported(path, self.source, own, position(key), positions))
         if "children" in values:
             self.read_children(path, values["children"], pairs["children"][1])
 
@@ -133,7 +133,7 @@ class _Reading:
 
 
 def _positions_of(data: bytes, name: str, limits: Limits) -> Document:
-    """The document read as YAML, for its positions; YAML takes all of JSON but characters escaped as two halves."""
+    """The document read as YAML, for its positions. YAML reads all of JSON except characters escaped as two halves."""
     if b"\\u" in data:
         data = _HALVES.sub(_whole_character, data.decode("utf-8", "surrogateescape")).encode("utf-8", "surrogateescape")
     document = read_document(data, name, limits)
@@ -150,18 +150,18 @@ def _whole_character(halves: re.Match[str]) -> str:
 
 
 def _content(data: bytes, name: str) -> Any:
-    """The document read as JSON, for its values: YAML takes 1e-05 for a text."""
+    """The document read as JSON, for its values: YAML reads 1e-05 as text."""
     try:
         return json.loads(data.decode("utf-8-sig"))
     except json.JSONDecodeError as error:
-        place = (error.lineno, error.colno)
-        raise _refused(name, codes.NOT_YAML.finding(f"Not valid JSON: {error.msg}.", name, *place)) from None
+        finding = codes.NOT_YAML.finding(f"Not valid JSON: {error.msg}.", name, error.lineno, error.colno)
+        raise _refused(name, finding) from None
     except ValueError as error:
-        raise _refused(name, codes.NOT_A_VALUE.finding(f"A value is none: {error}.", name, 1, 1)) from None
+        raise _refused(name, codes.NOT_A_VALUE.finding(f"A value cannot be read: {error}.", name, 1, 1)) from None
 
 
 def _refused(name: str, *findings: Finding) -> InputRefused:
-    return InputRefused(f"{name}: is no exported tree", findings)
+    return InputRefused(f"{name} is not an exported tree", findings)
 
 
 def _pairs(document: MappingNode) -> dict[str, tuple[YamlNode, YamlNode]]:
@@ -194,8 +194,8 @@ def _found(node: Node, template: str, is_instance: bool, known: dict[tuple[int, 
         children.append(_found(child, path, generated, known))
     key = (id(node.definition), template, is_instance)
     if key not in known:
-        told = node.definition
-        known[key] = Definition(template, told.statements, told.values, told.problems, is_instance)
+        own = node.definition
+        known[key] = Definition(template, own.statements, own.values, own.problems, is_instance)
     return Node(node.path, known[key], tuple(children))
 
 

@@ -38,9 +38,9 @@ def changed_holders(old: Catalogue, new: Catalogue) -> set[str]:
 
 
 def _differ_in_effect(before: Node, after: Node) -> bool:
-    """Whether the nodes tell the instances apart, or the words do on both sides."""
-    is_told = [_words_of(node) is not None or not _generated(node) for node in (before, after)]
-    return all(is_told) or sorted(_generated(before)) != sorted(_generated(after))
+    """Whether the instances differ, judged by what was written if both sides have that, else by the expansion."""
+    is_known = [_words_of(node) is not None or not _generated(node) for node in (before, after)]
+    return all(is_known) or sorted(_generated(before)) != sorted(_generated(after))
 
 
 def instances_as_written(node: Node) -> Any:
@@ -69,7 +69,7 @@ def _generated(node: Node, prefix: str = "") -> list[str]:
 def replaced(nodes: Mapping[str, Node], catalogue: Catalogue, other: Catalogue, holders: set[str]) -> Replacement:
     """The nodes that only one side has because a branch has other instances.
 
-    Their definitions are on both sides; only the places where they stand differ. `nodes` has parents first.
+    Their definitions are on both sides; only their paths differ. `nodes` has parents first.
     """
     paths: set[str] = set()
     tops: dict[str, list[str]] = {}

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.comparing.changes import Evidence
@@ -9,8 +10,14 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.names import last_name, parent_path
 
 Nodes = Mapping[str, Node]
-Place = tuple[str, tuple[str, ...]]
-"""Path of a definition, and the names of the instances that it stands in."""
+
+
+class Instance(NamedTuple):
+    """One node in terms of definitions: the path of its definition, and the names of the instances that it is in."""
+
+    template: str
+    names: tuple[str, ...]
+
 
 _SUCCESSOR = re.compile(r"\b(?:moved|renamed|replaced)\s+(?:to|by|with)\s+[`'\"]?([A-Za-z][\w.]*\w)", re.IGNORECASE)
 
@@ -22,28 +29,30 @@ class Move(NamedTuple):
     evidence: Evidence
 
 
-class _Search(NamedTuple):
-    """What the search for moves knows; `moves` grows."""
+@dataclass
+class _Search:
+    """The search for moves: both sides, and the moves that were found so far."""
 
     old: Catalogue
     new: Catalogue
     gone: Nodes
     came: Nodes
-    old_places: dict[Place, str]
-    new_places: dict[Place, str]
-    moves: dict[str, Move]
-    taken: set[str]
+    old_paths: Mapping[Instance, str]
+    new_paths: Mapping[Instance, str]
+    moves: dict[str, Move] = field(default_factory=dict)
+    taken: set[str] = field(default_factory=set)
+    """New paths to which something moved."""
 
 
 def find_moves(old: Catalogue, new: Catalogue, gone: Nodes, came: Nodes) -> dict[str, Move]:
     """Moves by former path. `gone` and `came` are the nodes to explain, parents first.
 
-    A branch moves with all that is found under the same names at its new place; a branch of which everything moved
+    A branch moves with all that is found under the same names below its new path; a branch of which everything moved
     alike has moved itself.
     """
     if not gone:
         return {}
-    search = _Search(old, new, gone, came, _places(old, gone), _places(new, new.nodes), {}, set())
+    search = _Search(old, new, gone, came, _paths(old, gone), _paths(new, new.nodes))
     _follow_former_paths(search)
     _follow_deprecations(search)
     _guess(search)
@@ -51,9 +60,9 @@ def find_moves(old: Catalogue, new: Catalogue, gone: Nodes, came: Nodes) -> dict
     return search.moves
 
 
-def _places(catalogue: Catalogue, nodes: Nodes) -> dict[Place, str]:
+def _paths(catalogue: Catalogue, nodes: Nodes) -> dict[Instance, str]:
     known: dict[str, tuple[str, ...]] = {"": ()}
-    return {(node.template, _instance_names(path, catalogue, known)): path for path, node in nodes.items()}
+    return {Instance(node.template, _instance_names(path, catalogue, known)): path for path, node in nodes.items()}
 
 
 def _instance_names(path: str, catalogue: Catalogue, known: dict[str, tuple[str, ...]]) -> tuple[str, ...]:
@@ -67,7 +76,7 @@ def _instance_names(path: str, catalogue: Catalogue, known: dict[str, tuple[str,
 
 
 def _record(search: _Search, path: str, target: str, evidence: Evidence) -> None:
-    """A move, and those of everything below that stands at the new place under the same names."""
+    """Record a move, and those of everything below that is at the new path under the same names."""
     waiting = [(path, target)]
     while waiting:
         former, now = waiting.pop()
@@ -85,10 +94,10 @@ def _follow_former_paths(search: _Search) -> None:
             claims.setdefault(former, []).append(path)
     if not claims:
         return
-    names = {path: place[1] for place, path in search.new_places.items() if path in search.came}
+    names = {path: instance.names for instance, path in search.new_paths.items() if path in search.came}
     for former, paths in claims.items():
         for path in paths:
-            source = search.old_places.get((former, names[path]))
+            source = search.old_paths.get(Instance(former, names[path]))
             if source is None and len(paths) == 1 and former in search.gone:
                 source = former
             if source is not None and path not in search.taken:
@@ -101,12 +110,12 @@ def _texts(value: Any) -> Iterator[str]:
 
 def _follow_deprecations(search: _Search) -> None:
     """A successor may have stood in the old tree already, and may succeed several nodes."""
-    for (_, instances), path in search.old_places.items():
+    for instance, path in search.old_paths.items():
         text = search.gone[path].values.get("deprecation")
         if path in search.moves or not isinstance(text, str):
             continue
         for match in _SUCCESSOR.finditer(text):
-            target = _successor(path, match[1], instances, search)
+            target = _successor(path, match[1], instance.names, search)
             if target:
                 _record(search, path, target, "deprecation")
                 break
@@ -125,7 +134,7 @@ def _successor(path: str, name: str, instances: tuple[str, ...], search: _Search
         above = parent_path(above) if "." in name else ""
     if "." not in name:
         return ""
-    found = search.new_places.get((name, instances)) or (name if name in search.new.nodes else "")
+    found = search.new_paths.get(Instance(name, instances)) or (name if name in search.new.nodes else "")
     return found if found != path else ""
 
 
@@ -143,10 +152,10 @@ def _guess(search: _Search) -> None:
         for signature in shared
         if len(before[signature]) == len(after[signature]) == 1
     }
-    for (template, instances), path in search.old_places.items():
-        if path not in gone or template not in targets:
+    for instance, path in search.old_paths.items():
+        if path not in gone or instance.template not in targets:
             continue
-        target = search.new_places.get((targets[template], instances))
+        target = search.new_paths.get(Instance(targets[instance.template], instance.names))
         if target in came and target not in search.taken:
             _record(search, path, target, "same definition")
 

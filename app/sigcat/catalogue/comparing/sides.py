@@ -29,7 +29,7 @@ _GIT = "git:"
 
 
 class Options(NamedTuple):
-    """What holds for both sides; with the meaning of the options of `vspec export`."""
+    """Options for both sides; they mean what those of `vspec export` mean."""
 
     overlays: tuple[Path, ...] = ()
     """Applied after the overlays of the side itself."""
@@ -78,7 +78,7 @@ def _parts(name: str, folder: Path = Path()) -> tuple[str, tuple[Path, ...]]:
 
 
 def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Options) -> Side | None:
-    """The side that a file or folder is; None if there is none."""
+    """The side that a file or folder is; None if it does not exist."""
     if not path.exists():
         return None
     if ending_of(path.name) == ".json" and path.is_file():

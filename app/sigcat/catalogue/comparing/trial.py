@@ -1,4 +1,4 @@
-"""Try an overlay on a catalogue before anything is stored: what it would make, and what is wrong with it."""
+"""Try an overlay on a catalogue before anything is stored: what it would change, and what is wrong with it."""
 
 from typing import NamedTuple
 
@@ -39,7 +39,7 @@ def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) 
 
 
 def _with_near_path(finding: Finding, base: Catalogue) -> Finding:
-    """A node without a type that the base does not have is a slip of the pen more often than a new node."""
+    """A node without a type that the base does not have is more often misspelled than new."""
     if finding.rule != codes.TYPE_MISSING_OR_UNKNOWN.id or finding.path in base.definitions:
         return finding
     near = did_you_mean(finding.path, base.nodes)

@@ -106,7 +106,7 @@ def _checked(archive: Path, limits: ArchiveLimits) -> list[Entry]:
             _check_path(entry, limits)
             key = entry.name.rstrip("/")
             if key in found and not (entry.kind == found[key].kind == "folder"):
-                raise ArchiveRefused(f"{_shown(entry.name)} stands in the archive twice")
+                raise ArchiveRefused(f"{_shown(entry.name)} is in the archive twice")
             found[key] = entry
             total += entry.size
             if entry.size < 0:
@@ -128,7 +128,7 @@ def _check_path(entry: Entry, limits: ArchiveLimits) -> None:
     if entry.name.startswith("/") or drive or "\\" in entry.name or ".." in names:
         raise ArchiveRefused(f"{_shown(entry.name)} leads out of the folder in which the archive is unpacked")
     if not entry.name.isprintable() or "" in names or "." in names[1:]:
-        raise ArchiveRefused(f"{_shown(entry.name)} is no usable path")
+        raise ArchiveRefused(f"{_shown(entry.name)} is not a usable path")
     if len(entry.name) > limits.path_characters or len(names) > limits.path_names:
         raise ArchiveRefused(f"{_shown(entry.name)} is too long a path")
 
@@ -156,11 +156,11 @@ def _leads_out(link: Entry) -> bool:
 
 
 def _top_folder(entries: Iterable[Entry]) -> str:
-    """The folder in which `spec` stands, as GitHub packs it, with its slash; the uppermost one if there are several."""
+    """The folder that contains `spec`, as GitHub packs it, with its slash; the uppermost one if there are several."""
     names = [entry.name.removeprefix("./") for entry in entries if entry.kind == "file"]
     tops = [name.removesuffix(ROOT_FILE) for name in names if name == ROOT_FILE or name.endswith(f"/{ROOT_FILE}")]
     if not tops:
-        raise ArchiveRefused(f"the archive holds no release of VSS: it has no {ROOT_FILE}")
+        raise ArchiveRefused(f"the archive is not a release of VSS: it has no {ROOT_FILE}")
     return min(tops, key=lambda top: (top.count("/"), top))
 
 
@@ -186,7 +186,7 @@ def _write(content: IO[bytes], target: Path, entry: Entry) -> None:
                 file.write(chunk)
                 left -= len(chunk)
     except (FileExistsError, NotADirectoryError):
-        raise ArchiveRefused(f"{_shown(entry.name)} stands in the archive twice") from None
+        raise ArchiveRefused(f"{_shown(entry.name)} is in the archive twice") from None
     if left:
         raise ArchiveRefused(f"{_shown(entry.name)} is not whole: {left:,} bytes are missing")
 
@@ -196,7 +196,7 @@ def _write(content: IO[bytes], target: Path, entry: Entry) -> None:
 
 @contextmanager
 def _entries(archive: Path, limits: ArchiveLimits) -> Iterator[_Opened]:
-    """The entries of a tar, tar.gz or zip file, told by its first bytes, each with its content if it is a file."""
+    """The entries of a tar, tar.gz or zip file, recognized by its first bytes, each with its content if it is a file."""
     with archive.open("rb") as file:
         start = file.read(512)
         file.seek(0)

@@ -11,12 +11,13 @@ release = "v5.0"                      # or: spec = "trees/Body.vspec"
 overlays = ["overlays/body.vspec"]    # in the order in which they apply
 ```
 
-Paths are relative to the file. Everything wrong with it is told at once, with lines.
+Paths are relative to the file. Everything wrong with it is reported at once, with lines.
 """
 
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -39,7 +40,7 @@ _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
 _KEY = re.compile(r"\s*[\"']?([A-Za-z0-9_.-]+)[\"']?\s*=")
 _PLACE = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
-_KINDS = {str: "a text", bool: "true or false", list: "a list"}
+_KINDS = {str: "text", bool: "true or false", list: "a list"}
 
 
 class Configuration(NamedTuple):
@@ -51,7 +52,7 @@ class Configuration(NamedTuple):
     is_watching: bool = False
     has_shipped: bool = True
     tables: Mapping[str, Any] = {}
-    """Tables that others read, as they stand in the file."""
+    """Tables that others read, as they are in the file."""
 
 
 def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
@@ -61,7 +62,7 @@ def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _refused(file, [_syntax_error(error, file, text)]) from None
-    reading = _Reading(file, Lines(text), [])
+    reading = _Reading(file, Lines(text))
     others = tuple(tables)
     reading.check(data, {**TOP_KEYS, **dict.fromkeys(others, dict)}, "")
     sources = tuple(_sources(data.get("catalogue"), reading))
@@ -77,7 +78,7 @@ def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
 
 
 class Lines:
-    """In which line of a TOML file a key stands; tomllib does not tell."""
+    """The lines of the keys of a TOML file; tomllib does not give them."""
 
     def __init__(self, text: str) -> None:
         self._lines: dict[tuple[str, int, str], int] = {}
@@ -97,23 +98,26 @@ class Lines:
         return self._lines.get((table, number, key)) or self._lines.get((table, number, "")) or 1
 
 
-class _Reading(NamedTuple):
+@dataclass
+class _Reading:
+    """The file while it is read, with the findings so far."""
+
     file: Path
     lines: Lines
-    findings: list[Finding]
+    findings: list[Finding] = field(default_factory=list)
 
     def report(self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
         line = self.lines.line(table, number, key)
         self.findings.append(rule.finding(message, str(self.file), line, pointer=key, fix=fix))
 
     def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
-        """Report keys that are not known, and values that are not of the kind that belongs there."""
+        """Report unknown keys, and values of the wrong kind."""
         for key, value in values.items():
             if key not in known:
                 fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
-                self.report(codes.SETTING_UNKNOWN, f"There is no setting {key!r}.", table, number, key, fix)
+                self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
             elif not isinstance(value, known[key]):
-                message = f"{key!r} takes {_KINDS.get(known[key], 'a table')}."
+                message = f"`{key}` must be {_KINDS.get(known[key], 'a table')}, not {repr(value)[:60]}."
                 self.report(codes.SETTING_UNFIT, message, table, number, key)
 
     def path(self, text: str) -> Path:
@@ -150,7 +154,7 @@ def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
     known: set[str] = set()
     for number, values in enumerate(listed if isinstance(listed, list) else []):
         if not isinstance(values, dict):
-            reading.report(codes.SETTING_UNFIT, "'catalogue' takes tables: [[catalogue]].", "", 0, "catalogue")
+            reading.report(codes.SETTING_UNFIT, "`catalogue` must be tables: [[catalogue]].", "", 0, "catalogue")
             return
         before = len(reading.findings)
         reading.check(values, CATALOGUE_KEYS, "catalogue", number)
@@ -167,7 +171,7 @@ def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: 
     if catalogue_id is None:
         reading.report(codes.CATALOGUE_INCOMPLETE, "The catalogue has no `id`.", "catalogue", number)
     elif isinstance(catalogue_id, str) and not _ID.fullmatch(catalogue_id):
-        message = f"{catalogue_id[:80]!r} is no id: letters, digits, '.', '_' and '-' are."
+        message = f"`id` must be letters, digits, '.', '_' and '-', not {catalogue_id[:80]!r}."
         reading.report(codes.SETTING_UNFIT, message, "catalogue", number, "id")
     elif catalogue_id in known:
         reading.report(codes.ID_GIVEN_TWICE, f"Two catalogues have the id {catalogue_id!r}.", "catalogue", number, "id")
@@ -190,7 +194,14 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         path = reading.path(spec)
         if path.is_dir():
             fix = "Name the root .vspec file in it."
-            reading.report(codes.FILE_MISSING, f"{str(path)!r} is a folder.", "catalogue", number, "spec", fix)
+            reading.report(
+                codes.FILE_MISSING,
+                f"`spec` must be a file, not the folder {str(path)!r}.",
+                "catalogue",
+                number,
+                "spec",
+                fix,
+            )
         elif not path.is_file():
             reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "catalogue", number, "spec")
         return Source("", "", path)
@@ -206,7 +217,7 @@ def _paths(values: Mapping[str, Any], name: str, number: int, reading: _Reading)
     listed = values.get(name, [])
     if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
         if isinstance(listed, list):
-            reading.report(codes.SETTING_UNFIT, f"{name!r} takes a list of texts.", "catalogue", number, name)
+            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", "catalogue", number, name)
         return ()
     paths = tuple(reading.path(item) for item in listed)
     for path in paths:

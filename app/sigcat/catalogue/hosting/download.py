@@ -21,7 +21,7 @@ from sigcat import __version__
 from sigcat.errors import SigcatError
 
 Progress = Callable[[int, int | None], None]
-"""Told after each piece: bytes so far, and bytes in all, if known."""
+"""Called after each piece: bytes so far, and bytes in all, if known."""
 
 
 class FetchLimits(NamedTuple):
@@ -85,9 +85,9 @@ def _split(address: str) -> SplitResult:
         parts = urlsplit(address)
         port = parts.port
     except ValueError as error:
-        raise FetchFailed(f"{address[:200]!r} is no address: {error}") from None
+        raise FetchFailed(f"{address[:200]!r} is not an address: {error}") from None
     if parts.scheme not in ("http", "https") or not parts.hostname or port == 0:
-        raise FetchFailed(f"{address[:200]!r} is no http or https address")
+        raise FetchFailed(f"{address[:200]!r} is not an http or https address")
     return parts
 
 
@@ -105,14 +105,14 @@ def _fetch_one(
     parts = _split(address)
     is_named = trusted is not None and _is_same_host(parts, trusted)
     if parts.scheme != "https" and not is_named:
-        raise FetchFailed(f"{address[:200]!r} is not fetched: only https is, save from the host that --from names")
+        raise FetchFailed(f"{address[:200]!r} is not fetched: it must be https, except from the host that --from names")
     is_proxied = parts.scheme in urllib.request.getproxies() and not urllib.request.proxy_bypass(parts.netloc)
     must_be_public = not (is_named or is_proxied)
     try:
         with _opened(address, must_be_public, limits) as response:
             _save(response, target, progress, limits)
     except _AddressRefused as error:
-        raise FetchFailed(f"{_host(parts)} is not asked: {error} is no public address") from None
+        raise FetchFailed(f"{_host(parts)} is not asked: {error} is not a public address") from None
     except (TimeoutError, urllib.error.URLError, http.client.HTTPException, OSError) as error:
         raise FetchFailed(_reason(parts, error)) from None
 

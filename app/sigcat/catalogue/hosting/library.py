@@ -69,7 +69,7 @@ class Library:
         with self._lock:
             hosted = self._reloaded(self.get(catalogue_id))
             self._hosted = {**self._hosted, catalogue_id: hosted}
-        _tell(hosted)
+        _log_state(hosted)
         return hosted
 
     def reload_changed(self) -> tuple[str, ...]:
@@ -133,25 +133,25 @@ def tell_errors(library: Library) -> None:
         errors = [finding for finding in hosted.catalogue.findings if finding.severity == "error"]
         if errors:
             _log.warning("%s: the files have errors, and there is no earlier state", hosted.source.id)
-            _tell_findings(errors)
+            _log_findings(errors)
 
 
-def _tell(hosted: Hosted) -> None:
+def _log_state(hosted: Hosted) -> None:
     if not hosted.rejected:
         _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
         return
     _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
-    _tell_findings(hosted.rejected)
+    _log_findings(hosted.rejected)
 
 
-def _tell_findings(findings: Sequence[Finding]) -> None:
-    for finding in findings[:_MOST_TOLD]:
+def _log_findings(findings: Sequence[Finding]) -> None:
+    for finding in findings[:_MOST_LOGGED]:
         _log.warning("%s", finding.line_of_text)
-    if len(findings) > _MOST_TOLD:
-        _log.warning("and %d more", len(findings) - _MOST_TOLD)
+    if len(findings) > _MOST_LOGGED:
+        _log.warning("and %d more", len(findings) - _MOST_LOGGED)
 
 
-_MOST_TOLD = 100
+_MOST_LOGGED = 100
 """Lines of the log about one state of a catalogue."""
 
 

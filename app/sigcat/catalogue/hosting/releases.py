@@ -37,7 +37,7 @@ _PIECE = 1024 * 1024
 
 
 class Release(NamedTuple):
-    """A release that stands in the data folder."""
+    """A release in the data folder."""
 
     name: str
     """Tag, such as `v5.0`."""
@@ -93,7 +93,7 @@ def data_folder() -> Path:
 
 
 def releases_folder(data: Path | None = None) -> Path:
-    """Where pulled releases stand, each in a folder of its name."""
+    """The folder of pulled releases, each in a folder of its name."""
     return (data or data_folder()) / "releases"
 
 
@@ -103,12 +103,12 @@ def release_name(text: str) -> str:
     if version is not None:
         return f"v{version[1]}"
     if not _NAME.fullmatch(text):
-        raise UsageError(f"{text[:80]!r} is no name of a release; write one such as v5.0")
+        raise UsageError(f"{text[:80]!r} is not a release name; write one such as v5.0")
     return text
 
 
 def pulled_releases(data: Path | None = None) -> tuple[Release, ...]:
-    """The releases that stand in the data folder, oldest version first."""
+    """The releases in the data folder, oldest version first."""
     folder = releases_folder(data)
     records = sorted(folder.glob(f"*/{RECORD}")) if folder.is_dir() else []
     found = [_recorded(record) for record in records if not record.parent.name.startswith(".")]
@@ -123,7 +123,7 @@ def find_release(name: str, data: Path | None = None) -> Release:
         there = f" Pulled are {', '.join(pulled)}." if pulled else ""
         near = nearest(wanted, (*pulled, *_SHIPPED), cutoff=60)
         if _VERSION.fullmatch(wanted):
-            raise NotFound(f"release {wanted} is not here.{there} `sigcat pull {wanted}` fetches it.", near)
+            raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.", near)
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
         raise NotFound(f"there is no file, folder or release {wanted!r}.{hint}{there}", near)
     return pulled[wanted]
@@ -145,7 +145,7 @@ def pull(
     """
     name, digest = release_name(name), _sha256(digest)
     if not origin and not _VERSION.fullmatch(name):
-        raise UsageError(f"{name!r} is no version; --from says where it comes from")
+        raise UsageError(f"{name!r} is not a version; name with --from where it comes from")
     folder = releases_folder(data)
     if (here := _recorded(folder / name / RECORD)) is not None:
         return _same(here, digest)
@@ -170,7 +170,7 @@ def pull(
 def _sha256(text: str) -> str:
     match = _SHA256.fullmatch(text.strip().lower())
     if text and match is None:
-        raise UsageError(f"{text[:80]!r} is no SHA-256: 64 hexadecimal digits are")
+        raise UsageError(f"{text[:80]!r} is not a SHA-256 of 64 hexadecimal digits")
     return match[1] if match else ""
 
 

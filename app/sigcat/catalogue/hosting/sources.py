@@ -11,7 +11,7 @@ from sigcat.errors import UsageError
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
-"""Name that stands for the tree that sigcat ships, where a release is asked for."""
+"""Name that stands for the tree that sigcat ships, where a release is needed."""
 SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
 
 
@@ -46,7 +46,7 @@ def source_from_option(text: str) -> Source:
     catalogue_id, equals, rest = text.partition("=")
     tree, *overlays = rest.split(",")
     if not (catalogue_id and equals and tree):
-        raise UsageError(f"{text!r} names no catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
+        raise UsageError(f"{text!r} does not name a catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
     source = source_of_tree(tree)
     for overlay in overlays:
         if not Path(overlay).is_file():

@@ -79,7 +79,7 @@ def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
 
 
 def stand_in(library: Library, hosted: Hosted, path: str) -> str:
-    """What a variant has in place of a node that it lacks but another variant has; empty if none has it.
+    """What a variant has instead of a node that only another variant has; empty if no variant has it.
 
     That is its definition, its first instance, or the branch above it.
     """
@@ -111,7 +111,7 @@ def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool,
 
 @lru_cache(maxsize=12)
 def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
-    """How many places of the tree each branch with instances stands for, by the path of its definition."""
+    """How many nodes of the tree each branch with instances stands for, by the path of its definition."""
     expanded = _expanded.get(catalogue, catalogue)
     instances = (node for node in expanded.nodes.values() if node.definition.is_instance)
     return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))

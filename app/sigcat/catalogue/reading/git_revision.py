@@ -16,7 +16,7 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS) -> str:
     """Write the trees of a revision of the repository around the current folder into `folder`.
 
-    Links are left out. Returns where the current folder stands in the repository (`spec/`; empty at its top).
+    Links are left out. Returns the current folder as a path in the repository (`spec/`; empty at its top).
     Raises UsageError with git's own words.
     """
     if not revision or revision.startswith("-"):
@@ -28,12 +28,12 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
         command = [_program(), "-C", top, "archive", "--format=tar", commit]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=complaints) as process:  # noqa: S603 -- no shell
             assert process.stdout is not None
-            with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git says better what is wrong
+            with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git explains better what is wrong
                 _unpack(archive, folder, limits)
             status = process.wait()
         if status:
             complaints.seek(0)
-            raise UsageError(_words(complaints.read().decode(errors="replace"), revision))
+            raise UsageError(_first_line(complaints.read().decode(errors="replace"), revision))
     return prefix
 
 
@@ -47,11 +47,11 @@ def _program() -> str:
 def _git(*arguments: str) -> str:
     result = subprocess.run([_program(), *arguments], capture_output=True, check=False)  # noqa: S603 -- no shell
     if result.returncode:
-        raise UsageError(_words(result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}")))
+        raise UsageError(_first_line(result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}")))
     return result.stdout.decode(errors="replace").strip()
 
 
-def _words(complaint: str, revision: str) -> str:
+def _first_line(complaint: str, revision: str) -> str:
     first = next((line for line in complaint.splitlines() if line.strip()), "git failed")
     return f"git:{revision}: {first.removeprefix('fatal: ')}"
 

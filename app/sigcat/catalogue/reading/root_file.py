@@ -15,10 +15,10 @@ _SHOWN = 5
 
 
 def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
-    """The root file of the tree in or below a folder. Files below a folder `overlays` are none.
+    """The root file of the tree in or below a folder. Files below a folder `overlays` do not count.
 
-    It has the usual name and stands highest, or no other file includes it, and it holds more than struct types.
-    Raises UsageError where that is not one.
+    It has the usual name and is the uppermost one, or no other file includes it, and it holds more than struct types.
+    Raises UsageError if that is not exactly one file.
     """
     files = [file for file in sorted(_vspec_files(folder, limits)) if "overlays" not in _folders(file, folder)]
     usual = [file for file in files if file.name == ROOT_NAME]
@@ -68,23 +68,23 @@ def _vspec_files(folder: Path, limits: Limits) -> Iterator[Path]:
         yield from (Path(above, name) for name in files if name.endswith(".vspec"))
 
 
-class _Read(NamedTuple):
-    """What is asked of a file before it is known which one is the root."""
+class _Content(NamedTuple):
+    """What has to be known about each file to find the root."""
 
     included: tuple[str, ...]
     """What it includes, without suffix and without steps up."""
     is_of_types: bool
     """Whether it holds struct types and nothing else."""
     has_root: bool
-    """Whether a node without a branch above it may stand in it, or in what it includes; an overlay has none."""
+    """Whether it, or what it includes, may have a node without a branch above it; an overlay has none."""
 
 
-def _read(file: Path, limits: Limits) -> _Read:
+def _read(file: Path, limits: Limits) -> _Content:
     if file.stat().st_size > limits.file_bytes:
-        return _Read((), is_of_types=False, has_root=True)
+        return _Content((), is_of_types=False, has_root=True)
     data = file.read_bytes()
     text = parse_vspec(data, SourceFile(str(file), "", hashlib.sha256(data).hexdigest()), limits)
-    return _Read(
+    return _Content(
         tuple(_without_steps(include.target) for include in text.includes),
         is_of_types=holds_only_structs(data),
         has_root=bool(text.includes) or any("." not in statement.path for statement in text.statements),

@@ -29,9 +29,9 @@ class _Log(logging.Handler):
         self._file = file
 
     def emit(self, record: logging.LogRecord) -> None:
-        self.tell(record.levelname, record.getMessage())
+        self.write(record.levelname, record.getMessage())
 
-    def tell(self, level: str, message: str) -> None:
+    def write(self, level: str, message: str) -> None:
         """Write one line; it is there even if the process ends at once."""
         self._file.write(json.dumps([level, message]) + "\n")
         self._file.flush()
@@ -46,9 +46,9 @@ def main(request_file: str) -> int:
             _export(request, log)
         except SystemExit as error:
             return 1 if error.code else 0
-        except Exception as error:  # noqa: BLE001 - whatever an exporter raises is told, never thrown at a user
+        except Exception as error:  # noqa: BLE001 - whatever an exporter raises goes to the log, never to a user as a traceback
             message = getattr(error, "message", "") or str(error)
-            log.tell("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
+            log.write("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
             return 1
     return 0
 
