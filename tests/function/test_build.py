@@ -337,7 +337,7 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
     [
         (
             "{path: Vehicle.Speed, role: consumed, init: true}",
-            ("F024", "init", "`init` of 'Vehicle.Speed' must be a number, not True."),
+            ("F024", "init", "`init` of 'Vehicle.Speed' must be a number, not true."),
         ),
         (
             "{path: Vehicle.Speed, role: consumed, min: 80, max: 70, init: 0}",

@@ -1,5 +1,6 @@
 """`function.yaml`: the structure of the file, and what is said about a wrong one."""
 
+import datetime as dt
 import re
 
 import jsonschema
@@ -60,8 +61,25 @@ def test_a_misspelled_key_is_one_finding_where_it_stands():
 def test_a_word_that_yaml_reads_as_a_boolean_is_explained():
     text = HEAD + "modes: {active: [{mode: OFF, description: Off., runnables: []}]}\n"
     finding = read_declaration(text.encode(), "f").findings[0]
-    assert finding.message == "`mode` must be a text, not False."
+    assert finding.message == "`mode` must be a text, not false."
     assert "Put quotes around" in finding.fix
+
+
+@pytest.mark.parametrize("date", ["2025-01-01", "'2025-01-01'", '"2025-01-01"'])
+def test_a_date_may_stand_in_quotes(date):
+    declared = read_declaration((HEAD + f"date: {date}\n").encode(), "f").declaration
+    assert declared is not None
+    assert declared.date == dt.date(2025, 1, 1)
+
+
+@pytest.mark.parametrize(
+    ("date", "shown"),
+    [("'2025-13-01'", "'2025-13-01'"), ("01.01.2025", "'01.01.2025'"), ("2025-01-01T10:00:00", "2025-01-01T10:00:00"),
+     ("true", "true"), ("7", "7"), ("[]", "a list")],
+)  # fmt: skip
+def test_what_is_no_date_is_told_in_the_words_of_yaml(date, shown):
+    (finding,) = read_declaration((HEAD + f"date: {date}\n").encode(), "f").findings
+    assert finding.message == f"`date` must be a date such as 2025-09-12, not {shown}."
 
 
 @pytest.mark.parametrize("text", ["- 1", "5", "text", "~"])

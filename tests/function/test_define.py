@@ -284,7 +284,7 @@ def test_an_example_with_definitions_reads_back():
             "LaneKeeping_DetectStep, LaneKeeping_Step]",
             "LaneKeeping_DetectStep, Stap]",
             "F070",
-            "/modes/active/0/runnables/1",
+            "/modes/active/1/runnables/1",
             "Did you mean 'Step'?",
         ),
         (

@@ -1,21 +1,25 @@
 """A function file, `function.yaml` or Function JSON, from its bytes to a function that is checked."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
+from itertools import chain
 from typing import NamedTuple
 
+from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.file_kind import is_json
 from sigcat.findings import Finding, has_errors, in_order
+from sigcat.function.checks.calls import check_inputs
 from sigcat.function.checks.consequences import without_consequences
 from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions
+from sigcat.function.checks.definitions import unused_definitions, used_by
 from sigcat.function.declaration.declaration import Declared, read_declaration
-from sigcat.function.document.document import Document
-from sigcat.function.document.problem import Subject
+from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.read_json import read_json
 from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.extension.definition_findings import DefinitionFindings, definition_findings
@@ -24,6 +28,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.reading import read_function
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.resolving.context import Context
+from sigcat.function.resolving.renamed import told_once
 from sigcat.function.resolving.resolve import resolve
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
@@ -50,6 +55,22 @@ class CheckedFunction(NamedTuple):
         """The function, if its file has no errors."""
         return None if has_errors(self.findings) else self.function
 
+    @property
+    def is_incomplete(self) -> bool:
+        """Whether parts of the function may be missing because they could not be resolved."""
+        return self.resolved is None or has_errors([each for each in self.findings if each.rule in _UNRESOLVED])
+
+
+_UNRESOLVED = frozenset(
+    rule.id
+    for rule in (
+        codes.FIELD_MISSING, codes.FIELD_UNKNOWN, codes.VALUE_UNFIT, codes.SIGNAL_UNKNOWN,
+        codes.SIGNAL_HOLDS_NO_VALUE, codes.INTERFACE_UNKNOWN, codes.INTERFACE_OF_ANOTHER_CATEGORY,
+        codes.INTERFACE_OF_ANOTHER_FUNCTION, codes.DATATYPE_UNFIT,
+    )
+)  # fmt: skip
+"""Rules that leave out of a function what breaks them."""
+
 
 def read_function_file(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> FunctionFile:
     """Read a file of either kind."""
@@ -65,24 +86,58 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
     if declaration is None:
         return CheckedFunction(document, None, in_order(declared.findings), is_declaration=True)
     context = Context(catalogue, declaration.function)
-    resolved, resolving_problems, missing = resolve(declaration, document, context)
+    resolved, unplaced, missing = resolve(declaration, document, context)
+    unresolved = tuple(told_once(unplaced, declaration, context))
     defined = definition_findings(definitions, document, catalogue)
     problems = without_consequences(
-        check_consistency(resolved.function, frozenset(context.names("error"))),
+        chain(check_consistency(resolved.function, frozenset(context.names("error"))), check_inputs(resolved.function)),
         missing,
-        partial(_is_reported, definitions, defined, context),
+        partial(_is_reported, definitions, defined, _attributes_of(unresolved), context),
         context.path_of,
     )
-    unresolved = (
-        document.finding(each.rule, each.pointer, each.message, each.fix, each.path) for each in resolving_problems
-    )
-    findings = in_order([*declared.findings, *defined.findings, *unresolved, *resolved.findings(problems)])
+    findings = in_order([
+        *declared.findings,
+        *defined.findings,
+        *(_finding(each, each.pointer, definitions, document, context) for each in unresolved),
+        *(_finding(each, resolved.source(each.pointer), definitions, document, context) for each in problems),
+    ])  # fmt: skip
     return CheckedFunction(document, resolved, findings, is_declaration=True)
 
 
-def _is_reported(definitions: Definitions, defined: DefinitionFindings, context: Context, subject: Subject) -> bool:
-    """Whether the rules of the catalogue have found fault with what the file itself defines of a subject."""
-    node = definitions.by_path.get(context.path_of(subject.name)) if defined.findings else None
+def _finding(
+    problem: Problem, pointer: Pointer, definitions: Definitions, document: Document, context: Context
+) -> Finding:
+    """A problem as a finding: at the attribute that is wrong if the file defines it, otherwise at the reference."""
+    subject = problem.subject
+    node = definitions.by_path.get(context.path_of(subject.name)) if subject else None
+    written = [name for name in subject.attributes if name in node.values] if subject and node else []
+    at = node.pointer(written[0]) if node and written and not _is_written(pointer) else pointer
+    return document.finding(problem.rule, at, problem.message, problem.fix, problem.path)
+
+
+def _is_written(pointer: Pointer) -> bool:
+    """Whether a pointer leads to a key of a reference, such as the `min` of a signal, and not to the reference."""
+    return isinstance(pointer[-1], str) if pointer else False
+
+
+Attributes = frozenset[tuple[str, str]]
+"""Paths and attributes of interfaces."""
+
+
+def _attributes_of(problems: Iterable[Problem]) -> Attributes:
+    """What problems are about, where they name attributes of the catalogue."""
+    subjects = (problem.subject for problem in problems if problem.subject)
+    return frozenset((subject.name, attribute) for subject in subjects for attribute in subject.attributes)
+
+
+def _is_reported(
+    definitions: Definitions, defined: DefinitionFindings, unresolved: Attributes, context: Context, subject: Subject
+) -> bool:
+    """Whether fault was found with what the catalogue, or the file itself, says of a subject."""
+    path = context.path_of(subject.name)
+    if any((path, attribute) in unresolved for attribute in subject.attributes):
+        return True
+    node = definitions.by_path.get(path) if defined.findings else None
     return node is not None and any(defined.are_about(node, attribute) for attribute in subject.attributes)
 
 
@@ -102,10 +157,33 @@ def check_files(files: Sequence[FunctionFile], catalogue: Catalogue) -> tuple[tu
     declarations = [file for file in files if isinstance(file, Declared)]
     over, definitions = extended(catalogue, declarations)
     own = iter(definitions)
-    return tuple(
+    checked = tuple(
         check_declaration(file, next(own), over) if isinstance(file, Declared) else check_document(file, over)
         for file in files
-    ), over
+    )
+    return _with_unused(checked, definitions), over
+
+
+def _with_unused(checked: Sequence[CheckedFunction], definitions: Sequence[Definitions]) -> tuple[CheckedFunction, ...]:
+    """The functions, with what is defined for none of them. Where a reference is wrong, nobody knows what it meant."""
+    used = frozenset(text for each in checked if each.function for text in used_by(each.function))
+    own = iter(definitions)
+    return tuple(
+        each._replace(findings=in_order([*each.findings, *_unused(each, next(own), used)]))
+        if each.is_declaration
+        else each
+        for each in checked
+    )
+
+
+def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
+    if checked.is_incomplete:
+        return
+    is_incomplete = any(finding.rule == codes.CALLS_INCOMPLETE.id for finding in checked.findings)
+    for problem in unused_definitions(definitions, used):
+        if not (is_incomplete and problem.subject and problem.subject.kind == "scheduling"):
+            at, message = problem.pointer, problem.message
+            yield checked.document.finding(problem.rule, at, message, problem.fix, problem.path, of_key=True)
 
 
 @collector_paused()

@@ -3,12 +3,13 @@
 from collections.abc import Iterator
 
 from sigcat import codes
-from sigcat.asil import is_above, level_of
+from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
+from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import PROVIDER, FunctionJson
+from sigcat.function.function_json.model import CONSUMER, PROVIDER, FunctionJson, milliseconds
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import either
 
@@ -19,6 +20,7 @@ def check_calls(function: FunctionJson) -> Problems:
     """Every problem of calls, but for their supervision."""
     yield from _complete(function)
     yield from _cycles(function)
+    yield from _debounces(function)
     yield from _order(function)
     yield from _asil(function)
 
@@ -42,6 +44,16 @@ def _cycles(function: FunctionJson) -> Problems:
             message = f"{runnable.name} is cyclic, but has no cycle time."
             subject = Subject("scheduling", runnable.name, ("cycleTime",))
             yield Problem(codes.CYCLIC_CALL_WITHOUT_CYCLE, (*pointer, "Cycletime"), message, subject=subject)
+
+
+def _debounces(function: FunctionJson) -> Problems:
+    for pointer, _, runnable in runnables(function):
+        delay, cycle = milliseconds(runnable.debounce_delay), runnable.cycle_time
+        if runnable.run_type == "Cyclic" and delay is not None and cycle and delay > cycle:
+            message = f"The debounce time of {runnable.name} must not exceed its cycle, {cycle} ms; got {delay:g} ms."
+            fix = "Make it shorter: it would hold back calls that are due."
+            subject = Subject("scheduling", runnable.name, ("debounceTime", "cycleTime"))
+            yield Problem(codes.DEBOUNCE_BEYOND_CYCLE, (*pointer, "DebounceDelay"), message, fix, subject)
 
 
 def _order(function: FunctionJson) -> Problems:
@@ -76,13 +88,32 @@ def _unknown_previous(
 
 
 def _asil(function: FunctionJson) -> Problems:
+    """One problem for a call, however much it provides and reports."""
+    demands: dict[Pointer, list[tuple[Level | None, str]]] = {}
+    for _, located, item in data(function):
+        if item.role == PROVIDER:
+            demands.setdefault(located.pointer, []).append((level_of(item.asil_level), f"provides {item.name!r}"))
+    for _, located, error in errors(function):
+        demands.setdefault(located.pointer, []).append((level_of(error.asil_level), f"reports {error.name}"))
+    for pointer, _, runnable in runnables(function):
+        own = level_of(runnable.asil_level)
+        above = [(level, what) for level, what in demands.get(pointer, ()) if level and is_above(level, own)]
+        if above:
+            level, what = max(above, key=lambda demand: rank(demand[0]))
+            more = f", and {len(above) - 1} more need an ASIL above {own}" if len(above) > 1 else ""
+            message = f"{runnable.name} must be implemented to {level}, not {own}: it {what}{more}."
+            subject = Subject("scheduling", runnable.name, ("ASILlevel",))
+            yield Problem(codes.ASIL_OF_CALL_TOO_LOW, (*pointer, "AsilLevel"), message, subject=subject)
+
+
+def check_inputs(function: FunctionJson) -> Problems:
+    """Inputs of which nobody knows what they may be relied on for, at calls that are implemented to an ASIL.
+
+    In Function JSON from elsewhere everything without an ASIL is a problem.
+    """
     for pointer, (_, _, runnable), item in data(function):
-        level, own = level_of(item.asil_level), level_of(runnable.asil_level)
-        if item.role == PROVIDER and is_above(level, own):
-            message = f"{runnable.name} must be implemented to {level}, not {own}: it provides {item.name!r}."
-            yield Problem(codes.ASIL_OF_CALL_TOO_LOW, pointer, message, subject=Subject("data", item.name))
-    for pointer, (_, _, runnable), error in errors(function):
-        level, own = level_of(error.asil_level), level_of(runnable.asil_level)
-        if is_above(level, own):
-            message = f"{runnable.name} must be implemented to {level}, not {own}: it reports {error.name}."
-            yield Problem(codes.ASIL_OF_CALL_TOO_LOW, pointer, message, subject=Subject("error", error.name))
+        if item.role == CONSUMER and item.asil_level is None and is_above(level_of(runnable.asil_level), "QM"):
+            message = f"{item.name!r} must state its ASIL: {runnable.name}, which reads it, has {runnable.asil_level}."
+            fix = "Give `asil`, QM where the value is not relied on."
+            subject = Subject("data", item.vss_path or item.name, ("ASILlevel",))
+            yield Problem(codes.ASIL_OF_ELEMENT_MISSING, pointer, message, fix, subject)

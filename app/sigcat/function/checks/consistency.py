@@ -5,9 +5,10 @@ from collections.abc import Collection, Iterator
 from sigcat.function.checks.calls import check_calls
 from sigcat.function.checks.data_interfaces import check_data_interfaces
 from sigcat.function.checks.error_references import check_error_references
-from sigcat.function.checks.modes_and_types import check_modes, check_types
+from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
 from sigcat.function.checks.supervision import check_supervision
+from sigcat.function.checks.types import check_types
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.model import FunctionJson
 

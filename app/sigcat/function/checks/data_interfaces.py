@@ -1,4 +1,4 @@
-"""Signals, queues and parameters: ranges, start values and time-outs."""
+"""Signals, queues and parameters: ranges, start values and timeouts."""
 
 from collections.abc import Collection, Iterator
 
@@ -6,7 +6,15 @@ from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import DataQueue, FunctionJson, Parameter, Runnable, Signal, milliseconds
+from sigcat.function.function_json.model import (
+    PROVIDER,
+    DataQueue,
+    FunctionJson,
+    Parameter,
+    Runnable,
+    Signal,
+    milliseconds,
+)
 from sigcat.function.function_json.walk import data, errors, parameters, runnables
 
 Problems = Iterator[Problem]
@@ -17,6 +25,8 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
     """Every problem of the data of a function."""
     for pointer, _, item in (*data(function), *parameters(function)):
         yield from _range(pointer, item)
+    for pointer, _, item in data(function):
+        yield from _replacement(pointer, item)
     yield from _durations(function)
     yield from _time_outs(function, known_errors)
 
@@ -35,6 +45,24 @@ def _range(pointer: Pointer, item: Item) -> Problems:
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=subject)
 
 
+def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
+    """What is to replace a value out of range has to be known. Texts and arrays stand in the catalogue alone."""
+    action = item.range_error_action
+    default = None if isinstance(item, DataQueue) else item.default
+    known = {"Default": default, "Init": item.init_value}.get(action or "", 0)
+    if known is None and not (item.vss_datatype or "").endswith(("string", "[]")):
+        what, fix = _REPLACEMENTS[action or ""]
+        message = f"{item.name!r} must have {what} to replace values out of range."
+        subject = Subject("data", item.vss_path or item.name, ("default",))
+        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "RangeErrorAction"), message, fix, subject)
+
+
+_REPLACEMENTS = {
+    "Default": ("a default", "Give `default` in the catalogue, or write `rangeErrorAction: Init` and `init`."),
+    "Init": ("a start value", "Give `init`."),
+}
+
+
 def _is_outside(value: float, low: float | None, high: float | None) -> bool:
     return (low is not None and value < low) or (high is not None and value > high)
 
@@ -46,7 +74,7 @@ def _words(low: float | None, high: float | None) -> str:
     return f"{low} to {high}"
 
 
-# -- time-outs ----------------------------------------------------------------------------------------------------
+# -- timeouts ----------------------------------------------------------------------------------------------------
 
 
 def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
@@ -57,7 +85,7 @@ def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
         yield from _time_out(pointer, runnable, item, subject)
         name = item.timeout_error
         if name and name not in declared:
-            message = f"The time-out error of {item.name!r} must be one that the function declares, not {name!r}."
+            message = f"The timeout error of {item.name!r} must be one that the function declares, not {name!r}."
             fix = declared_or_meant(name, declared, known, hint)
             cause = Subject("error", name)
             yield Problem(codes.TIMEOUT_ERROR_UNDECLARED, (*pointer, "TimeoutError"), message, fix, subject, cause)
@@ -65,12 +93,16 @@ def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
 
 def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, subject: Subject) -> Problems:
     duration = milliseconds(item.timeout)
-    if duration is not None and runnable.cycle_time and duration < runnable.cycle_time:
-        message = f"The time-out of {item.name!r} must not be shorter than the cycle, {runnable.cycle_time} ms; got {duration:g} ms."
+    if item.role == PROVIDER and item.timeout is not None:
+        message = f"A timeout must be that of a consumed signal; {item.name!r} is provided."
+        fix = "Remove it: the calls that consume the signal wait for it."
+        yield Problem(codes.TIMEOUT_OF_PROVIDED, (*pointer, "Timeout"), message, fix, subject)
+    elif duration is not None and runnable.cycle_time and duration < runnable.cycle_time:
+        message = f"The timeout of {item.name!r} must not be shorter than the cycle, {runnable.cycle_time} ms; got {duration:g} ms."
         fix = "Make it at least the cycle time: it would pass before the value can be looked at twice."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
     if item.timeout_error and duration is None and item.timeout is None:
-        message = f"{item.name!r} has the time-out error {item.timeout_error!r}, but no time-out that would set it."
+        message = f"{item.name!r} has the timeout error {item.timeout_error!r}, but no timeout that would set it."
         fix = "Give `timeout`, the longest time between two values in ms, or remove the error."
         yield Problem(codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, "TimeoutError"), message, fix, subject)
 

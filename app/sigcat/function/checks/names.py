@@ -4,9 +4,10 @@ import re
 from collections.abc import Iterable, Iterator
 
 from sigcat import codes
+from sigcat.function.checks.expression import may_hold_value
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.model import CONSUMER, PROVIDER, FunctionJson
 from sigcat.function.function_json.walk import contracts, data, methods, parameters, runnables
 from sigcat.names import camel_case, either
 
@@ -19,6 +20,7 @@ def check_names(function: FunctionJson) -> Problems:
     """Every problem of names."""
     yield from _calls_twice(function)
     yield from _names_twice(function)
+    yield from _paths_twice(function)
     yield from _variables_twice(function)
     yield from _function_name(function)
     yield from _conventional_names(function)
@@ -28,13 +30,34 @@ def check_names(function: FunctionJson) -> Problems:
 
 
 def _names_twice(function: FunctionJson) -> Problems:
-    named: dict[Pointer, list[tuple[Pointer, str]]] = {}
+    """Names that two interfaces of a call have; one interface that is listed twice is another problem."""
+    holders: dict[tuple[Pointer, str], str | None] = {}
     for pointer, located, item in (*data(function), *parameters(function)):
-        named.setdefault(located.pointer, []).append(((*pointer, "Name"), item.name))
-    for items in named.values():
-        for pointer, name in _repeated(items):
-            message = f"The name {name!r} is used twice in one call."
-            yield Problem(codes.NAME_USED_TWICE, pointer, message, "Rename one.", Subject("data", name))
+        key = (located.pointer, item.name)
+        if key in holders and (item.vss_path is None or item.vss_path != holders[key]):
+            message = f"The name {item.name!r} is used twice in one call."
+            subject = Subject("data", item.name)
+            yield Problem(codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Rename one.", subject)
+        holders.setdefault(key, item.vss_path)
+
+
+_ROLES = {CONSUMER: "consumed", PROVIDER: "provided"}
+
+
+def _paths_twice(function: FunctionJson) -> Problems:
+    """Interfaces that a call has twice, or that it both reads and writes."""
+    roles: dict[tuple[Pointer, str], str] = {}
+    for pointer, located, item in (*data(function), *parameters(function)):
+        if not item.vss_path:
+            continue
+        role = _ROLES.get(getattr(item, "role", ""), "a parameter")
+        known = roles.setdefault((located.pointer, item.vss_path), "")
+        if known:
+            again = "twice" if role == known else f"as {known} and as {role}"
+            message = f"{located.runnable.name} must list {item.vss_path!r} once, not {again}."
+            subject = Subject("data", item.vss_path)
+            yield Problem(codes.PATH_USED_TWICE, (*pointer, "VssPath"), message, "Remove one.", subject)
+        roles[located.pointer, item.vss_path] = known or role
 
 
 def _variables_twice(function: FunctionJson) -> Problems:
@@ -45,7 +68,7 @@ def _variables_twice(function: FunctionJson) -> Problems:
             continue
         held = (located.pointer, item.vss_path or item.name)
         known = holders.setdefault((located.component.name, item.variable), held)
-        if known is not held and (known[0] == held[0] or known[1] != held[1]):
+        if known[1] != held[1]:
             where = "one call" if known[0] == held[0] else f"component {located.component.name!r}"
             message = f"The variable {item.variable!r} holds two interfaces of {where}."
             yield Problem(
@@ -125,19 +148,8 @@ def _identifiers(function: FunctionJson) -> Problems:
 
 def _expressions(function: FunctionJson) -> Problems:
     for pointer, _, item in (*data(function), *parameters(function)):
-        if item.variable and not _may_be_expression(item.variable):
+        if item.variable and not may_hold_value(item.variable):
             fix = "Name the variable as the code does, such as in.speed, in->speed or in[3]."
-            message = f"{item.variable!r} is not a valid C expression."
+            message = f"`variable` must be an expression of C that holds a value, not {item.variable!r}."
             subject = Subject("data", item.vss_path or item.name)
             yield Problem(codes.VARIABLE_NO_EXPRESSION, (*pointer, "Variable"), message, fix, subject)
-
-
-def _may_be_expression(text: str) -> bool:
-    """Whether brackets are closed in order, and no digit comes first. The rest is left to the compiler."""
-    waiting: list[str] = []
-    for character in text:
-        if character in "([":
-            waiting.append(")" if character == "(" else "]")
-        elif character in ")]" and (not waiting or waiting.pop() != character):
-            return False
-    return not waiting and not text.lstrip()[:1].isdigit()

@@ -1,6 +1,7 @@
 """`function.yaml`: what an author says about a function. Everything that the catalogue knows is left to it."""
 
 import datetime as dt
+import re
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, Field, ValidationError
@@ -73,6 +74,18 @@ class ParameterItem(DeclarationModel):
 def _reference(value: Any) -> Any:
     """An interface may be given by its name alone."""
     return {"interface": value} if isinstance(value, str) else value
+
+
+def _date(value: Any) -> Any:
+    """In quotes, YAML reads a date as a text."""
+    is_date = isinstance(value, str) and _DATE.fullmatch(value)
+    try:
+        return dt.date.fromisoformat(value) if is_date else value
+    except ValueError:  # no such day
+        return value
+
+
+_DATE = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 
 
 class ErrorItem(DeclarationModel):
@@ -158,7 +171,9 @@ class Declaration(DeclarationModel):
     version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = Field(None, description="Version, as 1.2.3.")
     authority: Text | None = Field(None, description="Organization that the document belongs to.")
     author: Text | None = Field(None, description="Author of the document.")
-    date: dt.date | None = Field(None, description="Date of the document, as 2025-09-12.")
+    date: Annotated[dt.date, BeforeValidator(_date)] | None = Field(
+        None, description="Date of the document, as 2025-09-12."
+    )
     components: list[ComponentItem] = Field(min_length=1, description="Components of the function.")
     modes: ModesItem | None = Field(None, description="Modes of the function.")
     define: DefineSection | None = Field(None, description="Interfaces that the catalogue does not have yet.")

@@ -12,6 +12,7 @@ from sigcat import codes
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.yaml_words import in_yaml
 from sigcat.names import did_you_mean, nearest
 
 _EXPECTED = {
@@ -237,7 +238,4 @@ def _named(pointer: Pointer) -> str:
 def _shown(value: Any) -> str:
     if isinstance(value, dict | list):
         return "a mapping" if isinstance(value, dict) else "a list"
-    if value is None:
-        return "empty"
-    text = repr(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return in_yaml(value)

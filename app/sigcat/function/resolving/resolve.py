@@ -64,7 +64,7 @@ def _function(declaration: Declaration, document: Document, context: Context) ->
         "MetaInfo": Origin((), written(declaration, ())),
         "FunctionInfo": Origin((), written(declaration, ())),
         "ComponentList": origin_of(components, ()),
-        "ModesList": origin_of(modes, ()),
+        "ModesList": origin_of(modes, ("modes", "active")),
         "ModeInterfaceList": origin_of(interfaces, ()),
     })  # fmt: skip
     return Part(function, origin, missing_in(components))

@@ -7,7 +7,8 @@ from typing import Any
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.function.declaration.declaration import DataItem
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.conversion import as_number
 from sigcat.function.function_json.types import Symbols
 from sigcat.function.resolving.code_value import CodeValue
@@ -19,16 +20,31 @@ def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) ->
     """The start value as a number; whether it lies in the range is checked with the result."""
     given = code.item.init
     yield from _not_carried(code)
+    yield from _boolean_default(code)
     if given is None or _is_unheld(code, given):
         return default_of(code)
-    is_boolean = element_of(code.own_datatype) == "boolean"
+    is_boolean = _is_boolean(code)
     number = None if isinstance(given, bool) and not is_boolean else _number(given, code.symbols)
     is_between = number is not None and not is_outside(number, low, high)
     if number is None or (is_between and code.symbols and number not in code.symbols.values()):
-        message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {given!r}."
+        message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {in_yaml(given)}."
         fix = "Write one of these." if code.symbols or is_boolean else ""
         yield code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix)
     return optional_number(number)
+
+
+def _is_boolean(code: CodeValue) -> bool:
+    return element_of(code.own_datatype) == "boolean"
+
+
+def _boolean_default(code: CodeValue) -> Iterator[Problem]:
+    """Trees in use have true and false as defaults of numbers; they are read as 1 and 0."""
+    default = code.node.values.get("default")
+    if isinstance(default, bool) and not _is_boolean(code):
+        wanted = _wanted(code, is_boolean=False)
+        message = f"The default of {code.item.path!r} must be {wanted}, not {in_yaml(default)}."
+        fix, subject = "Change the default in the catalogue.", Subject("data", code.node.path, ("default",))
+        yield Problem(codes.START_VALUE_OUT_OF_RANGE, code.at, message, fix, subject)
 
 
 def is_outside(number: Fraction, low: Fraction | None, high: Fraction | None) -> bool:
@@ -48,7 +64,7 @@ def _not_carried(code: CodeValue) -> Iterator[Problem]:
     given = default if code.item.init is None else code.item.init
     if _is_unheld(code, given):
         message = (
-            f"The start value {str(given)[:60]!r} of {code.item.path!r} is not carried: Function JSON has numbers only."
+            f"The start value {in_yaml(given)} of {code.item.path!r} is not carried: Function JSON has numbers only."
         )
         yield code.problem(codes.START_VALUE_NOT_CARRIED, code.first_written("init"), message, "Set it in the code.")
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
-from sigcat.findings import Finding, has_errors, in_order
+from sigcat.findings import Finding, in_order
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
@@ -54,26 +54,9 @@ def check_set(
     by_name = {function.name: function for function in functions}
     wiring = connect([function.function for function in functions])
     findings = [*_same_names(members, chosen), *_misfits(wiring, by_name), *_rivals(wiring, by_name)]
-    if is_whole and catalogue is not None and not any(map(_is_incomplete, members)):
+    if is_whole and catalogue is not None and not any(member.is_incomplete for member in members):
         findings.extend(_unprovided(wiring, by_name, catalogue))
     return in_order([*findings, *_order(functions), *_dependencies(functions)])
-
-
-_UNRESOLVED = frozenset(
-    rule.id
-    for rule in (
-        codes.FIELD_MISSING, codes.FIELD_UNKNOWN, codes.VALUE_UNFIT, codes.SIGNAL_UNKNOWN,
-        codes.SIGNAL_HOLDS_NO_VALUE, codes.INTERFACE_UNKNOWN, codes.INTERFACE_OF_ANOTHER_CATEGORY,
-        codes.INTERFACE_OF_ANOTHER_FUNCTION, codes.DATATYPE_UNFIT,
-    )
-)  # fmt: skip
-"""Rules that leave out of a function what breaks them."""
-
-
-def _is_incomplete(member: CheckedFunction) -> bool:
-    """Whether signals of the function may be missing because they could not be resolved."""
-    left_out = [finding for finding in member.findings if finding.rule in _UNRESOLVED]
-    return member.resolved is None or has_errors(left_out)
 
 
 def _each_once(members: Iterable[CheckedFunction]) -> Mapping[str, CheckedFunction]:

@@ -1,0 +1,64 @@
+"""Definitions of a file that nothing refers to."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from sigcat import codes
+from sigcat.catalogue.model.interfaces import category_of, interface_name
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
+
+
+def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterator[Problem]:
+    """Interfaces and types that are defined for nobody. `used` are the paths and names in use."""
+    nodes = (*definitions.nodes, *definitions.types)
+    mentioned = {*used, *(text for node in nodes for text in _texts(node.values))}
+    for node in nodes:
+        name = interface_name(node.path) or node.path
+        if _is_entry(node) and mentioned.isdisjoint((node.path, name)):
+            message = f"{name!r} is defined, but nothing in the function refers to it."
+            fix = "List it where it is read, provided or reported, or remove the definition."
+            kind = category_of(node.path) or "data"
+            yield Problem(codes.DEFINITION_UNUSED, node.at, message, fix, Subject(kind, node.path))
+
+
+def _is_entry(node: DefinedNode) -> bool:
+    """Whether the author wrote the node for its own sake: neither a branch nor a member of a struct."""
+    section = node.at[1]
+    is_branch = node.values["type"] == "branch" and section != "scheduling"
+    return len(node.at) > len(("define", "data")) and not is_branch and node.values["type"] != "property"
+
+
+def used_by(function: FunctionJson) -> Iterator[str]:
+    """Paths and names of everything that a function refers to."""
+    for located in (*data(function), *parameters(function), *errors(function), *safety_reactions(function)):
+        yield located[2].vss_path or ""
+        yield from _named(located[2])
+    for _, _, runnable in runnables(function):
+        yield runnable.vss_path or ""
+        if watchdog := runnable.watchdog:
+            yield from (limits.error_name for limits in (watchdog.alive, watchdog.deadline) if limits)
+            yield watchdog.logical_error or ""
+    yield from (interface.vss_path or "" for interface in function.mode_interfaces or ())
+    yield from (datatype.vss_datatype or "" for datatype in function.datatypes)
+
+
+def _named(item: object) -> Iterator[str]:
+    """Names of the errors that an interface refers to."""
+    for attribute in ("dependencies", "errors"):
+        yield from getattr(item, attribute, ())
+    yield getattr(item, "timeout_error", None) or ""
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Every text in nested values; an array of a type is one of that type."""
+    if isinstance(value, str):
+        yield from (value, value.removesuffix("[]"))
+    elif isinstance(value, Mapping):
+        for each in value.values():
+            yield from _texts(each)
+    elif isinstance(value, list | tuple):
+        for each in value:
+            yield from _texts(each)

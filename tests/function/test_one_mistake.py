@@ -1,0 +1,101 @@
+"""One mistake in a function.yaml that is otherwise sound is one finding, at the line where it was made."""
+
+from pathlib import Path
+
+import pytest
+
+from sigcat.function.checks.expression import may_hold_value
+from sigcat.function.function_file import check_function
+from tests.function.shipped import interfaces
+
+SOUND = (Path(__file__).parent / "demonstration.function.yaml").read_text()
+
+OUT = "role: provided}"
+SECOND_STEP = (
+    "    Terminate:",
+    "    BrakeStep: {description: Brakes., asil: B, cycleTime: 20, priority: 5, previousRunnable: Step}\n    Terminate:",
+)
+
+
+def changed(*changes: tuple[str, str]) -> str:
+    text = SOUND
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    return text
+
+
+def found(text: str) -> list[tuple[str, str]]:
+    """Each finding's rule, and the line that it stands at."""
+    lines = text.splitlines()
+    return [
+        (finding.rule, lines[finding.line - 1].strip())
+        for finding in check_function(text.encode(), "function.yaml", interfaces())
+    ]
+
+
+def test_the_function_that_they_change_is_sound():
+    assert found(SOUND) == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "rule", "line"),
+    [
+        ([("init: 0", "rangeErrorAction: Default, init: 0")], "F045", "- {path: Vehicle.Demo.In,"),
+        ([("init: 0", "rangeErrorAction: Init")], "F045", "- {path: Vehicle.Demo.In,"),
+        ([("debounceTime: 5", "debounceTime: 50")], "F046", "Step:"),
+        ([("max: 100, asil: B, description: The input", "max: 100, default: true, asil: B, description: The input")],
+         "F024", "Vehicle.Demo.In:"),
+        ([("init: 0", "init: true")], "F024", "- {path: Vehicle.Demo.In,"),
+        ([("default: 1", "default: false")], "F024", "Gain:"),
+        ([(OUT, "role: provided, timeout: 100}")], "F044", "- {path: Vehicle.Demo.Out,"),
+        ([(OUT, OUT + "\n          - {path: Vehicle.Demo.In, role: consumed, asil: B}")], "F038", "- {path: Vehicle.Demo.In, role: consumed, asil: B}"),
+        ([(OUT, OUT + "\n          - {path: Vehicle.Demo.In, role: provided}")], "F038", "- {path: Vehicle.Demo.In, role: provided}"),
+        ([("name: A, asil: B", "name: A"), ("asil: B, description: The input", "description: The input")], "F090", "- {path: Vehicle.Demo.In,"),
+        ([("Vehicle.Demo.Out, role", "Vehicle.Speed, role")], "F018", "Vehicle.Demo.Out:"),
+        ([("{path: Vehicle.Function.Demo.Parameter.Gain}", "")], "F018", "Gain:"),
+        ([("        safetyReactions: [Lost_SftyCondSts]\n", "")], "F018", "Lost:"),
+        ([("      - Demo_Terminate\n", "")], "F050", "- name: Demo"),
+        ([("    - {mode: 'OFF', description: It is off., runnables: []}\n", "")], "F072", "active:"),
+        ([("runnables: [Demo_Step]", "runnables: []")], "F073", "- interface: Demo_Step"),
+        ([SECOND_STEP, ("      - Demo_Terminate", "      - Demo_BrakeStep\n      - Demo_Terminate"), ("runnables: []", "runnables: [BrakeStep]")],
+         "F074", "- {mode: 'OFF',"),
+        ([("cycleTime: 20", "cycleTime: 0")], "I505", "Step:"),
+        ([("cycleTime: 20", "cycleTime: -20")], "F004", "Step:"),
+        ([("cycleTime: 20", "cycleTime: 20ms")], "F004", "Step:"),
+        ([("cycleTime: 20", "cycleTime: 20.5")], "F004", "Step:"),
+        ([("cycleTime: 20, ", "")], "I507", "Step:"),
+        ([("Works., asil: B", "Works., asil: QM")], "I522", "Step:"),
+        ([("Works., asil: B", "Works., asil: QM"), ("severity: The output is 0., asil: B", "severity: The output is 0., asil: QM"),
+          ("errorList: [Late], asil: B", "errorList: [Late], asil: QM"), ("default: 1, asil: B", "default: 1, asil: QM")], "F057", "Step:"),
+        ([("debounceTime: 5", "previousRunnable: Terminate")], "F059", "Step:"),
+        ([("function: Demo\n", "function: Demos\n")], "F015", "function: Demos"),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_one_finding_where_it_was_made(changes, rule, line):
+    ((told, at),) = found(changed(*changes))
+    assert told == rule
+    assert at.startswith(line)
+
+
+def test_a_function_that_is_renamed_beside_its_overlay_is_one_finding():
+    text = "function: CoreAccs\ndescription: A.\nresponsible: A team\ncomponents: [{name: C, runnables: [CoreAcc_Init, CoreAcc_Step, CoreAcc_Terminate]}]\n"
+    assert found(text) == [("F015", "function: CoreAccs")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["in.speed", "in->speed", "x[3]", "(*p).x", "*p", "&x", "f(x)", "f()", "x[i+1]", "((const Bus *)in)->values[3].speed",
+     "(unsigned char)x", "(*f)(a, b)->c", "x[0x1F]", "x[-1]", "*(p + 3)", " a.b "],
+)  # fmt: skip
+def test_expressions_that_hold_a_value_are_taken(text):
+    assert may_hold_value(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a b", "a +", "1x", "3", "a..b", "a.", "->a", "a;b", "a = b", "x == 1", "'x'", '"abc"', "a,b", "a-b", "a * b", "int",
+     "return", "struct s", "in.3x", "x[", "x]", "(x]", "x[a b]", "a@b", "x++", "a/*x*/b", "-", "ä", " ", "[" * 5000],
+)  # fmt: skip
+def test_what_names_no_value_in_c_is_refused(text):
+    assert not may_hold_value(text)
