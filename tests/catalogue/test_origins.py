@@ -1,6 +1,6 @@
 """Every value knows where it came from: file, line, column, and the overlay that set it."""
 
-from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.reading.statement import Origin
 from tests.catalogue.trees import ROOT, catalogue_of
 
 TREE = ROOT + (

@@ -8,7 +8,7 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
-from sigcat.catalogue.reading.vspec_file import Origin, Statement
+from sigcat.catalogue.reading.statement import Origin, Statement
 from sigcat.findings import Finding, in_order
 from sigcat.rules.checks.kind import NodeTest
 from sigcat.rules.patterns import SlowPattern

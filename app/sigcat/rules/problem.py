@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Protocol
 
-from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.reading.statement import Origin
 
 
 class Subject(Protocol):

@@ -12,7 +12,7 @@ from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.catalogue.model.vocabulary import EMPTY, Unit, Vocabulary
 from sigcat.catalogue.reading.layers import layer_from_text
-from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.reading.statement import Origin
 from tests.catalogue.trees import ROOT
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "reference" / "compatibility.md"

@@ -19,7 +19,7 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vocabulary import Quantity, Unit
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.reading.statement import Origin
 from sigcat.catalogue.search import overlay_name
 from sigcat.data import VSPEC
 from sigcat.findings import Finding, has_errors

@@ -24,7 +24,7 @@ from sigcat.catalogue.composing.older_releases import tolerant, with_present_spe
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.yaml_document import Document, position, read_document
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding

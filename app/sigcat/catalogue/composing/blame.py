@@ -5,7 +5,7 @@ from typing import Any
 
 from sigcat.catalogue.composing.check_definition import checked_definition
 from sigcat.catalogue.model.definition import Definition, Problem, Scope, merged_statements, merged_values
-from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.catalogue.reading.statement import Statement
 
 ProblemsWithout = Callable[[str], Iterable[Problem]]
 """The problems that there would be if the last statement did not give an attribute."""

@@ -25,7 +25,7 @@ from sigcat.catalogue.model.definition import (
     Scope,
     labels_of,
 )
-from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.catalogue.reading.statement import Statement
 from sigcat.names import did_you_mean, last_name, parent_path, with_article
 
 

@@ -13,7 +13,7 @@ from sigcat.catalogue.composing.blame import with_blame
 from sigcat.catalogue.composing.check_definition import checked_definition
 from sigcat.catalogue.model.definition import Definition, Scope, merged_statements
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 

@@ -24,7 +24,8 @@ from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary, shared_name
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, VspecFile, parse_vspec
+from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
 from sigcat.data import VSPEC
 from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES

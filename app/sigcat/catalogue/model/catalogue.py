@@ -10,7 +10,7 @@ from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin
+from sigcat.catalogue.reading.statement import Origin
 from sigcat.findings import Finding
 from sigcat.names import last_name, parent_path
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.model.vocabulary import Vocabulary
-from sigcat.catalogue.reading.vspec_file import Origin, Statement
+from sigcat.catalogue.reading.statement import Origin, Statement
 from sigcat.findings import Finding, RuleCode
 from sigcat.patterns import Matching
 

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES
-from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement, parse_vspec
+from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.vspec_file import parse_vspec
 from sigcat.digest import digest_of
 from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, Limits

@@ -8,7 +8,8 @@ from functools import cached_property
 from pathlib import Path
 
 from sigcat import codes
-from sigcat.catalogue.reading.vspec_file import Include, Origin, SourceFile, Statement, VspecFile, parse_vspec
+from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.vspec_file import Include, VspecFile, parse_vspec
 from sigcat.digest import digest_of
 from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from sigcat.catalogue.reading.vspec_file import SourceFile, parse_vspec
+from sigcat.catalogue.reading.statement import SourceFile
+from sigcat.catalogue.reading.vspec_file import parse_vspec
 from sigcat.errors import UsageError
 from sigcat.file_kind import ROOT_NAME, TYPES_NAME, holds_only_structs
 from sigcat.limits import DEFAULT_LIMITS, Limits

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.vspec_file import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.function.declaration.declaration import Declared
 from sigcat.function.document.document import Document
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions, definitions_of

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sigcat.catalogue.model.definition import Definition, merged_values
-from sigcat.catalogue.reading.vspec_file import Statement
+from sigcat.catalogue.reading.statement import Statement
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
 from sigcat.rules.problem import Problem
