@@ -208,3 +208,12 @@ def test_what_no_command_knows_is_refused_by_the_one_that_was_asked(arguments, u
 def test_a_folder_is_no_function_file(folder, capsys):
     assert main(["function", "build", str(folder)]) == 2
     assert capsys.readouterr().err == f"sigcat: {folder} is a folder; a file belongs here\n"
+
+
+def test_an_internal_error_is_one_line_and_with_a_variable_its_traceback(monkeypatch, capsys):
+    monkeypatch.setattr("sigcat.rules.pages.rule_page", lambda _: 1 // 0)
+    assert main(["rule", "V101"]) == 2
+    assert "internal error: ZeroDivisionError" in capsys.readouterr().err
+    monkeypatch.setenv("SIGCAT_DEBUG", "1")
+    with pytest.raises(ZeroDivisionError):
+        main(["rule", "V101"])

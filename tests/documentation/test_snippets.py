@@ -2,6 +2,7 @@
 
 import re
 import shutil
+import textwrap
 import tomllib
 from pathlib import Path
 
@@ -95,8 +96,11 @@ def test_hooks_and_pipelines_are_yaml_and_name_what_exists():
 def test_python_runs():
     catalogue = read_catalogue(ROOT_FILE)
     names: dict[str, object] = {"catalogue": catalogue}
-    exec(block("docs/reference/exports.md", "python", "from sigcat"), names)
+    for page in ("CONTRIBUTING.md", "docs/reference/exports.md"):
+        for each in blocks(page, "python"):
+            exec(textwrap.dedent(each.text), names)
     assert names["archive"]
+    assert names["PATHS"]
 
 
 def test_toml_is_toml():
