@@ -85,7 +85,7 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
     declaration, document = declared.declaration, declared.document
     if declaration is None:
         return CheckedFunction(document, None, in_order(declared.findings), is_declaration=True)
-    context = Context(catalogue, declaration.function)
+    context = Context(catalogue, declaration.function, definitions)
     resolved, unplaced, missing = resolve(declaration, document, context)
     unresolved = tuple(told_once(unplaced, declaration, context))
     defined = definition_findings(definitions, document, catalogue)
@@ -154,30 +154,21 @@ def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFu
 
 def check_files(files: Sequence[FunctionFile], catalogue: Catalogue) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
     """Each file alone, against the catalogue with everything that any of them defines; and that catalogue."""
-    declarations = [file for file in files if isinstance(file, Declared)]
-    over, definitions = extended(catalogue, declarations)
-    own = iter(definitions)
-    checked = tuple(
-        check_declaration(file, next(own), over) if isinstance(file, Declared) else check_document(file, over)
-        for file in files
-    )
-    return _with_unused(checked, definitions), over
-
-
-def _with_unused(checked: Sequence[CheckedFunction], definitions: Sequence[Definitions]) -> tuple[CheckedFunction, ...]:
-    """The functions, with what is defined for none of them. Where a reference is wrong, nobody knows what it meant."""
+    over, definitions = extended(catalogue, files)
+    checked = [
+        check_declaration(file, own, over) if isinstance(file, Declared) else check_document(file, over)
+        for file, own in zip(files, definitions, strict=True)
+    ]
     used = frozenset(text for each in checked if each.function for text in used_by(each.function))
-    own = iter(definitions)
     return tuple(
-        each._replace(findings=in_order([*each.findings, *_unused(each, next(own), used)]))
-        if each.is_declaration
-        else each
-        for each in checked
-    )
+        each._replace(findings=in_order([*each.findings, *_unused(each, own, used)]))
+        for each, own in zip(checked, definitions, strict=True)
+    ), over
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
-    if checked.is_incomplete:
+    """What a declaration defines for nobody. Where a reference is wrong, nobody knows what it meant."""
+    if checked.is_incomplete or not checked.is_declaration:
         return
     is_incomplete = any(finding.rule == codes.CALLS_INCOMPLETE.id for finding in checked.findings)
     for problem in unused_definitions(definitions, used):
@@ -206,7 +197,8 @@ def check_function_json(
     data: bytes, name: str, catalogue: Catalogue | None = None, limits: Limits = DEFAULT_LIMITS
 ) -> CheckedFunction:
     """Function JSON from anywhere, read and checked. Without a catalogue only in itself."""
-    return check_document(read_json(data, name, limits), catalogue)
+    document = read_json(data, name, limits)
+    return check_document(document, extended(catalogue, [document]).catalogue if catalogue else None)
 
 
 @collector_paused()

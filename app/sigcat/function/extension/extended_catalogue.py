@@ -9,23 +9,22 @@ from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.function.declaration.declaration import Declared
 from sigcat.function.document.document import Document
+from sigcat.function.extension.carried import carried_definitions
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions, definitions_of
 
 
 class ExtendedCatalogue(NamedTuple):
-    """A catalogue with what declarations define, and what each of them does, in their order."""
+    """A catalogue with what files define, and what each of them does, in their order."""
 
     catalogue: Catalogue
     definitions: tuple[Definitions, ...]
 
 
-def extended(catalogue: Catalogue, declarations: Sequence[Declared]) -> ExtendedCatalogue:
-    """The catalogue with everything that the declarations define: what one defines, the others may use."""
-    definitions = tuple(
-        definitions_of(each.declaration, catalogue) if each.declaration is not None else Definitions()
-        for each in declarations
-    )
-    pairs = [(each.document, made) for each, made in zip(declarations, definitions, strict=True)]
+def extended(catalogue: Catalogue, files: Sequence[Declared | Document]) -> ExtendedCatalogue:
+    """The catalogue with everything that the files define: what one defines, the others may use."""
+    definitions = tuple(_definitions(each, catalogue) for each in files)
+    documents = (each.document if isinstance(each, Declared) else each for each in files)
+    pairs = list(zip(documents, definitions, strict=True))
     overlays = [_layer(made.nodes, document, is_overlay=True) for document, made in pairs if made.nodes]
     types = [_layer(made.types, document, is_overlay=False) for document, made in pairs if made.types]
     if not overlays and not types:
@@ -33,6 +32,12 @@ def extended(catalogue: Catalogue, declarations: Sequence[Declared]) -> Extended
     layers, type_layers = [*catalogue.tree_layers, *overlays], [*catalogue.type_layers, *types]
     composed = compose(layers, catalogue.vocabulary, type_layers, name=catalogue.name, earlier=catalogue)
     return ExtendedCatalogue(composed, definitions)
+
+
+def _definitions(file: Declared | Document, catalogue: Catalogue) -> Definitions:
+    if not isinstance(file, Declared):
+        return carried_definitions(file, catalogue)
+    return definitions_of(file.declaration, catalogue) if file.declaration is not None else Definitions()
 
 
 def _layer(nodes: tuple[DefinedNode, ...], document: Document, *, is_overlay: bool) -> Layer:

@@ -400,6 +400,13 @@ class CatalogueLayer(WireModel):
     digest: str = described("Digest", "SHA-256 over its files.", source=OWN)
 
 
+class DefinedInterface(WireModel):
+    """An interface that the declaration itself defines, as an overlay would have it."""
+
+    path: str = described("Path", "Path of the interface in the catalogue.", source=OWN)
+    attributes: dict[str, Any] = described("Attributes", "Its attributes, as in a vspec file.", source=OWN)
+
+
 class Provenance(WireModel):
     """What the document was made from: with the same, it can be made again, byte for byte."""
 
@@ -413,6 +420,12 @@ class Provenance(WireModel):
     release: str | None = described("Release", "Release of VSS, if the tree tells it.", default=None, source=OWN)
     layers: tuple[CatalogueLayer, ...] = described(
         "Layers", "The tree and its overlays, in the order in which they apply.", source=OWN, strict=False
+    )
+    definitions: tuple[DefinedInterface, ...] | None = described(
+        "Definitions", "Interfaces that the declaration defines itself.", default=None, source=OWN, strict=False
+    )
+    type_definitions: tuple[DefinedInterface, ...] | None = described(
+        "TypeDefinitions", "Struct types that it defines itself.", default=None, source=OWN, strict=False
     )
 
 

@@ -9,6 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem
+from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.function_json.datatypes import BY_VSS
 from sigcat.function.function_json.types import TypeList
 from sigcat.names import last_name
@@ -36,6 +37,8 @@ class Context:
     catalogue: Catalogue
     function: str
     """Name of the function."""
+    definitions: Definitions = field(default_factory=Definitions)
+    """What the function defines itself."""
     hint: Hints = field(default_factory=Hints)
 
     @cached_property

@@ -1,5 +1,6 @@
 """A declaration, resolved: each interface once, against the catalogue that knows what the file defines."""
 
+from collections.abc import Iterable
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -9,9 +10,11 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import ActiveMode, ComponentItem, Declaration, ModesItem
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.extension.defined_nodes import DefinedNode
 from sigcat.function.function_json.model import (
     CatalogueLayer,
     Component,
+    DefinedInterface,
     FunctionInfo,
     FunctionJson,
     MetaInfo,
@@ -58,7 +61,7 @@ def _function(declaration: Declaration, document: Document, context: Context) ->
         modes=values_of(modes) or None,
         datatypes=context.types.datatypes,
         mode_interfaces=values_of(interfaces) or None,
-        provenance=_provenance(document, context.catalogue),
+        provenance=_provenance(document, context),
     )
     origin = Origin((), {
         "MetaInfo": Origin((), written(declaration, ())),
@@ -133,8 +136,9 @@ def _mode_interface(reference: str, at: Pointer, context: Context) -> Resolving[
 # -- provenance ---------------------------------------------------------------------------------------------------
 
 
-def _provenance(document: Document, catalogue: Catalogue) -> Provenance:
+def _provenance(document: Document, context: Context) -> Provenance:
     """Names without folders: the document is the same wherever it is made."""
+    catalogue = context.catalogue
     return Provenance(
         generator=f"sigcat {__version__}",
         declaration=PurePath(document.name).name,
@@ -143,7 +147,13 @@ def _provenance(document: Document, catalogue: Catalogue) -> Provenance:
         catalogue_digest=catalogue.digest,
         release=_release(catalogue),
         layers=tuple(CatalogueLayer(name=PurePath(layer.name).name, digest=layer.digest) for layer in catalogue.layers),
+        definitions=_carried(context.definitions.nodes),
+        type_definitions=_carried(context.definitions.types),
     )
+
+
+def _carried(nodes: Iterable[DefinedNode]) -> tuple[DefinedInterface, ...] | None:
+    return tuple(DefinedInterface(path=node.path, attributes=dict(node.values)) for node in nodes) or None
 
 
 def _release(catalogue: Catalogue) -> str | None:
