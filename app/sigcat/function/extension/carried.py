@@ -23,7 +23,8 @@ def _lacking(made_from: dict[str, Any], key: str, catalogue: Catalogue) -> Itera
     entries = made_from.get(key)
     for index, entry in enumerate(entries if isinstance(entries, list) else ()):
         path, values = (entry.get("Path"), entry.get("Attributes")) if isinstance(entry, dict) else (None, None)
-        is_one = isinstance(path, str) and isinstance(values, dict) and "instances" not in values
-        if is_one and catalogue.get(path) is None:
+        if not isinstance(path, str) or not isinstance(values, dict) or "instances" in values:
+            continue
+        if catalogue.get(path) is None:
             at: Pointer = ("Provenance", key, index, "Attributes")
             yield DefinedNode(path, values, at)
