@@ -1,4 +1,4 @@
-"""Where the data that sigcat ships stands: beside the package in a checkout, inside it once installed."""
+"""Where the data that sigcat ships is: beside the package in a checkout, inside it once installed."""
 
 from pathlib import Path
 

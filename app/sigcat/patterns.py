@@ -10,7 +10,7 @@ _MOST_PARTS = 10_000
 _TOKENS = r"(?s)\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|."
 _COUNT = r"\{([^,}]*)"
 _UNUSUAL = r"\(\?[^:=!<P]|\[:"
-"""Flags, comments and POSIX classes; groups cannot be told apart so simply beside them."""
+"""Flags, comments and POSIX classes; with them, groups are not counted so simply."""
 
 
 class BadPattern(Exception):

@@ -38,7 +38,7 @@ class SearchResult(NamedTuple):
 
 
 class _Words:
-    """Sorted words, and the nodes in which each stands: their numbers one after another, in the order of the words.
+    """Sorted words, and the nodes that have each: their numbers one after another, in the order of the words.
 
     A prefix is a range of words, so a range of numbers. The set of every block of numbers is known beforehand, so that
     a prefix costs a few unions and the numbers of two broken blocks, however many words and nodes it has.
@@ -75,10 +75,10 @@ class _Words:
         return found
 
 
-_MOST_MENDED, _MOST_TRIED, _MOST_TOLD, _SHORTEST_PART = 8, 12, 4, 3
+_MOST_MENDED, _MOST_TRIED, _MOST_LISTED, _SHORTEST_PART = 8, 12, 4, 3
 _BLOCK = 1024
 _LAST = "\U0010ffff"
-"""Sorts after every letter: what begins with a prefix stands before the prefix and this."""
+"""Sorts after every letter: what begins with a prefix sorts before the prefix and this."""
 
 
 class SearchIndex:
@@ -156,7 +156,7 @@ class SearchIndex:
             texts = [" ".join(choice) for choice in choices if choice]
             found = [text for text in texts if any(self._ranked(text.split(), chosen))]
             if found:
-                return tuple(found[:_MOST_TOLD])
+                return tuple(found[:_MOST_LISTED])
         return ()
 
     def _mended(self, word: str) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ class Change(NamedTuple):
     leaves: int
     """Signals in the subtrees at all `paths` that came, went or moved with them; 0 for `changed`."""
     former: str = ""
-    """Where the node was before, if it moved or stands in a branch that moved; like `path`."""
+    """Where the node was before, if it moved or is in a branch that moved; like `path`."""
     former_paths: tuple[str, ...] = ()
     """Aligned with `paths`; empty where nothing moved."""
     attributes: tuple[AttributeChange, ...] = ()

@@ -97,7 +97,7 @@ class Vocabularies(NamedTuple):
     new: Vocabulary = EMPTY
 
     def are_one_unit(self, old: str, new: str) -> bool:
-        """Whether two keys or names stand for one unit."""
+        """Whether two keys or names mean one unit."""
         if old.lower() == new.lower():
             return True
         before, after, before_now = self.old.unit(old), self.new.unit(new), self.new.unit(old)
@@ -208,7 +208,7 @@ def _rules_of_bound(difference: _Difference, end: int, inwards: int) -> list[str
 
 
 def _bound(value: Any, values: Mapping[str, Any], end: int) -> Any:
-    """The bound that holds: the one given, or that of the datatype. None if there is none."""
+    """The bound that applies: the one given, or that of the datatype; None without either."""
     limits = INTEGER_RANGES.get(element_of(str(values.get("datatype"))))
     return limits[end] if value is None and limits else value
 

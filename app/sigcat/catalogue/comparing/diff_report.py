@@ -58,7 +58,7 @@ def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden:
 
 
 def markdown_report(changes: Sequence[Change], old: str, new: str, hidden: int = 0) -> str:
-    """Release notes, the worst first. Whatever comes from the trees stands in code spans, where nothing is markup."""
+    """Release notes, the worst first. All text from the trees is in code spans, where nothing is markup."""
     lines = [f"# Changes from {_code(old)} to {_code(new)}", "", summary(changes, hidden).rstrip(".") + ".", ""]
     for compatibility in CLASSES:
         chosen = [change for change in changes if change.compatibility == compatibility]

@@ -94,7 +94,7 @@ class _Exported(Statement):
         return Origin(self.file.name, *self._positions.get(attribute, self._position), self.file.overlay)
 
     def origin_of_key(self, attribute: str) -> Origin:
-        """Position of the value: in JSON its key stands before it on the same line."""
+        """Position of the value: in JSON its key is before it on the same line."""
         return self.origin(attribute)
 
 

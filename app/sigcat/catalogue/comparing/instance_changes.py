@@ -87,7 +87,7 @@ def replaced(nodes: Mapping[str, Node], catalogue: Catalogue, other: Catalogue, 
 
 
 def _holder_of(path: str, catalogue: Catalogue) -> str:
-    """The branch that a node stands in, past the names of instances."""
+    """The branch that a node is in, past the names of instances."""
     above = parent_path(path)
     while above in catalogue.nodes and catalogue.nodes[above].definition.is_instance:
         above = parent_path(above)

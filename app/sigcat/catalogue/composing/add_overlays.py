@@ -1,4 +1,4 @@
-"""A catalogue that stands, with overlays on top of it: what they do not touch is taken over as it is."""
+"""Add overlays to a composed catalogue; what they do not change is taken over."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 
 
 def with_overlays(base: Catalogue, overlays: Sequence[Layer], limits: Limits = DEFAULT_LIMITS) -> Catalogue:
-    """The catalogue with more overlays on top; what they do not touch is taken over as it is."""
+    """The catalogue with more overlays on top."""
     if not overlays:
         return base
     catalogue = compose(
@@ -26,7 +26,7 @@ def with_overlays(base: Catalogue, overlays: Sequence[Layer], limits: Limits = D
 
 
 def tolerating(catalogue: Catalogue, known: Sequence[Finding]) -> Catalogue:
-    """What is only a warning in the base, as it is in old releases, is no error once an overlay is on top."""
+    """The catalogue with the warnings of the base kept as warnings, as in old releases, where composing made them errors."""
     milder = {finding._replace(severity="error"): finding for finding in known if finding.severity != "error"}
     findings = tuple(milder.get(finding, finding) for finding in catalogue.findings)
     return catalogue if findings == catalogue.findings else catalogue.with_findings(findings)

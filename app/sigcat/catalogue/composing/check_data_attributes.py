@@ -176,7 +176,7 @@ def _check_default_among(values: Mapping[str, Any], item: Any) -> Iterator[Probl
 
 
 def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
-    """What to write in place of a default that is a name of the enumeration, or not one of its numbers."""
+    """What to write instead of a default that is a name of the enumeration, or not one of its numbers."""
     enum = values.get("enum")
     if not isinstance(enum, Mapping) or not enum:
         return ""

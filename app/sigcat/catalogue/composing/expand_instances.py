@@ -1,6 +1,6 @@
 """Expand instances: a branch is defined once and is in the tree several times.
 
-`instances: [Row[1,2], [Left, Right]]` puts what stands below a branch under Row1.Left, Row1.Right, Row2.Left and
+`instances: [Row[1,2], [Left, Right]]` puts what is below a branch under Row1.Left, Row1.Right, Row2.Left and
 Row2.Right. A node that is written out below one instance refines that instance alone. Corner cases are as in vss-tools
 6.1 (`expand_instances`).
 

@@ -94,7 +94,7 @@ class Lines:
                 self._lines.setdefault((table, number, key[1]), line)
 
     def line(self, table: str, number: int = 0, key: str = "") -> int:
-        """Line, from 1, of a key of the table that is the `number`th of its name; of its header if the key is none."""
+        """Line, from 1, of a key of the table that is the `number`th of its name; of its header without a key."""
         return self._lines.get((table, number, key)) or self._lines.get((table, number, "")) or 1
 
 

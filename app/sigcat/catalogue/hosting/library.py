@@ -52,7 +52,7 @@ class Library:
 
     @property
     def default(self) -> Hosted:
-        """The first catalogue: the one shown when none is named. Raises NotFound if there is none."""
+        """The first catalogue: shown when none is named. Raises NotFound if there are no catalogues."""
         for hosted in self._hosted.values():
             return hosted
         raise NotFound("There is no catalogue.")
@@ -128,7 +128,7 @@ class Watch:
 
 
 def tell_errors(library: Library) -> None:
-    """Log the errors of the catalogues that are hosted with them, as one that starts anew has to."""
+    """Log the errors of catalogues that are hosted in spite of them, as there is no earlier state."""
     for hosted in library:
         errors = [finding for finding in hosted.catalogue.findings if finding.severity == "error"]
         if errors:

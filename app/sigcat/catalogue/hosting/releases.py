@@ -45,7 +45,7 @@ class Release(NamedTuple):
     source: str
     """Address or file that it came from."""
     digest: str
-    """SHA-256 of the archive. GitHub may pack the same tag anew, with another digest."""
+    """SHA-256 of the archive. GitHub may pack the same tag again, with another digest."""
     content_digest: str
     """SHA-256 over paths and contents of what was unpacked: the same however it was packed."""
     pulled: str
@@ -140,7 +140,7 @@ def pull(
 ) -> Release:
     """Fetch a release, check it and keep it; one that is here already is returned as it is.
 
-    `origin` is an address or a file in place of COVESA's GitHub; `digest` the SHA-256 that the archive must have.
+    `origin` is an address or a file instead of COVESA's GitHub; `digest` the SHA-256 that the archive must have.
     Raises UsageError, FetchFailed or InputRefused, and then nothing of it is kept.
     """
     name, digest = release_name(name), _sha256(digest)
@@ -178,7 +178,7 @@ def _same(release: Release, digest: str) -> Release:
     if digest and release.digest != digest:
         message = (
             f"{release.name} is here already, from an archive with the SHA-256 {release.digest}, not {digest}; "
-            f"remove {release.folder} to pull it anew"
+            f"remove {release.folder} to pull it again"
         )
         raise InputRefused(message)
     return release
@@ -281,7 +281,7 @@ def _write_record(release: Release) -> None:
 
 
 def _recorded(record: Path) -> Release | None:
-    """The release that a record describes; None where there is none, or one that cannot be read."""
+    """The release that a record describes; None if it does not exist or cannot be read."""
     try:
         data: Any = json.loads(record.read_text(encoding="utf-8"))
         release = Release(**data, folder=record.parent)

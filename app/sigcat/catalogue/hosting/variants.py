@@ -24,7 +24,7 @@ _FOLDED, _WITHOUT = "folded", "without."
 
 
 class Choice(NamedTuple):
-    """What an id asks for: a hosted catalogue, less some overlays, and whether instances are folded."""
+    """What an id asks for: a hosted catalogue, without some overlays, and whether instances are folded."""
 
     base: str
     without: frozenset[str] = frozenset()
@@ -97,7 +97,7 @@ def stand_in(library: Library, hosted: Hosted, path: str) -> str:
 
 
 def folding(hosted: Hosted) -> str:
-    """Id of the catalogue with instances folded if they stand one by one, or the other way round."""
+    """Id of the catalogue with instances folded if they are expanded, or the other way round."""
     choice = choice_of(hosted.source.id)
     return choice.folded(not choice.is_folded).id
 
@@ -132,7 +132,7 @@ def _variant(base: Catalogue, choice: Choice) -> tuple[Catalogue, SearchIndex]:
 
 
 def _without(base: Catalogue, names: frozenset[str]) -> Catalogue:
-    """The catalogue composed anew, less some overlays. What it tolerates of an old release, it tolerates still."""
+    """The catalogue composed again without some overlays. It still tolerates what it tolerated of an old release."""
     first, *overlays = base.tree_layers
     layers = [first, *(layer for layer in overlays if PurePath(layer.name).stem not in names)]
     catalogue = compose(

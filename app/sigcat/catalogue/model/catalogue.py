@@ -18,7 +18,7 @@ Value = TypeVar("Value")
 
 
 class Node(NamedTuple):
-    """A node of the tree. Instances of a branch share the definitions of what stands below them."""
+    """A node of the tree. Instances of a branch share the definitions of what is below them."""
 
     path: str
     definition: Definition
@@ -154,7 +154,7 @@ class Catalogue:
 
     @cached_property
     def positions(self) -> Mapping[str, int]:
-        """Where each definition stands among all, by path."""
+        """The number of each definition in the order of all, by path."""
         return {path: position for position, path in enumerate(self.definitions)}
 
     @cached_property
@@ -194,7 +194,7 @@ class Catalogue:
 
 
 class CataloguePart(Catalogue):
-    """What an overlay makes of a catalogue, as far as it reaches. What is known of the catalogue is not found out anew."""
+    """What an overlay makes of a catalogue, as far as it reaches. What is known about the catalogue is not computed again."""
 
     def __init__(
         self,

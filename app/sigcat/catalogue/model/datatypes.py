@@ -41,7 +41,7 @@ def is_numeric(datatype: str) -> bool:
 
 
 def belongs_to(datatype: str, family: str) -> bool:
-    """Whether `datatype` may stand where `family` is asked for; smaller integers may stand for larger ones."""
+    """Whether `datatype` may be used where `family` is required; smaller integers fit larger ones."""
     if datatype == family or datatype in _FAMILIES.get(family, ()):
         return True
     if is_array(datatype) and is_array(family):

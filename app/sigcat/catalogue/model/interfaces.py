@@ -1,6 +1,6 @@
 """Interface categories and interface names, derived from paths.
 
-VSS covers data and parameters. The other interfaces of a function stand in the tree below the function's own branch,
+VSS covers data and parameters. The other interfaces of a function are in the tree below the function's own branch,
 `Vehicle.Function.<FunctionName>`, in the branches `Error`, `SafetyReaction`, `Mode` and `Scheduling`; their names
 follow the glossary of the method's paper.
 """
@@ -38,7 +38,7 @@ def category_of(path: str) -> Category | None:
 
 
 def function_of(path: str) -> str:
-    """Name of the function whose branch a path stands in; empty outside of them."""
+    """Name of the function whose branch a path is in; empty outside of them."""
     names = path.split(".")
     return names[2] if len(names) > 2 and names[1] == FUNCTION_BRANCH else ""
 

@@ -109,7 +109,7 @@ class Statement:
 
 
 class _Item(NamedTuple):
-    """An item of a list or mapping, and how many items stand before it, with all that is in them."""
+    """An item of a list or mapping, and how many items are before it, those inside them included."""
 
     before: int
     value: Any

@@ -3,7 +3,7 @@
 REQUEST is a JSON file with `format`, `arguments` (of `vspec export FORMAT`), `log` (a file to write) and `instances`
 (by path; put back at the branches after the expansion). Each line of the log is a JSON list of level and message.
 Exit status: 0 exported, 1 refused; the log says why. Standard input stays open as long as somebody wants the export:
-when it ends, the folder that REQUEST stands in is removed with all beside it, and the process ends.
+when it ends, the folder that contains REQUEST is removed with all beside it, and the process ends.
 
 This script imports nothing of ours, so that it runs wherever vss-tools is installed.
 """
@@ -78,7 +78,7 @@ def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
 
 
 def _end_with_parent(folder: Path) -> None:
-    """Wait for the end of standard input: whoever asked has been killed, and nobody else would clean up."""
+    """Wait for the end of standard input: the process that asked was killed, and nothing else would clean up."""
     os.read(sys.stdin.fileno(), 1)  # not through `sys.stdin`: its lock would still be held when the export is done
     shutil.rmtree(folder, ignore_errors=True)
     os._exit(1)

@@ -67,7 +67,7 @@ def _statement(definition: Definition) -> dict[str, Any]:
 
 
 def refused_attributes(definition: Definition) -> tuple[Problem, ...]:
-    """Problems of attributes that the tools of an older release took and that vss-tools of today refuses.
+    """Problems of attributes that the tools of an older release accepted and that today's vss-tools refuses.
 
     A catalogue with such errors is only exported if they count as warnings; what can be left out is left out.
     """
@@ -81,7 +81,7 @@ def refused_attributes(definition: Definition) -> tuple[Problem, ...]:
 
 
 def late_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
-    """What may not stand in the flat file: an attribute `includes` that no file gave a branch as a request to read."""
+    """What may not be in the flat file: an attribute `includes` of a branch that was not a request to read a file."""
     return {
         path: {name: value for name, value in d.values.items() if _is_include(name, d)}
         for path, d in definitions.items()
