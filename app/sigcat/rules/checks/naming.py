@@ -75,6 +75,6 @@ def _plain(name: str) -> str:
     """The name without accents: `Tür` → `Tur`; of what has no plain letter nothing is left to propose."""
     if name.isascii():
         return name
-    import unicodedata
+    import unicodedata  # for few names: it takes time at start-up
 
     return unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()

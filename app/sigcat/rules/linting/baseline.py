@@ -4,6 +4,7 @@ Entries name a rule and a path, not a line: they stay true when the node moves. 
 by its file.
 """
 
+import json
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
@@ -35,8 +36,6 @@ class Compared(NamedTuple):
 
 def baseline_text(findings: Iterable[Finding], root: Path, paths: Iterable[Path] = ()) -> str:
     """The content of a baseline file for these findings, which a lint of `paths` made."""
-    import json
-
     counts = Counter(_key(finding, root) for finding in findings)
     entries = [{"rule": rule, "path": path, "count": count} for (rule, path), count in sorted(counts.items())]
     linted = [_within(path, root) for path in paths]
@@ -45,8 +44,6 @@ def baseline_text(findings: Iterable[Finding], root: Path, paths: Iterable[Path]
 
 def read_baseline(path: Path) -> Baseline:
     """Read a baseline file. Raises InputRefused."""
-    import json
-
     try:
         data = json.loads(path.read_bytes())
         known: Counter[tuple[str, str]] = Counter()

@@ -28,7 +28,7 @@ def find_configuration(start: Path) -> Path | None:
 
 def read_configuration(path: Path) -> LintOptions:
     """The options of a configuration file. Raises InputRefused, with every field that is wrong."""
-    import tomllib
+    import tomllib  # only where there is a configuration: it takes time at start-up
 
     try:
         data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
