@@ -29,7 +29,7 @@ imports: .venv/dev
 
 tests: .venv/dev
 	$(BIN)/python scripts/browser.py
-	$(BIN)/pytest -n auto --dist loadgroup
+	$(BIN)/pytest -n auto
 
 bench: .venv/dev  ## measure, each figure beside its reference
 	$(BIN)/python -m bench

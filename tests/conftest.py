@@ -3,6 +3,7 @@
 import os
 import tempfile
 from collections import Counter
+from typing import Any
 
 import pytest
 
@@ -10,6 +11,7 @@ from tests.needs import OFFICIAL
 
 OF_THE_RUN = ("SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW")
 """Variables that say how to test."""
+IN_BROWSER = "tests/web/in_browser"
 _DATA = tempfile.TemporaryDirectory(prefix="sigcat-tests-")
 
 
@@ -20,6 +22,19 @@ def pytest_configure() -> None:
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """The tests of a file share services, so one worker runs them all; those that share the browser are one file to it."""
+    from xdist.scheduler import LoadFileScheduling  # type: ignore[import-untyped]
+
+    class Scheduling(LoadFileScheduling):  # type: ignore[misc]
+        def _split_scope(self, nodeid: str) -> str:
+            file: str = super()._split_scope(nodeid)
+            return IN_BROWSER if file.startswith(IN_BROWSER) else file
+
+    return Scheduling(config, log)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -14,8 +14,6 @@ import pytest
 
 PROJECT = Path(__file__).parents[1]
 
-pytestmark = pytest.mark.xdist_group("installed")
-
 
 @pytest.fixture(scope="session")
 def installed(tmp_path_factory):

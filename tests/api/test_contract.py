@@ -7,7 +7,6 @@ import os
 from pathlib import Path
 from typing import Any
 
-import pytest
 import schemathesis
 from hypothesis import HealthCheck, settings
 from schemathesis.specs.openapi.checks import (
@@ -55,5 +54,5 @@ class Journey(SCHEMA.as_state_machine()):  # type: ignore[misc]
         case.validate_response(response, checks=CHECKS)
 
 
-TestJourney = pytest.mark.xdist_group("contract")(Journey.TestCase)
+TestJourney = Journey.TestCase
 TestJourney.settings = settings(BOUNDED, stateful_step_count=6)

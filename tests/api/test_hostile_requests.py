@@ -19,12 +19,9 @@ import pytest
 from tests.clients.generating import ROOT
 from tests.waiting import DEADLINE
 
-pytestmark = [
-    pytest.mark.xdist_group("hostile"),
-    pytest.mark.skipif(
-        not Path("/proc/self/stat").is_file(), reason="Linux, where time and memory of a process are read from /proc"
-    ),
-]
+pytestmark = pytest.mark.skipif(
+    not Path("/proc/self/stat").is_file(), reason="Linux, where time and memory of a process are read from /proc"
+)
 _SERVE = """
 import sys
 from sigcat.api.application import create_app

@@ -24,7 +24,6 @@ from sigcat.api.settings import Settings
 from tests.api.conftest import TREE
 from tests.waiting import DEADLINE, wait_until
 
-pytestmark = pytest.mark.xdist_group("running")
 OVERLAY = b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
 
 

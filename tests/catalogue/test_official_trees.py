@@ -11,10 +11,7 @@ from sigcat.cli import main
 from tests.catalogue.judging import Job, verdicts
 from tests.needs import OFFICIAL, official_releases
 
-pytestmark = [
-    official_releases,
-    pytest.mark.xdist_group("judge of official trees"),
-]
+pytestmark = official_releases
 
 OVERLAYS = ("", "extensions/OBD", "extensions/dual_wiper_systems", "profiles/motorbike")
 CASES = [

@@ -32,7 +32,6 @@ def test_the_export_is_as_expected(name):
     assert LANGUAGE.made(name) == LANGUAGE.text(name), "If that is meant, run `make generate`."
 
 
-@pytest.mark.xdist_group("judge of the language")
 @pytest.mark.parametrize("name", LANGUAGE.names)
 def test_vss_tools_gives_the_same(name):
     verdict = judged()[name]

@@ -14,8 +14,6 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.xdist_group("pre-commit")
-
 PROJECT = Path(__file__).parents[2]
 SHIPPED = ("app", "vspec", "overlays", "interface_rules", "examples")
 FILES = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml")

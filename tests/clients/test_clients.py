@@ -14,8 +14,6 @@ from tests.clients.generating import (
     running_service,
 )
 
-pytestmark = pytest.mark.xdist_group("clients")
-
 
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:

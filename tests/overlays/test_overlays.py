@@ -1,9 +1,8 @@
 """The shipped overlays load in sigcat and in vss-tools, alone and together, and state the facts of their sources."""
 
 import json
-import subprocess
-import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ import yaml
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from tests.catalogue.judging import Job, verdicts
 from tests.function.shipped import interfaces
 from tests.needs import published, published_files
 
@@ -42,15 +42,17 @@ def overlay(name: str) -> Path:
     return OVERLAYS / f"{name}.vspec"
 
 
-def vspec_export(overlays: list[Path], output: Path) -> Any:
-    """Run the real `vspec export json --strict`, with `-e` for every extended attribute."""
-    command = [sys.executable, "-c", "from vss_tools.cli import cli; cli()", "export", "json", "--strict"]
-    command += ["-s", str(ROOT_FILE), "-o", str(output)]
-    for option, values in (("-l", overlays), ("-u", UNITS), ("-e", EXTENDED)):
-        command += [part for value in values for part in (option, str(value))]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return json.loads(output.read_text(encoding="utf-8"))
+def strict_export(overlays: Sequence[str]) -> Job:
+    """`vspec export json --strict` of the tree with overlays, with `-e` for every extended attribute."""
+    options = (("-l", map(overlay, overlays)), ("-u", UNITS), ("-e", EXTENDED))
+    given = [part for option, values in options for value in values for part in (option, str(value))]
+    return Job("json", OVERLAYS, ["-s", str(ROOT_FILE), "--strict", *given])
+
+
+@cache
+def judged() -> dict[str, str | None]:
+    """What vss-tools makes of each overlay alone, and of all of them."""
+    return verdicts({"all": strict_export(NAMES), **{name: strict_export([name]) for name in NAMES}})
 
 
 def paths_of(prefix: str, nodes: Any) -> Iterator[str]:
@@ -68,14 +70,17 @@ def test_each_of_them_composes_alone(name):
     assert read_catalogue(ROOT_FILE, [overlay(name)], units=UNITS).findings == ()
 
 
-def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes(tmp_path):
-    exported = vspec_export([overlay(name) for name in NAMES], tmp_path / "tree.json")
-    assert set(paths_of("", exported)) == set(interfaces().nodes)
+def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes():
+    verdict = judged()["all"]
+    assert verdict is not None
+    assert set(paths_of("", json.loads(verdict))) == set(interfaces().nodes)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_vss_tools_takes_each_of_them_alone(name, tmp_path):
-    assert "Vehicle" in vspec_export([overlay(name)], tmp_path / "tree.json")
+def test_vss_tools_takes_each_of_them_alone(name):
+    verdict = judged()[name]
+    assert verdict is not None
+    assert "Vehicle" in json.loads(verdict)
 
 
 def test_every_extended_attribute_is_one_that_is_documented():

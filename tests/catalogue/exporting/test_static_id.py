@@ -1,7 +1,6 @@
 """Static ids are those of `vspec export id`."""
 
 from pathlib import Path
-from subprocess import run
 
 import pytest
 import yaml
@@ -11,6 +10,7 @@ from vss_tools.utils.idgen_utils import fnv1_32_hash
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.static_id import fnv1, static_id
+from tests.catalogue.judging import Job, verdicts
 
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}
@@ -32,28 +32,25 @@ def test_the_hash_is_that_of_vss_tools(data: bytes) -> None:
     assert fnv1(data) == fnv1_32_hash(data)
 
 
-@pytest.mark.parametrize("options", [[], ["--case-sensitive"]])
-def test_ids_are_those_that_vss_tools_exports(tmp_path: Path, options: list[str]) -> None:
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("tree")
     for name, text in {"tree.vspec": TREE, "units.yaml": UNITS, "quantities.yaml": QUANTITIES}.items():
-        (tmp_path / name).write_text(text)
-    command = [
-        "vspec",
-        "export",
-        "id",
-        "-s",
-        "tree.vspec",
-        "-u",
-        "units.yaml",
-        "-q",
-        "quantities.yaml",
-        "-o",
-        "out.yaml",
-    ]
-    vspec = Path(__file__).parents[3] / ".venv" / "bin" / "vspec"
-    command[0] = str(vspec) if vspec.exists() else "vspec"
-    done = run([*command, *options], cwd=tmp_path, check=False, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
-    exported = yaml.safe_load((tmp_path / "out.yaml").read_text())
-    catalogue = read_catalogue(tmp_path / "tree.vspec")
-    ids = {path: static_id(node, case_sensitive=bool(options)) for path, node in catalogue.nodes.items()}
-    assert ids == {path: values["staticUID"] for path, values in exported.items()}
+        (folder / name).write_text(text)
+    return folder / "tree.vspec"
+
+
+@pytest.fixture(scope="module")
+def judged(tree: Path) -> dict[str, str | None]:
+    usual = ["-s", tree.name, "-u", "units.yaml", "-q", "quantities.yaml"]
+    options = {"usual": usual, "case-sensitive": [*usual, "--case-sensitive"]}
+    return verdicts({name: Job("id", tree.parent, given) for name, given in options.items()})
+
+
+@pytest.mark.parametrize("name", ["usual", "case-sensitive"])
+def test_ids_are_those_that_vss_tools_exports(tree: Path, judged: dict[str, str | None], name: str) -> None:
+    verdict = judged[name]
+    assert verdict is not None
+    nodes = read_catalogue(tree).nodes
+    ids = {path: static_id(node, case_sensitive=name == "case-sensitive") for path, node in nodes.items()}
+    assert ids == {path: values["staticUID"] for path, values in yaml.safe_load(verdict).items()}

@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import FloatRect, Locator, expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 PAGES = (
     "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError", "/search/interfaces?q=wheel",

@@ -5,7 +5,7 @@ from urllib.parse import unquote
 
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 
 def rows(page: Page) -> list[str]:

@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 PAGES = {
     "/tree/interfaces/Vehicle.Speed": "Attributes", "/tree/lost": "has no tree", "/search/small?q=speed": "results",

@@ -2,16 +2,18 @@
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Error, Locator, Page, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Error, Locator, Page, expect, sync_playwright
 
-ROOT = Path(__file__).parent.parent.parent
+from scripts.browser import find_browser
+from tests.waiting import DEADLINE
+
+ROOT = Path(__file__).parents[3]
 _SERVE = """
 import sys
 from pathlib import Path
@@ -23,7 +25,7 @@ from tests.api.conftest import SOURCES
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
 rows = Source("rows", "Doors in rows", Path(sys.argv[1]).parent / "rows.vspec")
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
-settings = Settings(port=0)
+settings = Settings(port=0, log="none")
 run(create_site(Library([*SOURCES, big, rows, lost, *shipped_sources()]), settings), settings)
 """
 
@@ -35,25 +37,23 @@ Vehicle.Door.IsOpen: {type: actuator, datatype: boolean, description: Whether th
 """
 
 
-def big_tree(branches: int) -> str:
-    """A tree of 1,000 signals below each branch."""
-    parts = ["Vehicle: {type: branch, description: Root.}"]
-    for i in range(branches):
-        parts.append(f"Vehicle.Branch{i}: {{type: branch, description: Branch.}}")
-        for j in range(10):
-            parts.append(f"Vehicle.Branch{i}.Sub{j}: {{type: branch, description: Branch.}}")
-            parts += [
-                f"Vehicle.Branch{i}.Sub{j}.Signal{k}: {{type: sensor, datatype: float, description: A signal.}}"
-                for k in range(100)
-            ]
-    return "\n".join(parts)
+def big_tree() -> str:
+    """A tree of 100,000 signals: 100 below each of 1,000 instances."""
+    signals = (
+        f"Vehicle.Part.Signal{n}: {{type: sensor, datatype: float, description: A signal.}}\n" for n in range(100)
+    )
+    return (
+        "Vehicle: {type: branch, description: A vehicle.}\n"
+        "Vehicle.Part: {type: branch, description: A part., instances: ['Branch[1,100]', 'Sub[1,10]']}\n"
+        + "".join(signals)
+    )
 
 
 @pytest.fixture(scope="session")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of a service that runs in a process of its own."""
     big = tmp_path_factory.mktemp("big") / "big.vspec"
-    big.write_text(big_tree(100))
+    big.write_text(big_tree())
     (big.parent / "rows.vspec").write_text(_ROWS)
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "app")}
     command = [sys.executable, "-c", _SERVE, str(big)]
@@ -67,12 +67,9 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 
 def _browser() -> Iterator[Browser]:
-    installed = next(
-        (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
-    )
     with sync_playwright() as playwright:
         try:
-            browser = playwright.chromium.launch(executable_path=installed, args=["--no-sandbox"])
+            browser = playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
         except Error:
             pytest.skip("Chromium: install one (Debian: apt install chromium), or name it in SIGCAT_BROWSER")
         yield browser
@@ -80,6 +77,8 @@ def _browser() -> Iterator[Browser]:
 
 
 browser = pytest.fixture(scope="session")(_browser)
+
+expect.set_options(timeout=DEADLINE * 1000)
 
 Opener = Callable[..., Page]
 Use = Callable[[Locator], None]
@@ -113,7 +112,7 @@ def open_page(browser: Browser, service: str) -> Iterator[Opener]:
         context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)  # type: ignore[arg-type]
         contexts.append(context)
         page = context.new_page()
-        page.set_default_timeout(8_000)
+        page.set_default_timeout(DEADLINE * 1000)
         page.on("console", lambda message: complaints.append(message.text))
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.goto(service + address)

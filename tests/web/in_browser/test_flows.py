@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Route, expect
 
-from tests.web.conftest import Opener, Use
+from tests.web.in_browser.conftest import Opener, Use
 
 NODE = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationProposal"
 COPYING = {"permissions": ["clipboard-read", "clipboard-write"]}

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 
 def test_results_come_as_one_types_and_back_returns_to_the_tree(open_page: Opener) -> None:

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 
 def test_findings_come_as_one_types(open_page: Opener) -> None:
