@@ -46,8 +46,8 @@ clients: .venv/dev  ## generate a Python and a TypeScript client, and run the sa
 fuzz: .venv/dev  ## the service against its whole contract and killed at random points, for long
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/catalogue/hosting/test_killed.py
 
-slow: .venv/dev  ## every export of the whole shipped tree beside that of vss-tools, byte for byte
-	SIGCAT_SLOW=1 $(BIN)/pytest -n auto tests/catalogue/exporting
+slow: .venv/dev  ## what repeats itself: every export of whole trees beside that of vss-tools, axe on every variant of a page
+	SIGCAT_SLOW=1 $(BIN)/pytest -n auto tests/catalogue tests/web/in_browser/test_accessibility.py
 
 sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom
