@@ -10,12 +10,17 @@ from sigcat.api.answers.problems import KINDS
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.web.security_headers import POLICY
 from sigcat.web.site import create_site
-from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
+from tests.api.conftest import SETTINGS, SOURCES, TREE, Ask, asker
 
 PAGES = (
     "/", "/tree/small", "/tree/small/Vehicle.Speed", "/tree/small?open=*", "/tree/broken", "/search/small?q=speed",
     "/search/small", "/units/small", "/rules", "/rules/I201", "/catalogues/broken", "/docs", "/problems/not-found",
 )  # fmt: skip
+
+
+def title_of(page: str) -> str:
+    """What a browser's tab says."""
+    return str(re.findall(r"<title>([^<]*)</title>", page)[0])  # those after it belong to pictures
 
 
 @pytest.fixture(scope="module")
@@ -179,6 +184,49 @@ def test_a_catalogue_tells_what_it_holds_however_little(site: Ask, tmp_path: Pat
     assert ">signal</text>" in site("/catalogues/broken").text
     empty = asker(create_site(Library([Source("lost", "Lost", tmp_path / "lost.vspec")])))
     assert re.search(r"0\u00a0nodes</a>\.", empty("/catalogues/lost").text)
+
+
+def test_every_page_has_a_title_of_its_own(site: Ask) -> None:
+    addresses = (
+        "/", "/tree/small/Vehicle.Speed", "/tree/bare/Vehicle.Speed", "/search/small?q=speed", "/search/bare?q=speed",
+        "/search/small?q=speed&type=sensor", "/units/small", "/units/bare", "/rules?catalogue=bare", "/rules/I201",
+        "/rules/V101", "/catalogues/small", "/catalogues/bare", "/changes?old=bare&new=small",
+        "/changes?old=small&new=bare", "/try", "/try?kind=tree", "/functions", "/functions/core_acc", "/wiring",
+        "/functions/eco_control_mpc", "/wiring?f=core_acc", "/docs", "/problems/busy", "/tree/nope", "/tree/small/Nope",
+    )  # fmt: skip
+    titles = [title_of(site(address).text) for address in addresses]
+    assert len(set(titles)) == len(titles)
+    assert all(title.endswith(" · sigcat") for title in titles)
+    assert title_of(site("/search/small?q=speed").text) == "speed · A small tree · sigcat"
+
+
+def test_catalogues_of_one_title_are_told_apart_by_their_ids() -> None:
+    twins = [Source(each, "The tree", TREE / "tree.vspec") for each in ("left", "right")]
+    site = asker(create_site(Library([*twins, Source("other", "Another", TREE / "tree.vspec")]), SETTINGS))
+    assert title_of(site("/units/left").text) == "Units · The tree (left) · sigcat"
+    assert "<h1>The tree (left) → The tree (right)</h1>" in site("/changes?old=left&new=right").text
+    assert re.findall(r"<option[^>]*>([^<]+)<", site("/changes").text)[:3] == [
+        "The tree (left)", "The tree (right)", "Another",
+    ]  # fmt: skip
+    assert title_of(site("/tree/left~folded").text) == "Tree · The tree, folded (left~folded) · sigcat"
+
+
+def test_a_catalogue_and_the_rules_tell_the_same_number_of_findings(site: Ask) -> None:
+    for name in ("small", "bare", "broken"):
+        (own,) = re.findall(r'id="findings">Findings <span class="number">(\d+)', site(f"/catalogues/{name}").text)
+        rules = site(f"/rules?catalogue={name}").text
+        assert f"{own}\u00a0finding" in rules
+        of_each = re.search(r"With findings(.*?)</section>", rules, re.DOTALL)
+        assert of_each
+        assert sum(int(number) for number in re.findall(r"(\d+)\u00a0finding", of_each.group(1))) == int(own) > 0
+
+
+def test_changes_begin_with_the_breaking_ones(site: Ask) -> None:
+    page = site("/changes?old=bare&new=small").text
+    assert ": 1 breaking, 1 compatible." in page
+    headings = re.findall(r'<h2>(\w+) <span class="number">', page)
+    assert headings == ["breaking", "compatible"]
+    assert page.index(">Speed</a>") < page.index(">Function</a>")
 
 
 def test_many_open_rows_come_in_pages(site: Ask) -> None:

@@ -18,6 +18,7 @@ from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import choice_of
 from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
+from sigcat.web.catalogue_titles import title_in
 from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
 
 TYPE_LETTERS = {
@@ -55,10 +56,12 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
     name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
     context.setdefault("hosted", None)
     to = Addresses(mounted_below(request))
+    library = library_of(request)
     text = _ENVIRONMENT.get_template(name).render(
         to=to,
         for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
-        library=library_of(request),
+        library=library,
+        title_of=partial(title_in, library),
         address=request.url.path,
         request_method=request.method,
         is_flawed=_is_flawed(context["hosted"]),

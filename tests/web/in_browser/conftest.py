@@ -104,16 +104,17 @@ def use(request: pytest.FixtureRequest) -> Use:
 
 @pytest.fixture
 def open_page(browser: Browser, service: str) -> Iterator[Opener]:
-    """Opens pages of the service; a message on the console or an error in a script fails the test."""
+    """Opens pages of the service; an error in a script fails the test, and without `console=False` a message as well."""
     contexts: list[BrowserContext] = []
     complaints: list[str] = []
 
-    def opener(address: str, **options: object) -> Page:
+    def opener(address: str, *, console: bool = True, **options: object) -> Page:
         context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)  # type: ignore[arg-type]
         contexts.append(context)
         page = context.new_page()
         page.set_default_timeout(DEADLINE * 1000)
-        page.on("console", lambda message: complaints.append(message.text))
+        if console:
+            page.on("console", lambda message: complaints.append(message.text))
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.goto(service + address)
         if options.get("java_script_enabled", True) and page.locator("[data-tree]").count():

@@ -36,6 +36,21 @@ def test_every_page_of_the_bar_is_in_sight(open_page: Opener, width: int) -> Non
         assert box["x"] + box["width"] <= width
 
 
+@pytest.mark.parametrize("width", [360, 760, 768, 900, 1023, 1024, 1280])
+def test_the_search_box_has_room_for_words(open_page: Opener, width: int) -> None:
+    page = open_page("/tree/interfaces~folded")
+    page.set_viewport_size({"width": width, "height": 800})
+    inner = "box => box.clientWidth - parseFloat(getComputedStyle(box).paddingLeft) - parseFloat(getComputedStyle(box).paddingRight)"
+    assert page.get_by_role("searchbox").evaluate(inner) >= 150
+
+
+def test_nothing_moves_for_those_who_ask_for_it(open_page: Opener) -> None:
+    page = open_page("/tree/small", reduced_motion="reduce")
+    moving = "getComputedStyle(document.querySelector('#progress'), '::before').animationName"
+    page.evaluate("document.getElementById('progress').hidden = false")
+    assert page.evaluate(moving) == "none"
+
+
 @pytest.mark.parametrize("address", PAGES)
 def test_paper_has_the_content_and_not_the_controls(open_page: Opener, address: str) -> None:
     page = open_page(address)

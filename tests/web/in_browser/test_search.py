@@ -28,6 +28,21 @@ def test_results_are_walked_by_arrows_and_opened_by_enter(open_page: Opener) -> 
     expect(page.locator("h1")).to_have_text("Speed")
 
 
+def test_enter_leads_to_the_first_result(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    page.get_by_role("searchbox").focus()
+    page.keyboard.type("speed")
+    page.keyboard.press("Enter")
+    expect(page.locator("[data-hit]").first).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.locator("h1")).to_have_text("Speed")
+    page.go_back()
+    page.get_by_role("searchbox").fill("xyzzy")
+    page.keyboard.press("Enter")
+    expect(page.locator("[data-tally]")).to_contain_text("Nothing")
+    expect(page.get_by_role("searchbox")).to_be_focused()
+
+
 def test_filters_narrow_and_widen(open_page: Opener) -> None:
     page = open_page("/search/small?q=vehicle")
     facets = page.get_by_role("complementary", name="Filters")

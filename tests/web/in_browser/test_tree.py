@@ -3,6 +3,7 @@
 import re
 from urllib.parse import unquote
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.in_browser.conftest import Opener
@@ -79,11 +80,77 @@ def test_the_keyboard_of_the_tree_pattern(open_page: Opener) -> None:
     assert active(page) == "Vehicle"
     page.keyboard.type("la")
     assert active(page) == "Label"
-    press("Enter")
+    press("Space")
     expect(page.locator("h1")).to_have_text("Label")
     press("*")
     expect(page.get_by_role("treeitem", name="Braking")).to_be_visible()
     expect(tree).to_have_attribute("aria-activedescendant", re.compile("row-"))
+
+
+def test_enter_leads_to_the_node_and_space_stays_in_the_tree(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    tree = page.get_by_role("tree")
+    tree.focus()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Space")
+    expect(page.locator("h1")).to_have_text("Speed")
+    expect(tree).to_be_focused()
+    page.keyboard.press("ArrowUp")
+    page.keyboard.press("Enter")
+    expect(page.locator("h1")).to_have_text("Vehicle")
+    expect(page.locator("article")).to_be_focused()
+
+
+def test_a_link_to_the_root_opens_it(open_page: Opener) -> None:
+    for options in ({}, {"java_script_enabled": False}):
+        page = open_page("/tree/small/Vehicle", **options)
+        expect(page.locator(".rows .name").get_by_text("Speed", exact=True)).to_be_visible()
+
+
+def test_the_letters_of_the_tree_are_explained(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    expect(page.locator(".letters")).to_have_text(re.compile(r"S\s+sensor\s+A\s+actuator\s+P\s+attribute"))
+
+
+@pytest.mark.parametrize("width", [360, 1280])
+def test_back_and_forward_return_to_where_one_was_in_a_node(open_page: Opener, width: int) -> None:
+    page = open_page("/tree/small/Vehicle.Speed")
+    page.set_viewport_size({"width": width, "height": 400})
+    scrolled = "() => Math.max(document.querySelector('article').scrollTop, scrollY)"
+    names = page.get_by_role("heading", name="Names")
+    names.evaluate("names => names.scrollIntoView()")
+    before = page.evaluate(scrolled)
+    assert before > 100
+    page.wait_for_timeout(200)
+    page.get_by_role("link", name="Next").evaluate("link => link.click()")
+    expect(page.locator("h1")).to_have_text("Door")
+    expect(page.locator("h1")).to_be_in_viewport()
+    page.go_back()
+    expect(page.locator("h1")).to_have_text("Speed")
+    expect(names).to_be_in_viewport()
+    assert abs(page.evaluate(scrolled) - before) <= 1
+    page.go_forward()
+    expect(page.locator("h1")).to_have_text("Door")
+    expect(page.locator("h1")).to_be_in_viewport()
+
+
+def test_an_instance_leads_to_its_definition(open_page: Opener) -> None:
+    page = open_page("/tree/rows/Vehicle.Door.Front.Left.IsOpen")
+    page.get_by_role("link", name="Vehicle.Door.IsOpen").click()
+    page.wait_for_url("**/tree/rows~folded/Vehicle.Door.IsOpen")
+    expect(page.locator("h1")).to_have_text("IsOpen")
+
+
+def test_a_definition_has_patterns_of_names_and_none_to_be_copied(open_page: Opener) -> None:
+    page = open_page("/tree/rows~folded/Vehicle.Door.IsOpen")
+    names = page.locator("section", has=page.get_by_role("heading", name="Patterns of names"))
+    expect(names.locator("dd").first).to_have_text("Vehicle.Door.*.*.IsOpen")
+    expect(names.locator("dl")).to_contain_text("door_*_*_is_open")
+    expect(names).not_to_contain_text("Static id")
+    expect(names.get_by_role("button")).to_have_count(0)
+    names.get_by_role("link", name="Show them one by one").click()
+    page.wait_for_url("**/tree/rows/Vehicle.Door.Front.Left.IsOpen")
+    expect(page.get_by_role("heading", name="Names", exact=True)).to_be_visible()
 
 
 def test_expand_all_and_collapse(open_page: Opener) -> None:

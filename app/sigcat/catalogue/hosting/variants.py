@@ -4,8 +4,8 @@ A variant is named like any other catalogue, in addresses of pages and of the AP
 It is composed from the layers in memory when it is first asked for.
 """
 
-from collections import Counter
-from collections.abc import Mapping
+from collections import Counter, defaultdict
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import PurePath
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from weakref import WeakKeyDictionary
 from sigcat.catalogue.composing.add_overlays import tolerating
 from sigcat.catalogue.composing.compose import compose, unexpanded
 from sigcat.catalogue.hosting.library import Hosted, Library
-from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.search import SearchIndex
 from sigcat.errors import NotFound
 from sigcat.names import parent_path
@@ -115,6 +115,20 @@ def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
     expanded = _expanded.get(catalogue, catalogue)
     instances = (node for node in expanded.nodes.values() if node.definition.is_instance)
     return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))
+
+
+def instances_of(catalogue: Catalogue, path: str) -> Sequence[Node]:
+    """The nodes for which one of a folded catalogue stands; none if it is a node itself."""
+    expanded = _expanded.get(catalogue, catalogue)
+    return () if path in expanded.nodes else _by_template(expanded).get(path, ())
+
+
+@lru_cache(maxsize=12)
+def _by_template(expanded: Catalogue) -> Mapping[str, Sequence[Node]]:
+    found: defaultdict[str, list[Node]] = defaultdict(list)
+    for node in expanded.nodes.values():
+        found[node.template].append(node)
+    return found
 
 
 _expanded: WeakKeyDictionary[Catalogue, Catalogue] = WeakKeyDictionary()

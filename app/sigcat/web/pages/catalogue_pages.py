@@ -10,13 +10,14 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response
 from sigcat.api.answers.serializers import catalogue_detail, node_detail
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.cursors import cursor_of, offset_of
-from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheSettings, library_of
+from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheRules, TheSettings, library_of
 from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
 from sigcat.catalogue.search import FACETS
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
+from sigcat.findings import SEVERITIES
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
@@ -27,6 +28,7 @@ router = APIRouter()
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000
+_MOST_FINDINGS = 200
 _MOST_PICTURED = 50_000
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
@@ -99,6 +101,7 @@ def show_search(
         hosted=hosted,
         refusal=refusal,
         text=text,
+        title=", ".join(filter(None, (text, *query.filters.values()))) or "Search",
         sought=text.replace(".", " ").split(),
         filters=query.filters,
         facets=_facets(result.facets, query.filters, result.total),
@@ -118,9 +121,18 @@ def show_units(request: Request, hosted: AnyCatalogue) -> Response:
 
 
 @router.get("/catalogues/{catalogue}")
-def show_catalogue(request: Request, hosted: AnyCatalogue) -> Response:
-    """A catalogue's layers and findings."""
-    return page(request, "catalogue.html", hosted=hosted, detail=catalogue_detail(hosted), sunburst=_picture(hosted))
+def show_catalogue(request: Request, hosted: AnyCatalogue, rules: TheRules) -> Response:
+    """A catalogue's layers, and what its files and the rules say of it."""
+    findings = sorted(rules.findings_in(hosted.catalogue), key=lambda finding: SEVERITIES.index(finding.severity))
+    return page(
+        request,
+        "catalogue.html",
+        hosted=hosted,
+        detail=catalogue_detail(hosted),
+        sunburst=_picture(hosted),
+        findings=findings[:_MOST_FINDINGS],
+        total=len(findings),
+    )
 
 
 @router.get("/{page_name}.ico", include_in_schema=False)
@@ -142,7 +154,7 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
     catalogue = hosted.catalogue
     selected = find_node(catalogue, path) if path else None
     first = selected or (catalogue.roots[0] if catalogue.roots else None)
-    named = opened.split(",") if opened else [root.path for root in catalogue.roots if not path]
+    named = opened.split(",") if opened else [root.path for root in catalogue.roots if path in ("", root.path)]
     branches = OpenBranches(named, path)
     rows, total = visible_rows(catalogue, branches, start, _ROWS)
     return page(

@@ -1,7 +1,7 @@
 """Two catalogues beside each other: what was added, removed, moved and changed."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache, partial
 from typing import Annotated, NamedTuple
 
@@ -58,6 +58,7 @@ async def show_changes(
     filters = {"class": compatibility, "kind": kind}
     within = [change for change in changes if not below or f"{_place(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]
+    by_class = Counter(change.compatibility for change in changes)
     return page(
         request,
         "changes.html",
@@ -70,8 +71,8 @@ async def show_changes(
         total=len(changes),
         shown=len(shown),
         most=_MOST,
-        tree=tree_of(shown[:_MOST]),
-        whole=Counter(change.compatibility for change in changes),
+        trees=_trees(worst_first(shown)[:_MOST]),
+        whole=[(name, number) for name in CLASSES if (number := by_class[name])],
     )
 
 
@@ -79,6 +80,17 @@ async def show_changes(
 def changes_between(old: Catalogue, new: Catalogue) -> tuple[Change, ...]:
     """The changes, compared once."""
     return compare(old, new)
+
+
+def worst_first(changes: Iterable[Change]) -> list[Change]:
+    """Breaking changes before those of the other classes; otherwise in their order."""
+    return sorted(changes, key=lambda change: CLASSES.index(change.compatibility))
+
+
+def _trees(changes: Sequence[Change]) -> list[tuple[str, Branch]]:
+    """A tree for each class that has changes, the worst first."""
+    by_class = {name: [change for change in changes if change.compatibility == name] for name in CLASSES}
+    return [(name, tree_of(members)) for name, members in by_class.items() if members]
 
 
 def tree_of(changes: Sequence[Change]) -> Branch:

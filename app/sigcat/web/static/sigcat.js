@@ -1,11 +1,10 @@
 // What every page has: search as you type, copying, menus that close. A page works without any of it.
+import { askPart, attempt, begin, say } from "./asking.js";
 import { mountTree } from "./tree.js";
 import { mountTry } from "./try.js";
 
 const base = document.body.dataset.base;
 document.documentElement.classList.add("live");
-
-export const say = (text) => { document.getElementById("said").textContent = text; };
 
 // -- copy -----------------------------------------------------------------------------------------------------------
 
@@ -40,34 +39,7 @@ document.addEventListener("click", (event) => {
   }
 });
 
-// -- progress ---------------------------------------------------------------------------------------------------------
-
-const SOON = 200; // what is there sooner needs no bar
-const bar = document.getElementById("progress");
-let pending = 0;
-let announced = 0;
-
-const begin = () => {
-  pending += 1;
-  if (pending === 1) announced = setTimeout(() => { bar.hidden = false; }, SOON);
-};
-
-const end = () => {
-  pending = Math.max(0, pending - 1);
-  if (pending) return;
-  clearTimeout(announced);
-  bar.hidden = true;
-};
-
-/** Wait for something, with a bar if it takes long. */
-export const progress = async (work) => {
-  begin();
-  try {
-    return await work;
-  } finally {
-    end();
-  }
-};
+// -- leaving the page -------------------------------------------------------------------------------------------------
 
 document.addEventListener("submit", (event) => {
   if (!event.defaultPrevented && event.submitter?.name !== "download") begin();
@@ -77,56 +49,31 @@ document.addEventListener("click", (event) => {
   const leaves = link && !link.hasAttribute("download") && link.origin === location.origin && link.pathname + link.search !== location.pathname + location.search;
   if (leaves && !event.defaultPrevented && !event.ctrlKey && !event.metaKey && !event.shiftKey) begin();
 });
-addEventListener("pageshow", () => { pending = 0; end(); }); // also where the browser comes back to a page that left
-
-// -- parts of pages ---------------------------------------------------------------------------------------------------
-
-const withPart = (address) => {
-  const url = new URL(address, location.href);
-  url.searchParams.set("part", "");
-  return url;
-};
-
-let under_way = null;
-
-/** The changing part of a page as text; null if a later request overtook this one. */
-export const fetchPart = async (address) => {
-  under_way?.abort();
-  under_way = new AbortController();
-  const { signal } = under_way;
-  try {
-    const response = await progress(fetch(withPart(address), { signal }));
-    return response.ok ? await response.text() : location.assign(address);
-  } catch (error) {
-    if (error.name !== "AbortError") throw error;
-    return null;
-  }
-};
 
 // -- search as you type -----------------------------------------------------------------------------------------------
 
 const field = document.querySelector("[data-search]");
 const main = document.getElementById("main");
-let leave = mountTree({ fetchPart, progress, say });
-mountTry({ progress, say });
+let leave = mountTree();
+mountTry();
 let timer = 0;
 
 const isSearch = () => location.pathname.startsWith(`${base}/search/`);
 
-const showSearch = async (address) => {
-  const text = await fetchPart(address);
-  if (text === null || text === undefined) return;
+const showSearch = (address) => attempt(async () => {
+  const text = await askPart(address);
+  if (text === null) return;
   leave?.();
   leave = null;
   main.className = "search";
   main.innerHTML = text;
   document.querySelector(".bar nav [aria-current]")?.removeAttribute("aria-current");
   for (const link of document.querySelectorAll("[data-elsewhere]")) link.href = `${base}/search/${link.dataset.elsewhere}${location.search}`;
-  document.title = `${field.value || "Search"} · sigcat`;
-  say(main.querySelector("[data-tally]")?.textContent ?? "");
-};
+  document.title = main.querySelector("[data-title]").dataset.title + document.body.dataset.titled;
+  say(main.querySelector("[data-tally]").textContent);
+});
 
-const searched = () => {
+const searched = async () => {
   const address = new URL(field.form.action);
   const current = new URL(location.href);
   if (isSearch()) for (const [name, value] of current.searchParams) if (!["q", "cursor"].includes(name)) address.searchParams.set(name, value);
@@ -134,11 +81,18 @@ const searched = () => {
   if (isSearch()) history.replaceState({}, "", address);
   else if (field.value.trim()) history.pushState({}, "", address);
   else return;
-  showSearch(address.href);
+  await showSearch(address.href);
 };
 
 if (field) {
   field.addEventListener("input", () => { clearTimeout(timer); timer = setTimeout(searched, 60); });
+  field.form.addEventListener("submit", async (event) => {
+    if (!field.value.trim() && !isSearch()) return; // all nodes: the page of the results
+    event.preventDefault();
+    clearTimeout(timer);
+    await searched();
+    main.querySelector("[data-hit]")?.focus();
+  });
   document.addEventListener("keydown", (event) => {
     const typing = event.target.matches("input, textarea, select, [contenteditable]");
     if (event.key === "/" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) {

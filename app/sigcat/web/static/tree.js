@@ -1,9 +1,11 @@
 // The tree: all rows in memory, only those in sight in the document. Keyboard: the tree pattern of the W3C's ARIA guide.
+import { askJson, askPart, attempt, say } from "./asking.js";
 
 const MOST_ROWS = 100;
 const BEYOND = 8; // rows kept above and below what is in sight
 const LETTERS = { branch: "", sensor: "S", actuator: "A", attribute: "P", struct: "{}", property: "·" };
 const TYPING_PAUSE = 600;
+const RESTING = 120; // after the last movement, where one has scrolled to is kept
 
 class Entry {
   constructor(name, path, level, kind, count, parent, position, siblings) {
@@ -33,7 +35,7 @@ const fill = (parent, { kinds, rows }) => {
   }
 };
 
-export const mountTree = ({ fetchPart, progress, say }) => {
+export const mountTree = () => {
   const section = document.querySelector("[data-tree]");
   if (!section) return null;
   const base = document.body.dataset.base;
@@ -48,6 +50,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
   let visible = [];
   let active = 0;
   let selected = section.dataset.selected;
+  let wanted = null; // what will be selected as soon as it is here
   let everything = false;
   let height = 26;
   const extent = document.createElement("div");
@@ -57,9 +60,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
 
   const load = async (entry, depth = 1) => {
     const query = new URLSearchParams({ path: entry.path, depth, v: state });
-    const response = await progress(fetch(`${base}/rows/${encodeURIComponent(catalogue)}?${query}`, { signal }));
-    if (!response.ok) throw new Error(`The rows below ${entry.path} did not come: ${response.status}`);
-    fill(entry, await response.json());
+    fill(entry, await askJson(`${base}/rows/${encodeURIComponent(catalogue)}?${query}`, signal));
   };
 
   const opened = async (entry) => {
@@ -116,26 +117,63 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     return open ? `${page}?open=${encodeURIComponent(open).replaceAll("%2C", ",").replaceAll("%2A", "*")}` : page;
   };
 
-  const remember = () => history.replaceState({ tree: true }, "", addressOf(selected));
+  const remember = () => history.replaceState({ tree: true, scroll: scroller().scrollTop }, "", addressOf(selected));
 
-  const select = async (path, { push = true } = {}) => {
-    selected = path;
-    if (push) history.pushState({ tree: true }, "", addressOf(path));
+  const loaded = async (path) => {
+    wanted = path;
     paint();
     article.classList.add("waiting");
-    const text = await fetchPart(addressOf(path, ""));
-    if (text === null || text === undefined) return;
-    article.classList.remove("waiting");
+    const settled = () => { wanted = null; article.classList.remove("waiting"); paint(); };
+    try {
+      const text = await askPart(addressOf(path, ""));
+      if (text !== null) settled(); // else a later request is under way
+      return text;
+    } catch (error) {
+      settled();
+      throw error;
+    }
+  };
+
+  const change = async (path, { push = true, scroll = 0 } = {}) => {
+    const text = await loaded(path);
+    if (text === null) return;
+    if (push) keepScroll();
+    selected = path;
+    if (push) history.pushState({ tree: true }, "", addressOf(path));
     article.innerHTML = text;
-    article.scrollTop = 0;
-    const title = article.querySelector("[data-title]")?.dataset.title ?? "";
-    document.title = `${title} · sigcat`;
+    scrollTo(push ? null : scroll);
+    keepScroll();
+    paint();
+    const title = article.querySelector("[data-title]").dataset.title;
+    document.title = title + document.body.dataset.titled;
     say(title);
     for (const link of document.querySelectorAll(".bar .menu li:not(.apart) a, [data-switch]")) {
       const url = new URL(link.href);
       url.pathname = [...url.pathname.split("/").slice(0, base.split("/").length + 2), path].filter((part, i) => part || !i).join("/");
       link.href = url.href;
     }
+  };
+
+  const select = (path, options) => attempt(() => change(path, options));
+
+  // -- scrolling of the node -----------------------------------------------------------------------------------------
+
+  /** What scrolls the node: its pane, or the whole page where the node stands below the tree. */
+  const scroller = () => (getComputedStyle(article).overflowY === "visible" ? document.scrollingElement : article);
+
+  let resting = 0;
+  const keepScroll = () => {
+    clearTimeout(resting);
+    history.replaceState({ ...history.state, scroll: scroller().scrollTop }, "");
+  };
+  const rest = () => { clearTimeout(resting); resting = setTimeout(keepScroll, RESTING); };
+  article.addEventListener("scroll", rest, { signal, passive: true });
+  document.addEventListener("scroll", rest, { signal, passive: true });
+
+  /** Scroll to where one was; without a place, to the beginning of the node. */
+  const scrollTo = (place) => {
+    if (place !== null || scroller() === article) scroller().scrollTop = place ?? 0;
+    else if (article.getBoundingClientRect().top < 0) article.scrollIntoView();
   };
 
   // -- rows in the document ------------------------------------------------------------------------------------------
@@ -168,9 +206,10 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     row.id = `row-${index}`;
     row.style.transform = `translateY(${index * height}px)`;
     row.children[1].href = addressOf(entry.path, "");
-    row.classList.toggle("selected", entry.path === selected);
+    const isSelected = entry.path === (wanted ?? selected);
+    row.classList.toggle("selected", isSelected);
     row.classList.toggle("active", index === active);
-    row.setAttribute("aria-selected", entry.path === selected);
+    row.setAttribute("aria-selected", isSelected);
     if (entry.count) {
       row.setAttribute("aria-expanded", entry.open);
       row.firstChild.classList.toggle("open", entry.open);
@@ -208,12 +247,19 @@ export const mountTree = ({ fetchPart, progress, say }) => {
 
   // -- what one can do -----------------------------------------------------------------------------------------------
 
-  const toggle = async (entry, open = !entry.open) => {
+  const openVisibly = async (entry) => {
+    pool.get(entry)?.firstChild.classList.add("waiting");
+    try {
+      await opened(entry);
+    } finally {
+      pool.get(entry)?.firstChild.classList.remove("waiting");
+    }
+  };
+
+  const turn = async (entry, open) => {
     if (!entry.count || entry.open === open) return;
     if (open) {
-      pool.get(entry)?.firstChild.classList.add("waiting");
-      await opened(entry);
-      pool.get(entry)?.firstChild.classList.remove("waiting");
+      await openVisibly(entry);
     } else {
       entry.open = false;
       everything = false;
@@ -221,7 +267,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     arrange();
     if (!open && selected.startsWith(`${entry.path}.`)) {
       keepActive(entry);
-      await select(entry.path);
+      await change(entry.path);
     }
     keepActive(entry);
     intoSight(active);
@@ -229,17 +275,27 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     remember();
   };
 
-  const openBeside = async (entry) => {
+  const toggle = (entry, open = !entry.open) => attempt(() => turn(entry, open));
+
+  const openBeside = (entry) => attempt(async () => {
     for (const each of entry.parent.children) if (each.count) await opened(each);
     arrange();
     keepActive(entry);
     paint();
     remember();
+  });
+
+  const loadAll = async () => {
+    section.setAttribute("aria-busy", "true");
+    try {
+      await load(root, 1000);
+    } finally {
+      section.removeAttribute("aria-busy");
+    }
   };
 
   const expandAll = async () => {
-    section.setAttribute("aria-busy", "true");
-    await load(root, 1000);
+    await loadAll();
     const waiting = [root];
     while (waiting.length) {
       const entry = waiting.pop();
@@ -249,7 +305,6 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     everything = true;
     arrange();
     keepActive(find(selected));
-    section.removeAttribute("aria-busy");
     intoSight(active);
     paint();
     remember();
@@ -300,7 +355,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     PageUp: () => activate(Math.max(0, active - Math.floor(view.clientHeight / height) + 1)),
     ArrowRight: (entry) => { if (entry.count && !entry.open) return toggle(entry, true); if (entry.open) activate(active + 1); },
     ArrowLeft: (entry) => { if (entry.open) return toggle(entry, false); if (entry.parent !== root) activate(visible.indexOf(entry.parent)); },
-    Enter: (entry) => select(entry.path),
+    Enter: (entry) => select(entry.path).then(() => selected === entry.path && article.focus({ preventScroll: true })),
     " ": (entry) => select(entry.path),
     "*": (entry) => openBeside(entry),
   };
@@ -325,7 +380,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     event.preventDefault();
     active = visible.indexOf(row.entry);
     if (event.target.classList.contains("chevron")) toggle(row.entry);
-    else select(row.entry.path).then(() => row.entry.count && toggle(row.entry, true));
+    else attempt(async () => { await change(row.entry.path); await turn(row.entry, true); });
     view.focus({ preventScroll: true });
   }, { signal });
 
@@ -346,7 +401,7 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     if (now !== height) { height = now; arrange(); }
   };
 
-  section.querySelector("[data-expand]").addEventListener("click", (event) => { event.preventDefault(); expandAll(); }, { signal });
+  section.querySelector("[data-expand]").addEventListener("click", (event) => { event.preventDefault(); attempt(expandAll); }, { signal });
   section.querySelector("[data-collapse]").addEventListener("click", (event) => { event.preventDefault(); collapse(); }, { signal });
 
   article.addEventListener("click", (event) => {
@@ -356,20 +411,22 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     show(link.dataset.node);
   }, { signal });
 
-  const show = async (path, options) => {
+  const show = (path, options) => attempt(async () => {
     const entry = await reveal(path);
     arrange();
     if (entry) keepActive(entry);
     intoSight(active);
-    await select(path, options);
-  };
+    await change(path, options);
+  });
 
-  addEventListener("popstate", async () => {
+  addEventListener("popstate", async (event) => {
+    clearTimeout(resting);
+    const back = { push: false, scroll: event.state?.scroll ?? 0 };
     const [, page, id = "", path = ""] = location.pathname.slice(base.length).split("/").map(decodeURIComponent);
     if (page === "search") return; // not the tree's matter
     if (page !== "tree" || id !== catalogue) location.reload();
-    else if (path && path !== selected) await show(path, { push: false });
-    else if (!path) await select("", { push: false });
+    else if (path && path !== selected) await show(path, back);
+    else if (!path) await select("", back);
   }, { signal });
 
   // -- width ---------------------------------------------------------------------------------------------------------
@@ -420,9 +477,10 @@ export const mountTree = ({ fetchPart, progress, say }) => {
     paint();
     if (entry) { view.scrollTop = Math.max(0, (active * height) - view.clientHeight / 3); paint(); }
     watch.observe(view);
+    if (history.state?.scroll) scrollTo(history.state.scroll);
     section.dataset.ready = "";
   };
-  start();
+  attempt(start);
 
   return () => { stop.abort(); watch.disconnect(); };
 };

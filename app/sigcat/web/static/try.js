@@ -1,8 +1,9 @@
 // The page to try a text: line numbers beside it with findings marked, and the findings as one types.
+import { fail, progress, say, settle } from "./asking.js";
 
 const PAUSE = 250;
 
-export const mountTry = ({ progress, say }) => {
+export const mountTry = () => {
   const form = document.querySelector("[data-try]");
   if (!form) return;
   const text = form.querySelector("[data-lines]");
@@ -46,6 +47,7 @@ export const mountTry = ({ progress, say }) => {
       const body = unread ? sent : new URLSearchParams(sent);
       const response = await progress(fetch(url, { method: "POST", body, signal: under_way.signal }));
       const page = await response.text();
+      settle();
       if (response.ok) {
         outcome.innerHTML = page;
         readMarks();
@@ -58,7 +60,7 @@ export const mountTry = ({ progress, say }) => {
       }
     } catch (error) {
       if (error.name === "AbortError") return;
-      outcome.querySelector("[data-tally]").textContent = "The service does not answer.";
+      fail("The service does not answer: the findings are those of an earlier text.", check);
     }
     outcome.classList.remove("waiting");
     outcome.removeAttribute("aria-busy");

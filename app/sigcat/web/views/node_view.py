@@ -1,12 +1,13 @@
 """What the page of a node shows: the node as the API has it, resolved further for readers."""
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.serializers import node_detail
 from sigcat.catalogue.exporting.static_id import static_id
-from sigcat.catalogue.hosting.variants import instance_counts
+from sigcat.catalogue.hosting.variants import instance_counts, instances_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.integration.autosar_names import branch_of, event_name, service_name, short_name
 from sigcat.integration.ros2.names import field_name, message_name, topic_name
@@ -16,8 +17,12 @@ from sigcat.web.pictures.range_bar import RangeBar, range_bar
 from sigcat.web.views.shipped_functions import NodeUse, node_uses
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
+_PARTS = re.compile(r"[A-Za-z0-9]+|[^A-Za-z0-9]+")
 MOST_CHILDREN = 400
 """Children that a page lists; the tree beside it has them all."""
+
+Names = tuple[tuple[str, str], ...]
+"""What a node is called elsewhere: (where, name)."""
 
 
 class Crumb(NamedTuple):
@@ -35,8 +40,10 @@ class NodeView(NamedTuple):
     range: RangeBar | None
     attributes: tuple[schemas.Attribute, ...]
     values: Mapping[str, object]
-    names: tuple[tuple[str, str], ...]
+    names: Names
     """The name of the node elsewhere: (where, name)."""
+    names_are_patterns: bool
+    """Whether the node stands for its instances: a `*` is what differs between their names."""
     uses: tuple[NodeUse, ...]
     """Shipped functions that use the node, or an instance of it where instances are folded."""
     instances: int
@@ -51,13 +58,15 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) 
     detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
     used = tuple(node_uses(catalogue).get(node.path, ()))
     values = {attribute.name: attribute.value for attribute in detail.attributes}
+    instances = instances_of(catalogue, node.path)
     return NodeView(
         detail,
         tuple(_crumbs(node.path)),
         range_bar(node.values),
         _ordered(detail.attributes),
         values,
-        _names(node, detail, used),
+        _patterns([_names(each, detail, used) for each in instances or (node,)]),
+        bool(instances),
         used,
         0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
         len(node.children),
@@ -91,7 +100,7 @@ def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ..
     return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
 
 
-def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> tuple[tuple[str, str], ...]:
+def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> Names:
     """The name of a node for each of those who have rules of their own for names."""
     names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
     if detail.interface_name:
@@ -101,7 +110,22 @@ def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> tuple[t
     return (*names, *_names_of_signal(node.path, used), ("Static id", static_id(node)))
 
 
-def _names_of_signal(path: str, used: Sequence[NodeUse]) -> tuple[tuple[str, str], ...]:
+def _patterns(names: Sequence[Names]) -> Names:
+    """The names that several nodes have, with a `*` for each part in which they differ. What they share is itself."""
+    patterns = ((rows[0][0], _pattern([name for _, name in rows])) for rows in zip(*names, strict=True))
+    return tuple((where, pattern) for where, pattern in patterns if pattern != "*")
+
+
+def _pattern(names: Sequence[str]) -> str:
+    """`row1_is_open` and `row2_is_open` → `*_is_open`."""
+    first, *others = (_PARTS.findall(name) for name in names)
+    if any(len(other) != len(first) for other in others):
+        return "*"
+    parts = zip(first, *others, strict=True)
+    return "".join(same[0] if len(set(same)) == 1 else "*" for same in parts)
+
+
+def _names_of_signal(path: str, used: Sequence[NodeUse]) -> Names:
     variable = field_name(path.partition(".")[2] or path).text
     provider = next((use.component for use in used if use.verb == "provides"), branch_of(path))
     service, event = service_name(provider), event_name(path)
@@ -116,7 +140,7 @@ def _names_of_signal(path: str, used: Sequence[NodeUse]) -> tuple[tuple[str, str
     )
 
 
-def _names_of_interface(name: str) -> tuple[tuple[str, str], ...]:
+def _names_of_interface(name: str) -> Names:
     variable, event = field_name(name).text, short_name(name)
     return (
         ("C", variable),
