@@ -181,6 +181,19 @@ def test_documents_are_pasted_and_edited(open_page: Opener, use: Use) -> None:
     assert page.url.endswith("#file-2-1")
 
 
+def test_the_wiring_tells_what_happens_to_each_value(open_page: Opener) -> None:
+    page = open_page("/wiring?catalogue=interfaces")
+    inside = page.get_by_role("region", name="Signals within the set")
+    assert inside.get_by_role("columnheader").all_inner_texts() == ["Signal", "From", "To", "Conversion", "Fits"]
+    outside = page.get_by_role("region", name="Signals from outside")
+    assert outside.get_by_role("columnheader").all_inner_texts() == ["Signal", "Function", "Call", "Conversion"]
+    speed = outside.get_by_role("row", name="Vehicle.Speed")
+    expect(speed).to_contain_text("EgoSpd m/s")
+    expect(speed).to_contain_text("km/h → m/s: ×\u00a00.277778")
+    expect(outside.get_by_role("row", name="Vehicle.Mass")).to_contain_text("none")
+    assert page.get_by_role("region", name="Signals to outside").get_by_role("columnheader").count() == 4
+
+
 def test_a_text_is_tried_and_its_documents_kept(open_page: Opener, use: Use) -> None:
     page = open_page("/try?catalogue=interfaces")
     use(page.get_by_role("link", name="Line 11").first)

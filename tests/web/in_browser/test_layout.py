@@ -24,6 +24,17 @@ def test_nothing_sticks_out_sideways(open_page: Opener, address: str) -> None:
         assert page.evaluate("document.documentElement.scrollWidth") <= width
 
 
+def test_the_content_of_every_page_begins_at_the_same_place(open_page: Opener, service: str) -> None:
+    page = open_page("/tree/small")
+    begins: dict[int, set[int]] = {1024: set(), 1280: set(), 2560: set()}
+    for address in (*PAGES, "/problems/busy"):
+        page.goto(service + address)
+        for width, places in begins.items():
+            page.set_viewport_size({"width": width, "height": 800})
+            places.add(round(box_of(page.locator("h1").first)["x"]))
+    assert all(len(places) == 1 for places in begins.values()), begins
+
+
 @pytest.mark.parametrize("width", [360, 1280, 2560])
 def test_every_page_of_the_bar_is_in_sight(open_page: Opener, width: int) -> None:
     page = open_page("/functions?catalogue=interfaces")
@@ -56,11 +67,35 @@ def test_paper_has_the_content_and_not_the_controls(open_page: Opener, address: 
     page = open_page(address)
     page.emulate_media(media="print")
     expect(page.locator("h1").first).to_be_attached()
-    for control in (".bar", ".tree", ".copy", ".facets", ".editor", ".choose", ".tabs", ".own"):
+    for control in (".bar", ".tree", ".copy", ".side", ".editor", ".choose", ".tabs", ".own"):
         for each in page.locator(control).all():
             expect(each).to_be_hidden()
     page.set_viewport_size({"width": 700, "height": 1000})
     assert page.evaluate("document.documentElement.scrollWidth") <= 700
+
+
+def test_each_sheet_names_the_catalogue_and_its_content(open_page: Opener) -> None:
+    page = open_page("/units/interfaces")
+    expect(page.locator(".sheet")).to_be_hidden()
+    page.emulate_media(media="print")
+    expect(page.locator(".sheet")).to_have_text(
+        re.compile(r"^VSS 6\.0 with function interfaces, content [0-9a-f]{12} sigcat \d")
+    )
+    for name, value in (("display", "table-header-group"), ("break-inside", "avoid")):  # repeated on every sheet
+        expect(page.locator(".sheet")).to_have_css(name, value)
+
+
+def test_what_fits_on_a_sheet_takes_no_second_one(open_page: Opener) -> None:
+    page = open_page("/changes?old=bare&new=small")
+    assert len(re.findall(rb"/Type /Page\b", page.pdf(format="A4", prefer_css_page_size=True))) == 1
+
+
+def test_rows_stand_three_together_on_paper(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Speed")
+    page.emulate_media(media="print")
+    kept = [row.evaluate("row => getComputedStyle(row).breakAfter") for row in page.locator("tbody tr").all()]
+    assert kept[:2] == kept[-3:-1] == ["avoid", "avoid"]
+    assert kept[-1] == "auto"
 
 
 def test_a_diagram_is_on_paper_even_where_the_screen_has_a_list(open_page: Opener) -> None:

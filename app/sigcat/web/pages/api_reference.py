@@ -72,7 +72,7 @@ def show_problem_kind(request: Request, kind: str) -> Response:
     if kind not in known:
         raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
     status, title = known[kind]
-    return page(request, "problem_kind.html", code=status, title=title)
+    return page(request, "problem_kind.html", kinds=known, code=status, title=title)
 
 
 def operations(document: Mapping[str, Any], base: str) -> list[Operation]:

@@ -47,6 +47,7 @@ def show_function(request: Request, hosted: NamedCatalogue, function_id: str, vi
         "function.html",
         hosted=hosted,
         shipped=shipped,
+        functions=shipped_functions(hosted.catalogue),
         views=views,
         view=shown,
         diagram=interface_diagram(function) if function else None,

@@ -31,4 +31,12 @@ def show_rule(request: Request, hosted: NamedCatalogue, rules: TheRules, rule_id
         return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
     rule = rule_detail(rules.get(rule_id))
     findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
-    return page(request, "rule.html", hosted=hosted, rule=rule, findings=findings[:_MOST_FINDINGS], total=len(findings))
+    return page(
+        request,
+        "rule.html",
+        hosted=hosted,
+        rule=rule,
+        beside=[each for each in rules.rules if each.category == rule.category],
+        findings=findings[:_MOST_FINDINGS],
+        total=len(findings),
+    )

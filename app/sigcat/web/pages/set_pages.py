@@ -18,6 +18,7 @@ from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
 from sigcat.web.rendering import page
+from sigcat.web.views import signal_conversions
 from sigcat.web.views.function_sets import (
     FunctionSet,
     as_text,
@@ -120,6 +121,7 @@ def _page(
         sources=_sources(own, findings),
         anchors={file.name: _anchor(index) for index, file in enumerate(own)},
         wiring=together.wiring,
+        conversions=signal_conversions,
         diagram=wiring_diagram(together.wiring),
         timeline=time_line(together.functions),
         views=VIEWS,

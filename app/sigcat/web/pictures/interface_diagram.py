@@ -1,5 +1,6 @@
 """A function as a box: what comes in on the left, what goes out on the right, when it runs within. Units are pixels."""
 
+import math
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
@@ -7,8 +8,12 @@ from sigcat.function.function_json.model import PROVIDER, FunctionJson, Runnable
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit
 
-WIDTH = 1120
 BOX_LEFT, BOX_RIGHT = 380, 740
+_LABELS_LEFT, _LABELS_RIGHT = 344, 776
+_CHARACTER = 7.4
+"""Of a label, on average."""
+_LEAST_REACH = 120
+"""For the headings of the ports."""
 _ROW = 24
 _HEADING = 34
 _LONGEST = 48
@@ -59,6 +64,9 @@ class Diagram(NamedTuple):
     top: int
     """Where the ports begin."""
     height: int
+    left: int
+    """Where the picture begins: the labels on the left end in one line, and the longest tells how far out they reach."""
+    width: int
 
 
 class _Item(NamedTuple):
@@ -79,7 +87,14 @@ def interface_diagram(function: FunctionJson) -> Diagram:
     left, left_headings, left_end = _placed("left", _incoming(function), top)
     right, right_headings, right_end = _placed("right", _outgoing(function), top)
     height = max(left_end, right_end, top) + 16
-    return Diagram(name, (*left, *right), (*left_headings, *right_headings), calls, top, height)
+    start = _LABELS_LEFT - _reach(left)
+    width = _LABELS_RIGHT + _reach(right) - start
+    return Diagram(name, (*left, *right), (*left_headings, *right_headings), calls, top, height, start, width)
+
+
+def _reach(ports: Iterable[Port]) -> int:
+    """How far the labels of ports reach outwards."""
+    return max([_LEAST_REACH, *(math.ceil(_CHARACTER * len(port.outer)) for port in ports)])
 
 
 def when(call: Runnable) -> str:

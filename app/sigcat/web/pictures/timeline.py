@@ -9,7 +9,7 @@ from sigcat.function.function_json.model import FunctionJson, Runnable, millisec
 from sigcat.function.sets.wiring import calls_of
 from sigcat.web.template_filters import number
 
-LEFT, WIDTH = 250, 800
+LEFT, WIDTH = 230, 640
 _ROW = 34
 _TOP = 34
 _MOST_MARKS = 50

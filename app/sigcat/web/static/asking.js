@@ -63,7 +63,7 @@ export const attempt = async (work) => {
 
 failure.querySelector("[data-again]").addEventListener("click", async () => {
   await again();
-  if (failure.hidden) document.getElementById("main").focus({ preventScroll: true }); // the button that had it is gone
+  if (failure.hidden) document.getElementById("content").focus({ preventScroll: true }); // the button that had it is gone
 });
 failure.querySelector("[data-dismiss]").addEventListener("click", settle);
 

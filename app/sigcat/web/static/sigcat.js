@@ -65,7 +65,7 @@ const showSearch = (address) => attempt(async () => {
   if (text === null) return;
   leave?.();
   leave = null;
-  main.className = "search";
+  main.className = "grid search";
   main.innerHTML = text;
   document.querySelector(".bar nav [aria-current]")?.removeAttribute("aria-current");
   for (const link of document.querySelectorAll("[data-elsewhere]")) link.href = `${base}/search/${link.dataset.elsewhere}${location.search}`;

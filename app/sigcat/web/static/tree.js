@@ -42,7 +42,7 @@ export const mountTree = () => {
   const catalogue = document.body.dataset.catalogue;
   const { state } = section.dataset;
   const view = section.querySelector(".rows");
-  const article = document.getElementById("node");
+  const article = document.getElementById("content");
   const stop = new AbortController();
   const { signal } = stop;
 

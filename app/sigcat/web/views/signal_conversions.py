@@ -1,0 +1,49 @@
+"""What happens to the value of a signal between two functions, or between one and the outside."""
+
+from fractions import Fraction
+
+from sigcat.function.function_json.conversion import IDENTITY, Linear
+from sigcat.function.sets.wiring import End, Link
+from sigcat.web.template_filters import number, unit
+
+
+def within(link: Link) -> str:
+    """From the unit of the provider to that of the consumer; empty if the value stays what it is."""
+    given, wanted = _to_catalogue(link.provider), _to_catalogue(link.consumer)
+    if given is None or wanted is None:
+        return ""
+    return _text(link.provider.signal.units, link.consumer.signal.units, given.then(wanted.inverse))
+
+
+def from_outside(end: End) -> str:
+    """From the unit of the catalogue to that of the function."""
+    linear = _to_catalogue(end)
+    return _text(end.signal.vss_unit, end.signal.units, linear.inverse) if linear else ""
+
+
+def to_outside(end: End) -> str:
+    """From the unit of the function to that of the catalogue."""
+    linear = _to_catalogue(end)
+    return _text(end.signal.units, end.signal.vss_unit, linear) if linear else ""
+
+
+def _to_catalogue(end: End) -> Linear | None:
+    """None where a document has no number in its place."""
+    try:
+        linear = Linear(Fraction(end.signal.conversion_factor or 1), Fraction(end.signal.conversion_offset or 0))
+    except (ValueError, ZeroDivisionError):
+        return None
+    return linear if linear.factor else None
+
+
+def _text(source: str | None, target: str | None, linear: Linear) -> str:
+    """`km/h → m/s: × 0.277778`."""
+    if linear == IDENTITY:
+        return ""
+    sign = "+" if linear.offset > 0 else "−"
+    offset = f" {sign}\u00a0{_rounded(abs(linear.offset))}" if linear.offset else ""
+    return f"{unit(source or '1')} → {unit(target or '1')}: ×\u00a0{_rounded(linear.factor)}{offset}"
+
+
+def _rounded(value: Fraction) -> str:
+    return number(float(f"{float(value):.6g}"))
