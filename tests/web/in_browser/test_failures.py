@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, Route, expect
 
-from tests.web.conftest import Opener
+from tests.web.in_browser.conftest import Opener
 
 FAILURES: dict[str, Callable[[Route], None]] = {
     "The service does not answer.": lambda route: route.abort(),
