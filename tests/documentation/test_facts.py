@@ -10,7 +10,7 @@ from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS as FETCH
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.function_json.model import function_schema
 from sigcat.rules.record import load_rules
-from tests.documentation.pages import text_of
+from tests.documentation.pages import PAGES, ROOT, text_of
 
 MIB = 1024 * 1024
 GLOSSARY = text_of("docs/reference/glossary.md").split("## The paper's interfaces")[1].split("\n## ")[0]
@@ -45,3 +45,26 @@ def test_the_glossary_names_keys_of_function_json():
     named = {name for row in ROWS for name in re.findall(r"`(\w+)`", row[2])}
     assert "Dependancy" in named
     assert named <= keys
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_files_and_folders_of_code_that_pages_name_are_there(page):
+    paths = (path for folder in ("app", "docs", "scripts", "tests") for path in (ROOT / folder).rglob("*"))
+    known = {f"/{path.relative_to(ROOT).as_posix()}" for path in paths}
+    for name in re.findall(r"`([\w/]+\.py|\w+/\w+/)`", text_of(page)):
+        if "NAME" not in name:
+            assert any(path.endswith(f"/{name.rstrip('/')}") for path in known), f"{page}: {name}"
+
+
+def test_the_architecture_names_every_room():
+    page = text_of("docs/explanation/architecture.md")
+    rooms = [path.name for path in (ROOT / "app/sigcat").iterdir() if (path / "__init__.py").exists()]
+    assert [room for room in rooms if f"`{room}/`" not in page] == []
+    inner = [
+        path.name
+        for room in rooms
+        for path in (ROOT / "app/sigcat" / room).iterdir()
+        if (path / "__init__.py").exists()
+    ]
+    platforms = {"autosar_adaptive", "ros2"}
+    assert [room for room in inner if f"`{room}`" not in page and room not in platforms] == []
