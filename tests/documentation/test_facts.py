@@ -5,6 +5,7 @@ import re
 
 import pytest
 
+from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.archive import DEFAULT_ARCHIVE_LIMITS as ARCHIVE
 from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS as FETCH
 from sigcat.data import INTERFACE_RULES
@@ -68,3 +69,16 @@ def test_the_architecture_names_every_room():
     ]
     platforms = {"autosar_adaptive", "ros2"}
     assert [room for room in inner if f"`{room}`" not in page and room not in platforms] == []
+
+
+def test_production_names_settings_and_metrics_that_there_are():
+    page = text_of("docs/how-to/production.md")
+    metrics = (ROOT / "app/sigcat/api/middleware/metrics.py").read_text(encoding="utf-8")
+    named = set(re.findall(r"`sigcat_(\w+)", page))
+    assert len(named) > 5
+    assert [name for name in named if f'"sigcat_{name.removesuffix("_total")}' not in metrics] == []
+    written = set(re.findall(r"`([a-z]+_[a-z_]+)`", page))
+    assert "heavy_requests" in written
+    assert {name for name in written if not name.startswith(("sigcat_", "request_id"))} <= set(Settings.model_fields)
+    (user,) = re.findall(r"--uid (\d+)", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
+    assert f"user {user}" in page

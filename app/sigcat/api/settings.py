@@ -71,7 +71,7 @@ class Settings(BaseModel):
     )
     pattern_seconds: float = Field(
         default=0.3,
-        description="Seconds for the `pattern`s of a tree with a posted text; what is left then is told as unchecked.",
+        description="Seconds for the `pattern`s of a tree with a posted text; the rest is reported as unchecked.",
         gt=0,
     )
     results: int = Field(default=200, description="Most results in one page of a list; a larger `limit` is cut.", ge=1)
@@ -90,7 +90,7 @@ class Settings(BaseModel):
     cache_bytes: int = Field(
         default=32 * _MEBIBYTE, description="Bytes of answers that are kept to be sent again; 0 keeps none.", ge=0
     )
-    metrics: bool = Field(default=True, description="Whether `/metrics` tells Prometheus what happens.")
+    metrics: bool = Field(default=True, description="Whether `/metrics` serves metrics for Prometheus.")
     log: Literal["json", "none"] = Field(default="json", description="One line of JSON for each request, or none.")
     stop_seconds: int = Field(
         default=10, description="Seconds that requests under way get when the service stops.", ge=0

@@ -1,6 +1,6 @@
 """The command line: parse, call, print. Each command stands in a file of its own and loads its code when it runs.
 
-Exit status: 0 done or clean, 1 findings or differences, 2 could not run.
+Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.
 """
 
 import argparse
@@ -68,7 +68,7 @@ def parser_of(wanted: str) -> argparse.ArgumentParser:
     parser = CommandParser(
         prog="sigcat",
         description="A signal catalogue: browse, lint and export VSS trees with their interfaces, build functions.",
-        epilog="Exit status: 0 done or clean, 1 findings or differences, 2 could not run.",
+        epilog="Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.",
     )
     parser.add_argument("--version", action="version", version=f"sigcat {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", prog="sigcat")
