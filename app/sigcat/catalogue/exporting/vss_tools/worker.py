@@ -77,13 +77,22 @@ def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
     exporter.get_trees = with_instances
 
 
-def _end_with_parent(folder: Path) -> None:
+def _end_with_parent(folder: Path, ended: threading.Event) -> None:
     """Wait for the end of standard input: the process that asked was killed, and nothing else would clean up."""
     os.read(sys.stdin.fileno(), 1)  # not through `sys.stdin`: its lock would still be held when the export is done
-    shutil.rmtree(folder, ignore_errors=True)
+    ended.set()
+    while folder.exists():  # the export may still write into it
+        shutil.rmtree(folder, ignore_errors=True)
     os._exit(1)
 
 
 if __name__ == "__main__":
-    threading.Thread(target=_end_with_parent, args=(Path(sys.argv[1]).parent.parent,), daemon=True).start()
-    sys.exit(main(sys.argv[1]))
+    ended = threading.Event()
+    cleaner = threading.Thread(target=_end_with_parent, args=(Path(sys.argv[1]).parent.parent, ended), daemon=True)
+    cleaner.start()
+    try:
+        status = main(sys.argv[1])
+    finally:
+        if ended.is_set():  # an export that misses its files must not end the process before they are all removed
+            cleaner.join()
+    sys.exit(status)
