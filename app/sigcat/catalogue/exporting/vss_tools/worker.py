@@ -15,10 +15,14 @@ import os
 import shutil
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import Any, TextIO
 
 import yaml
+
+_TRIES = 100
+"""How often the folder is removed until it stays away."""
 
 
 class _Log(logging.Handler):
@@ -81,8 +85,11 @@ def _end_with_parent(folder: Path, ended: threading.Event) -> None:
     """Wait for the end of standard input: the process that asked was killed, and nothing else would clean up."""
     os.read(sys.stdin.fileno(), 1)  # not through `sys.stdin`: its lock would still be held when the export is done
     ended.set()
-    while folder.exists():  # the export may still write into it
+    for _ in range(_TRIES):  # the export may still write into it
         shutil.rmtree(folder, ignore_errors=True)
+        if not folder.exists():
+            break
+        time.sleep(0.05)
     os._exit(1)
 
 
