@@ -1,4 +1,4 @@
-"""How much input is taken before it is refused: every limit has a number here and a finding where it is met."""
+"""How much input is taken before it is refused: the limits that a caller may set. Others stand where they are met."""
 
 from typing import NamedTuple
 

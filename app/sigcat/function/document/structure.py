@@ -50,7 +50,7 @@ _KINDS = (
     (
         frozenset(("FunctionInfo", "CommunicationList")),
         "Integration JSON for ROS 2",
-        "Give it to build tools of ROS 2.",
+        "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",
     ),
     (frozenset(("FunctionInfo",)), "Function JSON", "Run `sigcat function validate` or `sigcat integrate` on it."),
     (
@@ -83,7 +83,7 @@ def structural_findings(error: ValidationError, document: Document, model: type[
         yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
     if len(defects) > _MOST_DEFECTS:
         message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong."
-        yield codes.VALUE_UNFIT.finding(message, document.name, fix="Mend the others first.")
+        yield codes.VALUE_UNFIT.finding(message, document.name, fix="Correct the others first.")
 
 
 def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | None:

@@ -37,7 +37,7 @@ class NodeUse(NamedTuple):
     function_id: str
     function: str
     verb: str
-    """consumes, provides, is set by, reports, reacts to, is told, tells, runs"""
+    """consumes, provides, is set by, reports, reacts to, receives, sends, runs"""
     call: str
     name: str
     """Name inside the function, where it has one of its own."""
@@ -102,5 +102,5 @@ def _uses_of(function_id: str, function: FunctionJson) -> list[tuple[str | None,
             for reaction in contract.safety_reactions or ():
                 add(reaction.vss_path, "reacts to", call.name)
     for mode in function.mode_interfaces or ():
-        add(mode.vss_path, "tells" if mode.direction == "Out" else "is told")
+        add(mode.vss_path, "sends" if mode.direction == "Out" else "receives")
     return made
