@@ -4,7 +4,10 @@ import asyncio
 import json
 import logging
 import threading
+from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -164,6 +167,12 @@ def test_the_cache_stays_within_its_bound(library: Library) -> None:
     assert [ask(f"{SMALL}/nodes/{path}").json()["path"] for path in paths] == paths
 
 
+def run(coroutine: Coroutine[Any, Any, Any]) -> Any:
+    """In a thread of its own: a browser that is open in this process has an event loop in the main one."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(asyncio.run, coroutine).result()
+
+
 def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() -> None:
     release = threading.Event()
 
@@ -177,7 +186,7 @@ def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() 
         await asyncio.gather(*waiting)
         return [refused.value.status_code, dict(refused.value.headers or {}), await queue.run(lambda: "free again")]
 
-    assert asyncio.run(crowd()) == [503, {"Retry-After": "2"}, "free again"]
+    assert run(crowd()) == [503, {"Retry-After": "2"}, "free again"]
 
 
 def test_work_that_takes_too_long_is_given_up_and_counts_until_it_ends() -> None:
@@ -192,7 +201,7 @@ def test_work_that_takes_too_long_is_given_up_and_counts_until_it_ends() -> None
         await queue.run(lambda: None)  # its turn comes when the first one has ended
         return while_it_runs, queue.pending
 
-    assert asyncio.run(slow()) == (1, 0)
+    assert run(slow()) == (1, 0)
 
 
 def test_a_work_that_runs_out_of_a_time_of_its_own_says_so() -> None:
@@ -200,7 +209,7 @@ def test_a_work_that_runs_out_of_a_time_of_its_own_says_so() -> None:
         raise TimeoutError("its own")
 
     with pytest.raises(TimeoutError, match="its own"):
-        asyncio.run(WorkQueue(at_once=1, waiting=0, seconds=10).run(work))
+        run(WorkQueue(at_once=1, waiting=0, seconds=10).run(work))
 
 
 def test_health_answers_while_heavy_work_runs(library: Library) -> None:
@@ -215,7 +224,7 @@ def test_health_answers_while_heavy_work_runs(library: Library) -> None:
         await work
         return status
 
-    assert asyncio.run(both()) == 200
+    assert run(both()) == 200
 
 
 def test_a_body_that_does_not_arrive_is_given_up(library: Library) -> None:

@@ -364,7 +364,7 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
                 "F041",
                 "timeoutError",
                 (
-                    "The time-out error of 'Speed' must be one that the function declares, not 'CoreAcc_ProposalTimeout_ErrorSts'. "
+                    "The timeout error of 'Speed' must be one that the function declares, not 'CoreAcc_ProposalTimeout_ErrorSts'. "
                     "Add it to the errors of the call."
                 ),
             ),

@@ -49,7 +49,7 @@ def test_heavy_pages_are_refused_while_the_service_is_busy(busy: Ask, address: s
     assert answer.status_code == 503
     assert answer.headers["retry-after"] == "2"
     if not address.startswith("/api") and not address.endswith(".json"):
-        assert "The service is busy" in answer.text
+        assert "Service busy" in answer.text
         assert "Come again in 2\u00a0seconds" in answer.text
 
 
