@@ -6,18 +6,30 @@ from typing import Any
 import jsonschema
 import pytest
 
-from sigcat.function.function_json import model
-from sigcat.function.function_json.model import FunctionJson, function_schema, to_json
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.model import (
+    Component,
+    FunctionInfo,
+    FunctionJson,
+    MetaInfo,
+    Mode,
+    function_schema,
+    to_json,
+)
+from sigcat.function.function_json.runnable import Contract, Runnable, Watchdog, WatchdogLimits
+from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
 from sigcat.function.function_json.wire import WireModel
 from tests.published.schemas import definitions, schema
 
 PUBLISHED = definitions("function_json")
 MODELS: dict[str, type[WireModel]] = {
-    "ArgTypeItem": model.Argument, "Component": model.Component, "DataQ": model.DataQueue, "Datatype": model.Datatype,
-    "Error": model.Error, "FunctionDetails": model.FunctionInfo, "MetaInfoItem": model.MetaInfo, "Method": model.Method,
-    "Mode": model.Mode, "Parameter": model.Parameter, "SafetyReaction": model.SafetyReaction, "Signal": model.Signal,
-    "WatchdogConfig": model.WatchdogLimits, "WatchdogItem": model.Watchdog, "funcContract": model.Contract,
-    "function": model.Runnable,
+    "ArgTypeItem": Argument, "Component": Component, "DataQ": DataQueue, "Datatype": Datatype,
+    "Error": Error, "FunctionDetails": FunctionInfo, "MetaInfoItem": MetaInfo, "Method": Method,
+    "Mode": Mode, "Parameter": Parameter, "SafetyReaction": SafetyReaction, "Signal": Signal,
+    "WatchdogConfig": WatchdogLimits, "WatchdogItem": Watchdog, "funcContract": Contract,
+    "function": Runnable,
 }  # fmt: skip
 
 
@@ -31,7 +43,7 @@ def test_exactly_the_published_fields_are_required(name):
 
 
 def test_every_field_says_what_it_is_and_where_it_comes_from():
-    models = [one for one in vars(model).values() if isinstance(one, type) and issubclass(one, WireModel)]
+    models = [one for one in WireModel.__subclasses__() if one.__module__.startswith("sigcat.function.")]
     assert len(models) > len(MODELS)
     for one in models:
         for field in one.model_fields.values():
@@ -45,11 +57,11 @@ def test_every_field_says_what_it_is_and_where_it_comes_from():
 @pytest.mark.parametrize(
     ("one", "field", "unit"),
     [
-        (model.Runnable, "cycle_time", "ms"),
-        (model.Runnable, "stack_size", "bytes"),
-        (model.Error, "maturation_time", "ms"),
-        (model.Error, "reset_time", "ms"),
-        (model.Signal, "timeout", "ms"),
+        (Runnable, "cycle_time", "ms"),
+        (Runnable, "stack_size", "bytes"),
+        (Error, "maturation_time", "ms"),
+        (Error, "reset_time", "ms"),
+        (Signal, "timeout", "ms"),
     ],
 )
 def test_quantities_say_their_unit(one, field, unit):

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from sigcat.function.function_file import build_function, check_function, check_function_json
-from sigcat.function.function_json.model import milliseconds, to_json
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import to_json
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.needs import published, published_files
 

@@ -6,7 +6,7 @@ schemas and ROS 2 call the same thing.
 
 from typing import NamedTuple
 
-from sigcat.function.function_json.datatypes import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
+from sigcat.function.function_json.primitive_types import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
 
 
 class Spelling(NamedTuple):

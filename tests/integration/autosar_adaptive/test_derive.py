@@ -6,17 +6,11 @@ import jsonschema
 import pytest
 
 from sigcat.errors import InputRefused, UsageError
-from sigcat.function.function_json.model import (
-    DataQueue,
-    Error,
-    FunctionJson,
-    Method,
-    ModeInterface,
-    Parameter,
-    Runnable,
-    SafetyReaction,
-    Signal,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json

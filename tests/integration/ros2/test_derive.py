@@ -7,7 +7,12 @@ import pytest
 from pydantic import BaseModel
 
 from sigcat.errors import UsageError
-from sigcat.function.function_json import model as function_model
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.model import FunctionInfo, Mode
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.deployment_file import DEPLOYMENT_FILE
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.integration.ros2.derive import derive
@@ -410,11 +415,11 @@ def test_datatypes_of_one_name_and_two_meanings_stay_apart():
 
 
 MODELS: dict[str, type[BaseModel]] = {
-    "signal": function_model.Signal, "queue": function_model.DataQueue, "parameter": function_model.Parameter,
-    "method": function_model.Method, "error": function_model.Error, "safety reaction": function_model.SafetyReaction,
-    "call": function_model.Runnable, "transition": function_model.Runnable, "mode": function_model.Mode,
-    "mode interface": function_model.ModeInterface, "datatype": function_model.Datatype,
-    "function": function_model.FunctionInfo,
+    "signal": Signal, "queue": DataQueue, "parameter": Parameter,
+    "method": Method, "error": Error, "safety reaction": SafetyReaction,
+    "call": Runnable, "transition": Runnable, "mode": Mode,
+    "mode interface": ModeInterface, "datatype": Datatype,
+    "function": FunctionInfo,
 }  # fmt: skip
 
 

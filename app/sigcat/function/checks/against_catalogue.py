@@ -11,8 +11,9 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
-from sigcat.function.function_json.model import DataQueue, FunctionJson, Parameter, Signal
-from sigcat.function.function_json.types import symbols_of
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.function_json.walk import contracts, data, parameters, runnables
 
 Problems = Iterator[Problem]

@@ -9,7 +9,9 @@ from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import CONSUMER, PROVIDER, FunctionJson, milliseconds
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import either
 

@@ -14,8 +14,17 @@ from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.datatypes import BY_REFERENCE, agree, c_type, proposed_reference, reference_type
-from sigcat.function.function_json.model import CONSUMER, PROVIDER, Datatype, FunctionJson, Parameter
+from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.primitive_types import (
+    BY_REFERENCE,
+    agree,
+    c_type,
+    proposed_reference,
+    reference_type,
+)
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.walk import (
     contracts,
     data,

@@ -6,15 +6,11 @@ from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import (
-    PROVIDER,
-    DataQueue,
-    FunctionJson,
-    Parameter,
-    Runnable,
-    Signal,
-    milliseconds,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import data, errors, parameters, runnables
 
 Problems = Iterator[Problem]

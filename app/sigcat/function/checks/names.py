@@ -7,7 +7,8 @@ from sigcat import codes
 from sigcat.function.checks.expression import may_hold_value
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import CONSUMER, PROVIDER, FunctionJson
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.walk import contracts, data, methods, parameters, runnables
 from sigcat.names import camel_case, either
 

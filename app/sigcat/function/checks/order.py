@@ -2,7 +2,8 @@
 
 import re
 
-from sigcat.function.function_json.model import Runnable, milliseconds
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.runnable import Runnable
 
 _PHASES = {"Init": 0, "Cyclic": 1, "EventTriggered": 1, "Shutdown": 2}
 _NUMBER = re.compile(r"\s*[+-]?\d{1,18}\s*")

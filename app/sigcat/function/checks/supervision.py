@@ -7,7 +7,8 @@ from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.model import FunctionJson, Runnable, Watchdog, WatchdogLimits
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.function_json.walk import Located, errors, runnables
 
 Problems = Iterator[Problem]

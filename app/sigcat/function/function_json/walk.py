@@ -4,18 +4,11 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.model import (
-    Component,
-    Contract,
-    DataQueue,
-    Error,
-    FunctionJson,
-    Method,
-    Parameter,
-    Runnable,
-    SafetyReaction,
-    Signal,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.model import Component, FunctionJson
+from sigcat.function.function_json.runnable import Contract, Runnable
+from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
 
 
 class Located(NamedTuple):

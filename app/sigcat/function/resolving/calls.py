@@ -8,8 +8,8 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.model import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.contracts import contract
 from sigcat.function.resolving.interfaces import (  # fmt: skip

@@ -10,8 +10,8 @@ from sigcat.catalogue.model.interfaces import Category, by_interface_name, categ
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
-from sigcat.function.function_json.datatypes import BY_VSS
-from sigcat.function.function_json.types import TypeList
+from sigcat.function.function_json.primitive_types import BY_VSS
+from sigcat.function.function_json.type_list import TypeList
 from sigcat.names import last_name
 
 T = TypeVar("T")

@@ -2,8 +2,9 @@
 
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.model import Contract, DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.resolved_function import Origin
+from sigcat.function.function_json.runnable import Contract
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.data_interfaces import data_interface, parameter
 from sigcat.function.resolving.methods import method

@@ -12,10 +12,11 @@ from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
-from sigcat.function.function_json.datatypes import BY_REFERENCE, value_range
-from sigcat.function.function_json.model import CONSUMER, PROVIDER, DataQueue, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.types import symbols_of
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.interfaces import asil_of, interface_node
 from sigcat.function.resolving.numbers import plain_text

@@ -7,7 +7,7 @@ from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
-from sigcat.function.function_json.model import Argument, Method
+from sigcat.function.function_json.methods import Argument, Method
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.data_interfaces import ROLES

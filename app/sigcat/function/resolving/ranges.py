@@ -8,7 +8,7 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_nume
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.datatypes import value_range
+from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.resolving.code_value import CodeValue
 from sigcat.function.resolving.context import Resolving
 from sigcat.function.resolving.numbers import fraction, shown

@@ -11,19 +11,11 @@ from sigcat.function.declaration.declaration import ActiveMode, ComponentItem, D
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode
-from sigcat.function.function_json.model import (
-    CatalogueLayer,
-    Component,
-    DefinedInterface,
-    FunctionInfo,
-    FunctionJson,
-    MetaInfo,
-    Mode,
-    ModeInterface,
-    Provenance,
-)
+from sigcat.function.function_json.model import Component, FunctionInfo, FunctionJson, MetaInfo, Mode
+from sigcat.function.function_json.provenance import CatalogueLayer, DefinedInterface, Provenance
 from sigcat.function.function_json.resolved_function import Origin, ResolvedFunction
-from sigcat.function.function_json.types import symbols_of
+from sigcat.function.function_json.status_interfaces import ModeInterface
+from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.calls import call
 from sigcat.function.resolving.context import Context, Resolving, gathered
 from sigcat.function.resolving.interfaces import interface_node

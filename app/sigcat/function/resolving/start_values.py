@@ -10,7 +10,7 @@ from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.conversion import as_number
-from sigcat.function.function_json.types import Symbols
+from sigcat.function.function_json.type_list import Symbols
 from sigcat.function.resolving.code_value import CodeValue
 from sigcat.function.resolving.context import Resolving
 from sigcat.function.resolving.numbers import fraction, optional_number

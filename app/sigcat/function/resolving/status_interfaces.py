@@ -5,9 +5,9 @@ from sigcat.catalogue.model.interfaces import function_of, interface_name
 from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.model import Error, SafetyReaction
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.types import symbols_of
+from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
 from sigcat.function.resolving.part import Part

@@ -12,8 +12,9 @@ from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
-from sigcat.function.function_json.model import Error, Runnable
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import Error
 from sigcat.function.function_json.walk import errors, runnables
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits

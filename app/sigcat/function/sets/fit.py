@@ -8,17 +8,13 @@ from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.datatypes import c_type
-from sigcat.function.function_json.model import (
-    CONSUMER,
-    PROVIDER,
-    DataQueue,
-    Datatype,
-    FunctionJson,
-    Runnable,
-    Signal,
-    milliseconds,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.runnable import Runnable
 
 Datum = Signal | DataQueue
 

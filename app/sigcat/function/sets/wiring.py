@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.function.function_json.model import Contract, FunctionJson, Runnable
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.walk import data
 from sigcat.function.sets.fit import Datum, End, Misfit, misfits
 

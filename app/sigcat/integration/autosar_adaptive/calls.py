@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from typing import TypeVar
 
 from sigcat import codes
-from sigcat.function.function_json.model import Parameter, Runnable
+from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.context import Context

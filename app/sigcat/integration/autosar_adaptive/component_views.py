@@ -4,15 +4,9 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from sigcat.function.function_json.model import (
-    Argument,
-    DataQueue,
-    Error,
-    Method,
-    ModeInterface,
-    SafetyReaction,
-    Signal,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import FIELD_GROUP, Element, Service, cycle_of, group_of

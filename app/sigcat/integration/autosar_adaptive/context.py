@@ -4,16 +4,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from sigcat.function.function_json.model import (
-    DataQueue,
-    Error,
-    FunctionJson,
-    Method,
-    ModeInterface,
-    SafetyReaction,
-    Signal,
-)
-from sigcat.function.function_json.model import Runnable as Call
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Runnable as Call
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Application, Part
 from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
 from sigcat.integration.autosar_names import distinct, short_name

@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.function_json.model import Contract, FunctionJson
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters

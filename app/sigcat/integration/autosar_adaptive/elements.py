@@ -5,12 +5,9 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.function.function_json.model import (
-    DataQueue,
-    Error,
-    Method,
-    Signal,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.status_interfaces import Error
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (

@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from sigcat.function.function_json.model import DataQueue, Error, Method, ModeInterface, SafetyReaction, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import Service

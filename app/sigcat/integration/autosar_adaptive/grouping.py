@@ -5,15 +5,10 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.function.function_json.model import (
-    PROVIDER,
-    DataQueue,
-    Error,
-    Method,
-    ModeInterface,
-    SafetyReaction,
-    Signal,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_names import branch_of, service_name

@@ -8,15 +8,10 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from sigcat.function.function_json.model import (
-    Argument,
-    DataQueue,
-    Error,
-    ModeInterface,
-    SafetyReaction,
-    Signal,
-    Watchdog,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import Argument
+from sigcat.function.function_json.runnable import Watchdog
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"

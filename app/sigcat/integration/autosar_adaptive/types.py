@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 
 from sigcat import codes
-from sigcat.function.function_json.model import Datatype, FunctionJson
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_names import distinct, short_name

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
-from sigcat.function.function_json.model import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed

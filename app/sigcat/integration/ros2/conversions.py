@@ -6,8 +6,9 @@ from fractions import Fraction
 
 from sigcat import codes
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
-from sigcat.function.function_json.datatypes import value_range
-from sigcat.function.function_json.model import DataQueue, Datatype, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import Spelling
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.model import Conversion, SymbolMap

@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 from pydantic import BaseModel
 
-from sigcat.function.function_json.model import CONSUMER, PROVIDER, Runnable
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
 from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic

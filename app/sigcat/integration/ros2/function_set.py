@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from sigcat.function.function_json.model import Datatype, FunctionJson
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.model import FunctionJson
 
 _REFERENCES = ("Datatype", "ElementType", "typeRef")
 

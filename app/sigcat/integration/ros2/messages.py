@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat import codes
-from sigcat.function.function_json.model import Datatype, Symbol
+from sigcat.function.function_json.datatype import Datatype, Symbol
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed

@@ -6,7 +6,8 @@ there: packages with messages and services, nodes with their life cycle, quality
 
 from typing import Any
 
-from sigcat.function.function_json.model import FunctionJson, Provenance
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
 
 ROS2 = "published ROS 2 integration schema 1.0.0"

@@ -4,15 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from sigcat import codes
-from sigcat.function.function_json.model import (
-    Contract,
-    Datatype,
-    Error,
-    ModeInterface,
-    Runnable,
-    SafetyReaction,
-    milliseconds,
-)
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.runnable import Contract, Runnable
+from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved

@@ -8,8 +8,10 @@ from typing import Any
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.datatypes import value_range
-from sigcat.function.function_json.model import Contract, Datatype, Parameter
+from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.primitive_types import value_range
+from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.conversions import conversion, converted, physical

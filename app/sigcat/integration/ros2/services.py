@@ -4,7 +4,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.function.function_json.model import PROVIDER, Argument, Method, Runnable
+from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.messages import MessageBook, unresolved

@@ -4,15 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.asil import Level, level_of
-from sigcat.function.function_json.model import (
-    PROVIDER,
-    Contract,
-    DataQueue,
-    FunctionJson,
-    Runnable,
-    Signal,
-    milliseconds,
-)
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.names import package_name, report_renamed

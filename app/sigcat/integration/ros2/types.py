@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.function.function_json.model import Datatype, Symbol
+from sigcat.function.function_json.datatype import Datatype, Symbol
 from sigcat.integration.datatypes import BY_VSS, Spelling, of_reference
 
 

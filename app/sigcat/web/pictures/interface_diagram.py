@@ -4,7 +4,9 @@ import math
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
-from sigcat.function.function_json.model import PROVIDER, FunctionJson, Runnable
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit
 

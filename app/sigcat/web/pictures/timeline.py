@@ -5,7 +5,9 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import NamedTuple
 
-from sigcat.function.function_json.model import FunctionJson, Runnable, milliseconds
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.sets.wiring import calls_of
 from sigcat.web.template_filters import number
 

@@ -10,7 +10,8 @@ from sigcat.data import EXAMPLES
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_file import checked_file
-from sigcat.function.function_json.model import PROVIDER, FunctionJson
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.names import nearest
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array
-from sigcat.function.function_json.datatypes import BY_VSS
-from sigcat.function.function_json.model import Datatype, Symbol, TypeField
+from sigcat.function.function_json.datatype import Datatype, Symbol, TypeField
+from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.names import last_name
 
 Symbols = Mapping[str, int]

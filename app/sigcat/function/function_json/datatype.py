@@ -1,0 +1,46 @@
+"""Datatypes that interfaces refer to."""
+
+from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReference, WireModel, described
+
+
+class Symbol(WireModel):
+    """A named value of an enumeration."""
+
+    symbol: str = described("Symbol", "Name of the value.", source=OWN)
+    value: Integer = described("Value", "Number that stands for it.", source=OWN)
+
+
+class TypeField(WireModel):
+    """A member of a struct."""
+
+    name: str = described("Name", "Name of the member.", source=OWN)
+    datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=OWN)
+    units: str | None = described("Units", "Unit of the member.", default=None, source=OWN)
+    description: str | None = described("Description", "What the member means.", default=None, source=OWN)
+    min: Number | None = described("Min", "Smallest value of the member.", default=None, source=OWN, unit="Units")
+    max: Number | None = described("Max", "Largest value of the member.", default=None, source=OWN, unit="Units")
+
+
+class Datatype(WireModel):
+    """A datatype that interfaces refer to."""
+
+    reference: TypeReference = described("typeRef", "Name of the datatype, such as DT_UInt16.")
+    category: str = described("category", "primitive or userdefined.")
+    c_definition: str = described("cDef", "Definition in C.")
+    kind: str | None = described(
+        "Kind", "enumeration, array or struct, where the datatype is one.", default=None, source=OWN
+    )
+    vss_datatype: str | None = described("VssDatatype", "Datatype of VSS.", default=None, source=OWN)
+    symbols: tuple[Symbol, ...] | None = described(
+        "Symbols", "Values of an enumeration.", default=None, source=OWN, strict=False
+    )
+    element: TypeReference | None = described(
+        "ElementType", "Datatype of the elements of an array.", default=None, source=OWN
+    )
+    length: Integer | None = described(
+        "Length", "Elements of an array; absent if that is open.", default=None, source=OWN, unit="elements"
+    )
+    fields: tuple[TypeField, ...] | None = described(
+        "Fields", "Members of a struct, in order.", default=None, source=OWN, strict=False
+    )
+    description: str | None = described("Description", "What a struct is.", default=None, source=OWN)

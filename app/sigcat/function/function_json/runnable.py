@@ -1,0 +1,75 @@
+"""A call of the function: when it runs, how it is supervised, what it reads and writes."""
+
+from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described
+
+
+class WatchdogLimits(WireModel):
+    """Limits of the alive supervision (in cycles) or the deadline supervision (in ms)."""
+
+    min: Number = described("Min", "Fewest indications, or shortest duration.", unit="cycles or ms")
+    max: Number = described("Max", "Most indications, or longest duration.", unit="cycles or ms")
+    reference: Number = described("Ref", "Cycles in which indications are counted; 0 for a deadline.", unit="cycles")
+    error_name: str = described("ErrorName", "Error interface that is set when a limit is broken.")
+    description: str | None = described("Description", "Explanation, if needed.", default=None, source=TABLE)
+
+
+class Watchdog(WireModel):
+    """Supervision of a call by the watchdog."""
+
+    alive: WatchdogLimits | None = described("AliveSupervision", "Limits in cycles.")
+    deadline: WatchdogLimits | None = described("DeadlineSupervision", "Limits in ms.")
+    logical: str | None = described("LogicalSupervision", "Order relative to other calls, in words.")
+    logical_error: str | None = described(
+        "LogicalError", "Error interface that is set when the order is broken.", default=None, source=TABLE
+    )
+
+
+class Contract(WireModel):
+    """What a call reads and writes."""
+
+    type: str | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
+    signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
+    queues: tuple[DataQueue, ...] | None = described("DataQList", "Queued data interfaces.", strict=False)
+    methods: tuple[Method, ...] | None = described("MethodList", "Methods.", strict=False)
+    parameters: tuple[Parameter, ...] | None = described("ParameterList", "Parameters.", strict=False)
+    errors: tuple[Error, ...] | None = described("ErrorList", "Error interfaces.", strict=False)
+    safety_reactions: tuple[SafetyReaction, ...] | None = described(
+        "SafetyReactionList", "Safety reaction interfaces.", strict=False
+    )
+
+
+class Runnable(WireModel):
+    """A call of the function: init, a step, terminate."""
+
+    name: str = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
+    description: str = described("Description", "What the call does.")
+    run_type: str = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
+    cycle_time: Integer | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
+    stack_size: str | None = described(
+        "StackSize", "Stack that the call needs, as a number in a text.", default=None, unit="bytes"
+    )
+    previous_runnable: str | None = described("PrevRunnable", "Call after which this one runs.", default=None)
+    execution_offset: str | None = described(
+        "ExecOffset", "Offset of the first call, as a number in a text.", default=None, unit="ms"
+    )
+    parallel_processing: bool | None = described(
+        "ParallelProcessing", "Whether calls may run at the same time.", default=None
+    )
+    asil_level: str | None = described("AsilLevel", "ASIL that the call is implemented to.", default=None)
+    watchdog: Watchdog | None = described("Watchdog", "Supervision; null if there is none.")
+    scheduling: str = described("Scheduling", "Preemptive or Non-Preemptive.")
+    debounce_delay: str | None = described(
+        "DebounceDelay", "Shortest time between two calls, as a number in a text.", default=None, unit="ms"
+    )
+    priority: str = described("Priority", "Priority relative to other calls; a higher number runs first.")
+    events: str | None = described("EventList", "Events that trigger the call.", default=None)
+    contracts: tuple[Contract, ...] | None = described(
+        "funcContractList", "What the call reads and writes.", default=None, strict=False
+    )
+    supervision_types: tuple[str, ...] | None = described(
+        "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE, strict=False
+    )
+    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)

@@ -1,0 +1,58 @@
+"""Interfaces that say how the function is: errors, safety reactions and modes."""
+
+from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described
+
+
+class Error(WireModel):
+    """An error that the function reports to the fault management of the base software."""
+
+    name: str = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
+    description: str = described("Description", "Condition that the error stands for.")
+    datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
+    dependencies: tuple[str, ...] = described(
+        "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
+    )
+    occurrence_count_limit: Integer = described(
+        "OccurenceCountLimit",
+        "How often the error has to occur to be confirmed; 0 if that does not count.",
+        unit="occurrences",
+    )
+    ignition_count_limit: Integer = described(
+        "IgnitionCountLimit",
+        "Ignition cycles after which the error is confirmed; 0 if they do not count.",
+        unit="ignition cycles",
+    )
+    maturation_time: Integer = described(
+        "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
+    )
+    severity: str = described("Severity", "What the error leads to.")
+    reset_time: Number | None = described(
+        "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
+    )
+    reset_condition: str | None = described(
+        "ResetCondition", "Condition that resets the error.", default=None, source=TABLE
+    )
+    asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
+    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+
+
+class SafetyReaction(WireModel):
+    """A safety condition of which the base software informs the function."""
+
+    name: str = described("Name", "Name of the interface: <SafetyCondition>_SftyCondSts.")
+    description: str = described("Description", "What the condition means for the function.")
+    datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
+    errors: tuple[str, ...] = described("ErrorList", "Error interfaces, any of which sets the condition.", strict=False)
+    asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
+    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+
+
+class ModeInterface(WireModel):
+    """The interface over which a function receives its mode (In), or reports it (Out)."""
+
+    name: str = described("Name", "Name of the interface: <FunctionName>_Mode_In or _Mode_Out.", source=TABLE)
+    description: str = described("Description", "What the interface says.", source=TABLE)
+    direction: str = described("Direction", "In or Out.", source=TABLE)
+    datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
+    modes: tuple[str, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)
+    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
