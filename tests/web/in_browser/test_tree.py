@@ -109,7 +109,7 @@ def test_a_link_to_the_root_opens_it(open_page: Opener) -> None:
 
 def test_the_letters_of_the_tree_are_explained(open_page: Opener) -> None:
     page = open_page("/tree/small")
-    expect(page.locator(".letters")).to_have_text(re.compile(r"S\s+sensor\s+A\s+actuator\s+P\s+attribute"))
+    expect(page.locator(".letters")).to_have_text(re.compile(r"14\s+nodes\s+S\s+sensor\s+A\s+actuator\s+P\s+attribute"))
 
 
 @pytest.mark.parametrize("width", [360, 1280])
