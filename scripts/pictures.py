@@ -56,7 +56,7 @@ def post_functions(page: Page) -> None:
     page.get_by_role("textbox", name="Documents").fill(f"--- # eco_control_mpc.json\n{wrong}")
     page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
     page.get_by_role("button", name="Connect these").click()
-    page.wait_for_selector(".wire.flawed")
+    page.wait_for_selector(".wire.mismatched")
 
 
 def open_show(page: Page) -> None:

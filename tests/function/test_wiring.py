@@ -40,9 +40,9 @@ def takes(path: str = "Vehicle.A", **more: Any) -> dict[str, Any]:
     return {"VssPath": path, "Role": "Consumer", **more}
 
 
-def flaws(given: dict[str, Any], wanted: dict[str, Any], cycle: int = 10) -> tuple[str, ...]:
+def messages(given: dict[str, Any], wanted: dict[str, Any], cycle: int = 10) -> tuple[str, ...]:
     (link,) = connect([function("One", given, cycle=cycle), function("Two", wanted)]).links
-    return link.flaws
+    return tuple(mismatch.message for mismatch in link.mismatches)
 
 
 def test_what_one_provides_and_another_consumes_is_a_link() -> None:
@@ -82,25 +82,25 @@ def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "wanted", "told"),
+    ("given", "wanted", "expected"),
     [
-        ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "at QM, and Two needs B"),
-        ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "in km/h, and m/s is expected"),
-        ({"VssDatatype": "uint8"}, {}, "as uint8, and float is expected"),
-        ({"Min": -5, "Max": 5}, {"Min": 0, "Max": 5}, "down to -5, and values from 0 on are expected"),
-        ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "up to 100, and values up to 50 are expected"),
+        ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "at ASIL B, as Two needs it, not at QM"),
+        ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "must be km/h, as One provides it, not m/s"),
+        ({"VssDatatype": "uint8"}, {}, "must be uint8, as One provides it, not float"),
+        ({"Min": -5, "Max": 5}, {"Min": 0, "Max": 5}, "down to -5, as One provides it, not only to 0"),
+        ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "up to 100, as One provides it, not only to 50"),
     ],
 )
-def test_what_does_not_fit_is_told(given: dict[str, Any], wanted: dict[str, Any], told: str) -> None:
-    (flaw,) = flaws(gives(**given), takes(**wanted))
-    assert told in flaw
+def test_what_does_not_fit_is_a_mismatch(given: dict[str, Any], wanted: dict[str, Any], expected: str) -> None:
+    (message,) = messages(gives(**given), takes(**wanted))
+    assert expected in message
 
 
 def test_ranges_are_compared_in_the_unit_of_the_catalogue() -> None:
-    assert flaws(gives(Max=100), takes(Max=27.7777778, ConversionFactor="3.6", ConversionOffset="0")) == ()
+    assert messages(gives(Max=100), takes(Max=27.7777778, ConversionFactor="3.6", ConversionOffset="0")) == ()
 
 
 def test_a_signal_that_comes_later_than_its_consumer_waits_does_not_fit() -> None:
-    (flaw,) = flaws(gives(), takes(Timeout="200"), cycle=500)
-    assert "every 500 ms" in flaw
-    assert flaws(gives(), takes(Timeout="1500"), cycle=500) == ()
+    (message,) = messages(gives(), takes(Timeout="200"), cycle=500)
+    assert "at least 500 ms" in message
+    assert messages(gives(), takes(Timeout="1500"), cycle=500) == ()

@@ -63,7 +63,12 @@ def test_near_names_are_proposed_for_functions_and_views(site: Ask) -> None:
 def test_ecocontrol_is_wired(site: Ask) -> None:
     wiring = site("/wiring.json").json()
     assert wiring["links"] == [
-        {"path": "Vehicle.ADAS.EcoControl.AccelerationProposal", "from": "EcoControlMpc", "to": "CoreAcc", "flaws": []}
+        {
+            "path": "Vehicle.ADAS.EcoControl.AccelerationProposal",
+            "from": "EcoControlMpc",
+            "to": "CoreAcc",
+            "mismatches": [],
+        }
     ]
     page = site("/wiring").text
     assert "EcoControlMpc_Step" in page

@@ -30,8 +30,8 @@ def connected(site: Ask, *files: tuple[str, str], **form: object) -> httpx.Respo
     return site("/wiring", "POST", data=form, files=posted or [("file", ("", b""))])
 
 
-def flawed(page: str) -> list[str]:
-    return re.findall(r'<g class="wire flawed"><title>(\S+)', page)
+def mismatched(page: str) -> list[str]:
+    return re.findall(r'<g class="wire mismatched"><title>(\S+)', page)
 
 
 def test_posted_files_are_connected_with_shipped_functions(site: Ask, proposing: str) -> None:
@@ -54,7 +54,7 @@ def test_pasted_documents_are_connected_and_stay_in_the_field(site: Ask) -> None
 def test_a_mismatch_is_red_and_told_beside_its_line(site: Ask, proposing: str) -> None:
     other = proposing.replace('"VssDatatype": "float",\n', '"VssDatatype": "uint8",\n')
     page = connected(site, ("mpc.json", other), f="core_acc").text
-    assert flawed(page) == ["Vehicle.ADAS.EcoControl.AccelerationProposal"]
+    assert mismatched(page) == ["Vehicle.ADAS.EcoControl.AccelerationProposal"]
     assert re.search(r'/rules/F100\?catalogue=interfaces">F100</a>', page)
     assert "fit together" not in page
 

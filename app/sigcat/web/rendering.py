@@ -64,13 +64,13 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
         title_of=partial(title_in, library),
         address=request.url.path,
         request_method=request.method,
-        is_flawed=_is_flawed(context["hosted"]),
+        is_composed_with_errors=_is_composed_with_errors(context["hosted"]),
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
 
 
-def _is_flawed(hosted: Hosted | None) -> bool:
+def _is_composed_with_errors(hosted: Hosted | None) -> bool:
     """Whether a tree is shown whose files had errors when they were read first."""
     return hosted is not None and bool(hosted.catalogue.roots) and has_errors(hosted.catalogue.findings)
 

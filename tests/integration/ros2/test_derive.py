@@ -360,6 +360,20 @@ def test_a_parameter_that_nodes_do_not_have_is_told(rule, more):
     assert (rule, "Vehicle.Limit") in rules([made])
 
 
+def test_a_call_follows_those_of_its_node_that_it_names_but_for_init():
+    last = function(call={"PrevRunnable": "Acc_Init, Acc_Read, Acc_Filter, Hmi_Step"})
+    (step,) = last.components[0].runnables
+    first = [
+        step.model_copy(update={"name": name, "run_type": kind, "previous_runnable": None})
+        for name, kind in (("Acc_Init", "Init"), ("Acc_Read", "Cyclic"), ("Acc_Filter", "Cyclic"))
+    ]
+    component = last.components[0].model_copy(update={"runnables": (*first, step)})
+    made = last.model_copy(update={"components": (component,)})
+    after = {each["RunnableName"]: each.get("After") for each in node([made])["Schedules"]}
+    assert after == {"Acc_Read": None, "Acc_Filter": None, "Acc_Step": "Acc_Read, Acc_Filter"}
+    assert {("N204", "Acc_Step")} == {found for found in rules([made]) if found[0] == "N204"}
+
+
 def test_errors_are_diagnostics_and_depend_on_those_of_other_nodes():
     statuses = {each["Error"]: each for each in node(examples())["Diagnostics"]}
     assert statuses["CoreAcc_ProposalTimeout_ErrorSts"]["Dependencies"] == [

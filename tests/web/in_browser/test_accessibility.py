@@ -50,7 +50,7 @@ def test_axe_finds_nothing_in_what_was_posted(open_page: Opener) -> None:
     page.get_by_role("textbox", name="Documents").fill(f"{wrong}\n---\nfunction: Bad\ncomponents: 3\n")
     page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
     page.get_by_role("button", name="Connect these").click()
-    expect(page.locator(".wire.flawed")).to_have_count(1)
+    expect(page.locator(".wire.mismatched")).to_have_count(1)
     page.get_by_text("documents of your own").click()
     _check(page)
 

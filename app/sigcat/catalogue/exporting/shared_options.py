@@ -16,7 +16,7 @@ STRICTNESS = (
     Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated"),
     Option("strict", "switch", "refuse whatever --aborts can refuse", False),
     Option(
-        "aborts", "texts", "kind of flaw that ends the export; may be repeated",
+        "aborts", "texts", "kind of problem that ends the export; may be repeated",
         choices=("name-style", "unknown-attribute", "default-matches-first-allowed"),
     ),
     Option("strict-exceptions", "input", "YAML file with the paths that --strict and --aborts leave alone"),

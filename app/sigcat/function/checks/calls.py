@@ -72,9 +72,8 @@ def _order(function: FunctionJson) -> Problems:
                 message = f"{name} depends on itself: it runs after {previous}, and that after it."
                 circle = circle_of[name]
                 yield Problem(codes.PREVIOUS_CALLS_IN_A_CIRCLE, at, message, subject=subject, circle=circle)
-            elif reason := contradiction(located.runnable, by_name[previous].runnable):
-                message = f"{name} runs after {previous}, {reason}."
-                yield Problem(codes.ORDER_CONTRADICTS_PRIORITY, at, message, subject=subject)
+            elif found := contradiction(located.runnable, by_name[previous].runnable):
+                yield Problem(codes.ORDER_CONTRADICTS_PRIORITY, at, found.message, found.fix, subject)
 
 
 def _unknown_previous(

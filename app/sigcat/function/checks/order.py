@@ -1,6 +1,7 @@
 """The order of calls: what `previous runnable`, priority, offset and run type say together."""
 
 import re
+from typing import NamedTuple
 
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
@@ -15,20 +16,36 @@ def previous_calls(runnable: Runnable) -> tuple[str, ...]:
     return tuple(name for name in names if name)
 
 
-def contradiction(runnable: Runnable, previous: Runnable) -> str:
-    """Why a call cannot run after another one, as the rest of a sentence; nothing if it can."""
+class Contradiction(NamedTuple):
+    """Why a call cannot run after another one, and what to do."""
+
+    message: str
+    fix: str
+
+
+def contradiction(runnable: Runnable, previous: Runnable) -> Contradiction | None:
+    """What keeps a call from running after another one, if anything does."""
+    name = runnable.name
     phase, phase_before = _PHASES.get(runnable.run_type), _PHASES.get(previous.run_type)
     if phase is not None and phase_before is not None and phase < phase_before:
-        return f"but its run type is {runnable.run_type}, and that of {previous.name} is {previous.run_type}"
+        message = f"{name} must not run after {previous.name}: {runnable.run_type} comes before {previous.run_type}."
+        return Contradiction(message, "Remove it as the previous call.")
     if not runnable.cycle_time or runnable.cycle_time != previous.cycle_time:
-        return ""
+        return None
     offset, offset_before = (milliseconds(call.execution_offset) or 0 for call in (runnable, previous))
-    if offset != offset_before:
-        return f"but starts {offset_before - offset:g} ms before it in every cycle" if offset < offset_before else ""
+    if offset < offset_before:
+        message = f"The offset of {name} must be at least {offset_before:g} ms, that of {previous.name}, after which it runs, not {offset:g} ms."
+        return Contradiction(message, "Start it later, or remove the previous call.")
+    return _above(runnable, previous) if offset == offset_before else None
+
+
+def _above(runnable: Runnable, previous: Runnable) -> Contradiction | None:
+    """A higher priority runs first."""
     priority, priority_before = priority_of(runnable), priority_of(previous)
     if priority is not None and priority_before is not None and priority > priority_before:
-        return f"but its priority {priority} is above {priority_before}, so that it runs first"
-    return ""
+        message = f"The priority of {runnable.name} must be at most {priority_before}, that of {previous.name}, after which it runs, not {priority}."
+        return Contradiction(message, "Lower it, or remove the previous call.")
+    return None
 
 
 def priority_of(runnable: Runnable) -> int | None:

@@ -117,7 +117,9 @@ class CallDefinition(DeclarationModel):
     )
     debounce_time: Duration | None = Field(None, description="Shortest time between two calls, in ms.")
     asil: Asil | None = Field(None, description="ASIL that the call is implemented to.")
-    previous_runnable: Text | None = Field(None, description="Call after which this one runs.")
+    previous_runnable: Text | None = Field(
+        None, description="Step after which this one runs; all steps run after init."
+    )
     alive_supervision: AliveDefinition | None = Field(None, description="Limits in indications per period.")
     deadline_supervision: DeadlineDefinition | None = Field(None, description="Limits in ms.")
     logical_supervision: LogicalDefinition | None = Field(None, description="Order relative to other calls.")

@@ -66,7 +66,6 @@ define:
       priority: 10
       scheduling: Preemptive
       asil: QM
-      previousRunnable: Init
       aliveSupervision: {minIndications: 9, referenceIndications: 10, maxIndications: 11, error: AliveError}
       stackSize: 4096
       description: Computes the outputs.

@@ -47,7 +47,7 @@ def code_datatype(
     own, wanted = str(node.values["datatype"]), item.datatype
     if wanted is None or wanted == own:
         return _stored(own, symbols)
-    message, fix = _misfit(own, wanted, symbols, context)
+    message, fix = _other_datatype(own, wanted, symbols, context)
     if message:
         yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
         return None
@@ -61,7 +61,7 @@ def _stored(own: str, symbols: Symbols | None) -> str:
     return smallest_integer(symbols) + ("[]" if is_array(own) else "")
 
 
-def _misfit(own: str, wanted: str, symbols: Symbols | None, context: Context) -> tuple[str, str]:
+def _other_datatype(own: str, wanted: str, symbols: Symbols | None, context: Context) -> tuple[str, str]:
     """Why the code cannot hold a value of the catalogue in a datatype, and what to do; empty if it can."""
     if element_of(wanted) not in BY_VSS:
         return f"Unknown datatype {wanted!r}.", context.hint(wanted, BY_VSS)

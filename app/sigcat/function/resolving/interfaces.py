@@ -65,7 +65,7 @@ def asil_of(node: Node, at: Pointer) -> Resolving[Level | None]:
     value = node.values.get("ASILlevel")
     level = level_of(value)
     if value is not None and level is None:
-        yield _misfit(node, "ASILlevel", either(LEVELS), at)._replace(rule=codes.ASIL_MISSPELLED)
+        yield _not_expected(node, "ASILlevel", either(LEVELS), at)._replace(rule=codes.ASIL_MISSPELLED)
     return level
 
 
@@ -74,7 +74,7 @@ def number_of(node: Node, name: str, at: Pointer) -> Resolving[float | None]:
     value = node.values.get(name)
     if value is None or (isinstance(value, int | float) and not isinstance(value, bool)):
         return value
-    yield _misfit(node, name, "a number", at)
+    yield _not_expected(node, name, "a number", at)
     return None
 
 
@@ -83,7 +83,7 @@ def integer_of(node: Node, name: str, at: Pointer) -> Resolving[int | None]:
     value = yield from number_of(node, name, at)
     if value is None or value == int(value):
         return None if value is None else int(value)
-    yield _misfit(node, name, "a whole number", at)
+    yield _not_expected(node, name, "a whole number", at)
     return None
 
 
@@ -93,7 +93,7 @@ def texts_of(node: Node, name: str, at: Pointer) -> Resolving[tuple[str, ...]]:
     values = [] if value is None else value if isinstance(value, list) else [value]
     if all(isinstance(item, str) for item in values):
         return tuple(values)
-    yield _misfit(node, name, "a list of names", at)
+    yield _not_expected(node, name, "a list of names", at)
     return ()
 
 
@@ -102,11 +102,11 @@ def mapping_of(node: Node, name: str, at: Pointer) -> Resolving[dict[str, Any] |
     value = node.values.get(name)
     if value is None or isinstance(value, dict):
         return value
-    yield _misfit(node, name, "a mapping", at)
+    yield _not_expected(node, name, "a mapping", at)
     return None
 
 
-def _misfit(node: Node, name: str, expected: str, at: Pointer) -> Problem:
+def _not_expected(node: Node, name: str, expected: str, at: Pointer) -> Problem:
     origin = node.definition.origin(name)
     value = repr(node.values.get(name))[:60]
     message = f"`{name}` of {node.path!r} must be {expected}, not {value} ({origin.file}:{origin.line})."

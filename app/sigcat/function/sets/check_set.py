@@ -54,7 +54,7 @@ def check_set(
     functions = [member.resolved for member in chosen.values() if member.resolved is not None]
     by_name = {function.name: function for function in functions}
     wiring = connect([function.function for function in functions])
-    findings = [*_same_names(members, chosen), *_misfits(wiring, by_name), *_rivals(wiring, by_name)]
+    findings = [*_same_names(members, chosen), *_mismatches(wiring, by_name), *_rivals(wiring, by_name)]
     if is_whole and catalogue is not None and not any(member.is_incomplete for member in members):
         findings.extend(_unprovided(wiring, by_name, catalogue))
     return in_order([*findings, *_order(functions), *_dependencies(functions)])
@@ -87,10 +87,10 @@ def _same_names(members: Iterable[CheckedFunction], chosen: Mapping[str, Checked
 # -- links --------------------------------------------------------------------------------------------------------
 
 
-def _misfits(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findings:
+def _mismatches(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findings:
     for link in wiring.links:
         end = link.consumer
-        for rule, key, message, fix in link.misfits:
+        for rule, key, message, fix in link.mismatches:
             pointer = (*end.pointer, key) if key else end.pointer
             yield functions[end.function].finding(rule, pointer, message, fix, link.path)
 
@@ -155,10 +155,10 @@ def _unknown_previous(name: str, call: _Call, previous: str, functions: Iterable
 def _across(call: _Call, other: _Call, *, is_circular: bool) -> Findings:
     """An order of calls of two functions that cannot be kept."""
     name, previous, pointer = call.call.name, other.call.name, (*call.pointer, "PrevRunnable")
-    reason = contradiction(call.call, other.call)
-    if reason:
-        message, rule = f"{name} runs after {previous}, {reason}.", codes.ORDER_CONTRADICTS_PRIORITY_OF_ANOTHER
-        yield call.function.finding(rule, pointer, message, path=name)
+    found = contradiction(call.call, other.call)
+    if found:
+        rule = codes.ORDER_CONTRADICTS_PRIORITY_OF_ANOTHER
+        yield call.function.finding(rule, pointer, found.message, found.fix, name)
     if is_circular:
         message = f"{name} depends on itself, through {previous}."
         yield call.function.finding(codes.CALLS_OF_FUNCTIONS_IN_A_CIRCLE, pointer, message, path=name)

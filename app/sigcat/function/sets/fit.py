@@ -54,7 +54,7 @@ class End(NamedTuple):
         return self.signal.role == CONSUMER
 
 
-class Misfit(NamedTuple):
+class Mismatch(NamedTuple):
     """Something in which the ends of a signal contradict each other."""
 
     rule: RuleCode
@@ -64,37 +64,16 @@ class Misfit(NamedTuple):
     fix: str
 
 
-def misfits(provider: End, consumer: End) -> Iterator[Misfit]:
+Mismatches = Iterator[Mismatch]
+
+
+def mismatches(provider: End, consumer: End) -> Mismatches:
     """Everything in which a consumer expects something else than its provider gives."""
-    wanted, given = consumer.signal, provider.signal
-    key, range_ = _other_range(wanted, given)
-    for rule, at, misfit, fix in (
-        (codes.PROVIDED_AS_ANOTHER_DATATYPE, "Datatype", _other_datatype(consumer, provider), "Agree on one."),
-        (
-            codes.PROVIDED_IN_ANOTHER_UNIT,
-            "Units",
-            _other_unit(wanted, given),
-            "Agree on one, or give the path in the catalogue.",
-        ),
-        (
-            codes.PROVIDED_BEYOND_THE_RANGE,
-            key,
-            range_,
-            "Widen the range, or say what replaces others: rangeErrorAction.",
-        ),
-        (
-            codes.TIMEOUT_SHORTER_THAN_PROVIDER,
-            "Timeout",
-            _too_short(wanted, provider.runnable),
-            "Wait longer than one cycle of the provider.",
-        ),
-    ):
-        if misfit:
-            yield Misfit(rule, at, f"{provider.function} provides {consumer.path!r} {misfit}.", fix)
-    level, own = level_of(wanted.asil_level), level_of(given.asil_level)
-    if is_above(level, own):
-        message = f"{provider.function} provides {consumer.path!r} at {own}, and {consumer.function} needs {level}."
-        yield Misfit(codes.PROVIDED_AT_LOWER_ASIL, "", message, "")
+    yield from _datatype(provider, consumer)
+    yield from _unit(provider, consumer)
+    yield from _range(provider, consumer)
+    yield from _timeout(provider, consumer)
+    yield from _asil(provider, consumer)
 
 
 # -- datatype and unit --------------------------------------------------------------------------------------------
@@ -103,25 +82,45 @@ _PRIMITIVE = frozenset(("Bool", "Float32", "Float64", "UInt8", "UInt16", "UInt32
 """The usual datatypes, of which one need not ask whether they are enumerations."""
 
 
-def _other_datatype(consumer: End, provider: End) -> str:
-    wanted, given = consumer.signal, provider.signal
-    if wanted.vss_datatype and given.vss_datatype:
-        if wanted.vss_datatype != given.vss_datatype:
-            return f"as {given.vss_datatype}, and {wanted.vss_datatype} is expected"
-        own, other = _symbols(consumer), _symbols(provider)
-        return "with other numbers for its values" if own and other and own != other else ""
-    own_type, other_type = _type(consumer), _type(provider)
-    if own_type is None or other_type is None or _meant(own_type) == _meant(other_type):
-        return ""
-    return f"as {other_type.c_definition}, and {own_type.c_definition} is expected"
+def _datatype(provider: End, consumer: End) -> Mismatches:
+    given, wanted = _names_of_datatypes(provider, consumer)
+    message = ""
+    if given != wanted:
+        message = (
+            f"The datatype of {consumer.path!r} must be {given}, as {provider.function} provides it, not {wanted}."
+        )
+    elif _have_other_symbols(provider, consumer):
+        message = (
+            f"The values of {consumer.path!r} must have the numbers that {provider.function} provides, not others."
+        )
+    if message:
+        yield Mismatch(codes.PROVIDED_AS_ANOTHER_DATATYPE, "Datatype", message, "Use the same datatype in both.")
 
 
-def _meant(datatype: Datatype) -> object:
+def _names_of_datatypes(provider: End, consumer: End) -> tuple[str, str]:
+    """The datatypes of both ends by VSS, or where one does not say so, by C; equal if they mean the same."""
+    given, wanted = provider.signal.vss_datatype, consumer.signal.vss_datatype
+    if given and wanted:
+        return given, wanted
+    own, other = _type(provider), _type(consumer)
+    if own is None or other is None or _meaning(own) == _meaning(other):
+        return "", ""
+    return own.c_definition, other.c_definition
+
+
+def _meaning(datatype: Datatype) -> object:
     return c_type(datatype.c_definition) or datatype.c_definition
 
 
 def _type(end: End) -> Datatype | None:
     return next((each for each in end.owner.datatypes if each.reference == end.signal.datatype), None)
+
+
+def _have_other_symbols(provider: End, consumer: End) -> bool:
+    if not (provider.signal.vss_datatype and consumer.signal.vss_datatype):
+        return False
+    given, wanted = _symbols(provider), _symbols(consumer)
+    return bool(given and wanted and given != wanted)
 
 
 def _symbols(end: End) -> Mapping[str, int]:
@@ -131,37 +130,51 @@ def _symbols(end: End) -> Mapping[str, int]:
     return {symbol.symbol: symbol.value for symbol in (datatype.symbols if datatype else None) or ()}
 
 
-def _other_unit(wanted: Datum, given: Datum) -> str:
-    both = bool(wanted.vss_path and given.vss_path)
-    own, other = (wanted.vss_unit, given.vss_unit) if both else (wanted.units, given.units)
-    return "" if (own or "") == (other or "") else f"in {other or 'no unit'}, and {own or 'no unit'} is expected"
+def _unit(provider: End, consumer: End) -> Mismatches:
+    given, wanted = provider.signal, consumer.signal
+    both = bool(given.vss_path and wanted.vss_path)
+    own, other = (given.vss_unit, wanted.vss_unit) if both else (given.units, wanted.units)
+    if (own or "") != (other or ""):
+        message = (
+            f"The unit of {consumer.path!r} must be {own or 'none'}, as {provider.function} provides it,"
+            f" not {other or 'none'}."
+        )
+        fix = "Use the same unit in both, or give the path in the catalogue."
+        yield Mismatch(codes.PROVIDED_IN_ANOTHER_UNIT, "Units", message, fix)
 
 
 # -- range and time -----------------------------------------------------------------------------------------------
 
 
-def _other_range(wanted: Datum, given: Datum) -> tuple[str, str]:
-    """The limit of the consumer, and what it does not hold; its key is the one in its own unit.
+def _range(provider: End, consumer: End) -> Mismatches:
+    """In the unit of the catalogue; the key is that of the limit in the consumer's own unit.
 
     A consumer that says what replaces a value out of range has said what to do.
     """
-    if wanted.range_error_action:
-        return "", ""
-    (low, high), (own_low, own_high) = _range(given), _range(wanted)
-    keys = ("Max", "Min") if _falls(wanted) else ("Min", "Max")
-    if low is not None and own_low is not None and low < own_low - _slack(own_low):
-        return keys[0], f"down to {float(low):g}, and values from {float(own_low):g} on are expected"
-    if high is not None and own_high is not None and high > own_high + _slack(own_high):
-        return keys[1], f"up to {float(high):g}, and values up to {float(own_high):g} are expected"
-    return "", ""
+    if consumer.signal.range_error_action:
+        return
+    given, wanted = _range_of(provider.signal), _range_of(consumer.signal)
+    keys = ("Max", "Min") if _falls(consumer.signal) else ("Min", "Max")
+    for key, end, own, other, sign in (
+        (keys[0], "down", given[0], wanted[0], -1),
+        (keys[1], "up", given[1], wanted[1], 1),
+    ):
+        if own is not None and other is not None and (own - other) * sign > _rounding(other):
+            message = (
+                f"The range of {consumer.path!r} must go {end} to {float(own):g}, as {provider.function} provides it,"
+                f" not only to {float(other):g}."
+            )
+            fix = "Widen the range, or say what replaces others: rangeErrorAction."
+            yield Mismatch(codes.PROVIDED_BEYOND_THE_RANGE, key, message, fix)
+            return
 
 
-def _slack(bound: Fraction) -> Fraction:
+def _rounding(limit: Fraction) -> Fraction:
     """Rounding of limits that were converted and written as decimal numbers."""
-    return abs(bound) * Fraction(1, 10**9)
+    return abs(limit) * Fraction(1, 10**9)
 
 
-def _range(datum: Datum) -> tuple[Fraction | None, Fraction | None]:
+def _range_of(datum: Datum) -> tuple[Fraction | None, Fraction | None]:
     """The range in the unit of the catalogue."""
     try:
         factor, offset = Fraction(datum.conversion_factor or 1), Fraction(datum.conversion_offset or 0)
@@ -176,8 +189,26 @@ def _falls(datum: Datum) -> bool:
     return (datum.conversion_factor or "").strip().startswith("-")
 
 
-def _too_short(wanted: Datum, provider: Runnable) -> str:
-    timeout, cycle = milliseconds(wanted.timeout), provider.cycle_time
-    if timeout is None or not cycle or timeout >= cycle:
-        return ""
-    return f"every {cycle} ms, and its time-out is {timeout:g} ms"
+def _timeout(provider: End, consumer: End) -> Mismatches:
+    timeout, cycle = milliseconds(consumer.signal.timeout), provider.runnable.cycle_time
+    if timeout is not None and cycle and timeout < cycle:
+        message = (
+            f"The time-out of {consumer.path!r} must be at least {cycle} ms, the cycle in which {provider.function}"
+            f" provides it, not {timeout:g} ms."
+        )
+        fix = "Wait longer than one cycle of the provider."
+        yield Mismatch(codes.TIMEOUT_SHORTER_THAN_PROVIDER, "Timeout", message, fix)
+
+
+# -- safety -------------------------------------------------------------------------------------------------------
+
+
+def _asil(provider: End, consumer: End) -> Mismatches:
+    given, wanted = level_of(provider.signal.asil_level), level_of(consumer.signal.asil_level)
+    if is_above(wanted, given):
+        message = (
+            f"{provider.function} must provide {consumer.path!r} at ASIL {wanted}, as {consumer.function} needs it,"
+            f" not at {given}."
+        )
+        fix = f"Develop the provider to {wanted}, or let the consumer need less."
+        yield Mismatch(codes.PROVIDED_AT_LOWER_ASIL, "", message, fix)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.walk import data
-from sigcat.function.sets.fit import Datum, End, Misfit, misfits
+from sigcat.function.sets.fit import Datum, End, Mismatch, mismatches
 
 __all__ = ["End", "Link", "Wiring", "calls_of", "connect", "data_of"]
 
@@ -17,12 +17,7 @@ class Link(NamedTuple):
     path: str
     provider: End
     consumer: End
-    misfits: tuple[Misfit, ...]
-
-    @property
-    def flaws(self) -> tuple[str, ...]:
-        """What does not fit, each as a sentence."""
-        return tuple(misfit.message for misfit in self.misfits)
+    mismatches: tuple[Mismatch, ...]
 
 
 class Rivals(NamedTuple):
@@ -113,7 +108,7 @@ def _links(providers: Sequence[End], consumers: Sequence[End]) -> Iterator[Link]
 
 
 def _link(provider: End, consumer: End) -> Link:
-    return Link(consumer.path, provider, consumer, tuple(misfits(provider, consumer)))
+    return Link(consumer.path, provider, consumer, tuple(mismatches(provider, consumer)))
 
 
 def _first_of_each(ends: Iterable[End]) -> list[End]:

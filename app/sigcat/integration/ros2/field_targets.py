@@ -103,7 +103,7 @@ _CALL: Targets = {
     "Runtype": "{schedule}: Trigger",
     "Cycletime": "{schedule}: Period",
     "StackSize": FieldTarget(NOT_CARRIED, "ROS 2 sets no stack size"),
-    "PrevRunnable": FieldTarget("{schedule}: After", "init comes first by the life cycle"),
+    "PrevRunnable": FieldTarget("{schedule}: After", "a call of the same node; the life cycle runs init first"),
     "ExecOffset": "{schedule}: Offset",
     "ParallelProcessing": "{schedule}: CallbackGroupType",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),

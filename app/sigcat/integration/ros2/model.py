@@ -208,7 +208,7 @@ class Schedule(WireModel):
     offset: Number | None = described("Offset", "Delay of the timer's first call.", default=None, unit="ms", source=OWN)
     debounce: Number | None = described("Debounce", "Shortest time between calls.", default=None, unit="ms", source=OWN)
     topics: tuple[str, ...] = described("Topics", "Topics whose values trigger the call.", source=OWN, strict=False)
-    after: str | None = described("After", "Call of the node that it follows.", default=None, source=OWN)
+    after: str | None = described("After", "Calls of the node that it follows.", default=None, source=OWN)
     callback_group: str = described("CallbackGroup", "Name of its callback group.", source=OWN)
     callback_group_type: str = described("CallbackGroupType", "MutuallyExclusive or Reentrant.", source=OWN)
     thread_priority: Integer | None = described(

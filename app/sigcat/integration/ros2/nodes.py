@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from sigcat import codes
+from sigcat.function.checks.order import previous_calls
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Contract, Runnable
@@ -145,18 +146,16 @@ def _triggers(call: Runnable, part: Part, exchanged: Sequence[Communication]) ->
 
 
 def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None:
-    """The call of this node that a call follows. The life cycle already puts init before every step."""
-    before = call.previous_runnable
+    """The calls of this node that a call follows. The life cycle already puts init before every step."""
     own = {other.name: other for other in part.component.runnables}
-    if not before or (before in own and run_kind(own[before]) == INIT):
-        return None
-    if before not in own:
-        message = f"{call.name} must run after a call of its own node, not after {before}: nodes have no order."
-        findings.report(
-            codes.ORDER_BETWEEN_NODES, message, call.name, "Let a signal of one trigger the other, or use offsets."
-        )
-        return None
-    return before
+    before = previous_calls(call)
+    for name in before:
+        if name not in own:
+            message = f"{call.name} must run after a call of its own node, not after {name}: nodes have no order."
+            findings.report(
+                codes.ORDER_BETWEEN_NODES, message, call.name, "Let a signal of one trigger the other, or use offsets."
+            )
+    return ", ".join(name for name in before if name in own and run_kind(own[name]) != INIT) or None
 
 
 def _priority(call: Runnable, findings: FindingCollector) -> int | None:

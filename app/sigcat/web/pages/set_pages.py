@@ -177,7 +177,12 @@ def _as_data(together: FunctionSet) -> dict[str, object]:
     return {
         "functions": list(wiring.functions),
         "links": [
-            {"path": link.path, "from": link.provider.function, "to": link.consumer.function, "flaws": list(link.flaws)}
+            {
+                "path": link.path,
+                "from": link.provider.function,
+                "to": link.consumer.function,
+                "mismatches": [mismatch.message for mismatch in link.mismatches],
+            }
             for link in wiring.links
         ],
         "fromOutside": [{"path": end.path, "to": end.function} for end in wiring.from_outside],

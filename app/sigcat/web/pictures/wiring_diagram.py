@@ -39,7 +39,7 @@ class Wire(NamedTuple):
     """Path data of SVG."""
     middle: tuple[float, float]
     path: str
-    flaws: tuple[str, ...]
+    mismatches: tuple[str, ...]
 
 
 class WiringDiagram(NamedTuple):
@@ -108,4 +108,5 @@ def _wire(link: Link, pins: Mapping[tuple[str, str, bool], Pin]) -> Wire:
     start, end = pins[link.provider.function, link.path, True], pins[link.consumer.function, link.path, False]
     bend = max(abs(end.x - start.x) / 2, 60)
     curve = f"M{start.x} {start.y} C{start.x + bend:g} {start.y} {end.x - bend:g} {end.y} {end.x} {end.y}"
-    return Wire(curve, ((start.x + end.x) / 2, (start.y + end.y) / 2), link.path, link.flaws)
+    messages = tuple(mismatch.message for mismatch in link.mismatches)
+    return Wire(curve, ((start.x + end.x) / 2, (start.y + end.y) / 2), link.path, messages)
