@@ -12,6 +12,8 @@ FileKind = Literal["vspec", "units", "quantities", "function", "function json", 
 """`vspec` is a tree, an overlay, struct types, or a part of one; `function` is a function.yaml."""
 
 ROOT_NAME = "VehicleSignalSpecification.vspec"
+SHIPPED_ROOT = "Vehicle"
+"""The root of the shipped tree, which an overlay without a tree of its own is made for."""
 TYPES_NAME = "VehicleDataTypes.vspec"
 """What the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
 UNIT_NAMES = ("units.yaml", "units.yml")
@@ -33,7 +35,9 @@ _TYPE = rb"""(?:^[ \t]+|[{,][ \t]*)["']?type["']?[ \t]*:[ \t]*["']?"""
 _NODE = _TYPE + rb"(branch|sensor|actuator|attribute|struct|property)\b"
 _STRUCT = _TYPE + rb"struct\b"
 _SIGNAL = _TYPE + rb"(sensor|actuator|attribute)\b"
-_TOP_LEVEL_NODE = rb"""^["']?[A-Za-z]\w*["']?:[ \t]*(\n|\r|\{|#)"""
+_BRANCH = _TYPE + rb"branch\b"
+_TOP_LEVEL_NODE = rb"""^["']?([A-Za-z]\w*)["']?:[ \t]*(\n|\r|\{|#)"""
+_FIRST_NAME = rb"""^["']?([A-Za-z]\w*)(?=["']?:|\.)"""
 
 
 def file_kind(data: bytes, name: str = "") -> FileKind:
@@ -65,12 +69,33 @@ def ending_of(name: str) -> str:
 
 def holds_only_structs(data: bytes) -> bool:
     """Whether a vspec file has struct types and no signals."""
-    return b"struct" in data and _holds(_STRUCT, data) and not _holds(_SIGNAL, data)
+    return b"struct" in data and _holds(_STRUCT, data) and not holds_signal(data)
+
+
+def holds_signal(data: bytes) -> bool:
+    """Whether a vspec file has a sensor, an actuator or an attribute."""
+    return _holds(_SIGNAL, data)
 
 
 def holds_top_level_node(data: bytes) -> bool:
     """Whether a vspec file has a node without a branch above it, as the root of a tree is."""
     return _holds(_TOP_LEVEL_NODE, data)
+
+
+def root_name(data: bytes) -> str:
+    """The name that the first path of a vspec file begins with: of a tree that of its root, of an overlay that of its tree's."""
+    match = re.search(_FIRST_NAME, data, re.MULTILINE)
+    return match[1].decode() if match else ""
+
+
+def root_branch(data: bytes) -> str:
+    """The name of the first node of a vspec file, if it is a branch without one above it; empty if it is not."""
+    match = re.search(_TOP_LEVEL_NODE, data, re.MULTILINE)
+    if match is None or match[1].decode() != root_name(data):
+        return ""
+    after = re.search(rb"\n[^\s#]", data[match.start() :])
+    block = data[match.start() : match.start() + after.start() if after else len(data)]
+    return match[1].decode() if _holds(_BRANCH, block) else ""
 
 
 def _is_json_text(data: bytes) -> bool:

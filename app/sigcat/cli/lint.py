@@ -57,7 +57,7 @@ def _add_context(parser: argparse.ArgumentParser) -> None:
         help="tree that overlays and functions are made for: root .vspec file, a folder with one, or a pulled release "
         "(default: of overlays the one near them, or the shipped one; of functions the shipped one)",
     )  # fmt: skip
-    add_many(group, "-l", "--overlays", "overlay that applies before those that are checked, and below functions")
+    add_many(group, "-l", "--overlays", "overlay that applies below those that are checked, and below functions")
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
     add_many(group, "-u", "--units", "units beside those of the tree")
     add_many(group, "-q", "--quantities", "quantities beside those of the tree")

@@ -84,6 +84,11 @@ class RuleSet:
         """The rules that can judge a part of a tree alone."""
         return RuleSet(rule for rule in self.rules if rule.id not in self.of_whole_trees)
 
+    @cached_property
+    def without_stacks(self) -> "RuleSet":
+        """The rules for one overlay over its tree: those on how several act together say nothing of it."""
+        return RuleSet(rule for rule in self.rules if not _is_of_stacks(rule))
+
     def _take(self, rule: Rule) -> Finding | None:
         """Put a rule where its check belongs; a finding if it cannot be used."""
         if rule.check in MAKERS:
@@ -107,6 +112,11 @@ class RuleSet:
 def _needs_whole_tree(rule: Rule) -> bool:
     check = CHECKS.get(rule.check)
     return rule.scope == "tree" or (check is not None and check.needs_whole_tree)
+
+
+def _is_of_stacks(rule: Rule) -> bool:
+    check = CHECKS.get(rule.check)
+    return check is not None and check.of_stacks
 
 
 @cache

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
@@ -101,16 +102,82 @@ def test_an_overlay_without_a_tree_is_checked_over_the_shipped_one(tmp_path):
     assert "Vehicle.Speed" in result.findings[0].fix
 
 
-def test_an_overlay_may_refer_to_what_the_one_beside_it_defines(tree):
+def test_an_overlay_may_refer_to_what_another_of_its_stack_defines(tree):
     branches = "".join(
         f"{path}: {{type: branch, description: A branch.}}\n"
         for path in ("Vehicle.Function", "Vehicle.Function.F", "Vehicle.Function.F.Error")
     )
     error = "Vehicle.Function.F.Error.{}: {{type: sensor, datatype: boolean, description: E., maturationTime: 1, \
 severity: S, resetTime: 1, resetCondition: R{}}}\n"
-    overlay(tree, "a.vspec", branches + error.format("One", ""))
+    first = overlay(tree, "a.vspec", branches + error.format("One", ""))
     second = overlay(tree, "b.vspec", error.format("Two", ", dependency: [F_One_ErrorSts]"))
-    assert lint_paths([second], LintOptions(ignore=("V118",))).findings == ()
+    assert lint_paths([second], LintOptions(ignore=("V118",), overlays=(first,))).findings == ()
+    alone = lint_paths([second], LintOptions(ignore=("V118", "V020")))
+    assert {f.rule for f in alone.findings} == {"I204"}, alone.findings
+
+
+def test_overlays_side_by_side_are_alternatives_unless_a_stack_is_declared(tree):
+    noise = "Vehicle.Cabin.Noise: {{unit: {}}}\n"
+    variants = [overlay(tree, f"{name}.vspec", noise.format(name)) for name in ("one", "two", "three")]
+    alone = {(file.name, f.rule) for file in variants for f in lint_paths([file]).findings}
+    together = lint_paths([tree / "overlays"])
+    assert {(Path(f.file).name, f.rule) for f in together.findings} == alone
+    assert {"O105", "O106"}.isdisjoint(f.rule for f in together.findings)
+    stacked = lint_paths([tree / "overlays"], LintOptions(overlays=tuple(variants)))
+    assert "O105" in {f.rule for f in stacked.findings}
+
+
+def test_an_overlay_beside_the_declared_stack_is_on_top_of_it(tree):
+    below = overlay(tree, "below.vspec", "Vehicle.New: {type: sensor, datatype: uint8, description: New.}\n")
+    above = overlay(tree, "above.vspec", "Vehicle.New: {max: 5}\n")
+    assert "O101" in {f.rule for f in lint_paths([tree / "overlays"]).findings}
+    assert lint_paths([above], LintOptions(overlays=(below,))).findings == ()
+
+
+def test_a_tree_with_a_root_of_its_own_is_a_tree_with_or_without_units(tmp_path):
+    path = tmp_path / "server.vspec"
+    path.write_text(
+        "Server: {type: branch, description: A server.}\nServer.Load: {type: sensor, datatype: float, description: L.}\n"
+    )
+    more = tmp_path / "more.vspec"
+    more.write_text("Server.Load: {max: 100}\n")
+    assert lint_paths([path]).findings == ()
+    assert [f.rule for f in lint_paths([more]).findings] == ["O104"]
+    assert lint_paths([tmp_path]).findings == lint_paths([more]).findings
+
+
+def test_the_tree_that_is_named_is_no_overlay_of_itself(tmp_path):
+    path = tmp_path / "own.vspec"
+    path.write_text(
+        "Vehicle: {type: branch, description: V.}\nVehicle.A: {type: sensor, datatype: float, description: A.}\n"
+    )
+    assert lint_paths([path], LintOptions(base=path)).findings == ()
+
+
+def test_struct_types_are_known_through_their_includes(tmp_path):
+    (tmp_path / "include").mkdir()
+    (tmp_path / "include" / "Time.vspec").write_text(
+        "Time: {type: struct, description: A time.}\nTime.Seconds: {type: property, datatype: uint8, description: S.}\n"
+    )
+    (tmp_path / "Types.vspec").write_text("Types: {type: branch, description: T.}\n#include include/Time.vspec Types\n")
+    (tmp_path / "VehicleSignalSpecification.vspec").write_text(
+        "Vehicle: {type: branch, description: A vehicle.}\n"
+        "Vehicle.Start: {type: sensor, datatype: Types.Time, description: When it began.}\n"
+    )
+    for paths in ([tmp_path], [tmp_path / "Types.vspec"], [tmp_path / "VehicleSignalSpecification.vspec"]):
+        assert [f.line_of_text for f in lint_paths(paths).findings] == []
+
+
+def test_a_file_that_is_named_in_two_ways_is_linted_once(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("own.vspec").write_text("Vehicle.A: {type: sensor, datatype: float, unit: ell, description: A.}\n")
+    units, quantities = Path("units.yaml"), Path("quantities.yaml")
+    units.write_text("ell: {definition: Ell, unit: ell of cloth, quantity: cloth, allowed-datatypes: [numeric]}\n")
+    quantities.write_text("cloth: {definition: How long.}\n")
+    options = LintOptions(units=(units, units.absolute()), quantities=(quantities, quantities.absolute()))
+    paths = [Path("own.vspec"), tmp_path / "own.vspec", Path()]
+    assert [f.rule for f in lint_paths(paths, options).findings if f.rule[0] == "U"] == []
+    assert len(lint_paths(paths, options).files) == 3
 
 
 def test_an_overlay_may_write_below_an_instance(tree):
@@ -199,6 +266,6 @@ def test_the_shipped_tree_has_no_errors():
 
 @pytest.mark.parametrize("overlay", sorted(OVERLAYS.glob("*.vspec")), ids=lambda path: path.stem)
 def test_a_shipped_overlay_is_clean_by_itself_though_it_shares_a_file_with_the_others(overlay):
-    result = lint_paths([overlay])
+    result = lint_paths([overlay], LintOptions(overlays=shipped_sources()[0].overlays))
     assert str(overlay) in result.files
     assert [f.line_of_text for f in result.findings] == []

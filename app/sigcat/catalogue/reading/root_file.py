@@ -7,9 +7,9 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from sigcat.catalogue.reading.statement import SourceFile
-from sigcat.catalogue.reading.vspec_file import parse_vspec
+from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
 from sigcat.errors import UsageError
-from sigcat.file_kind import ROOT_NAME, TYPES_NAME, holds_only_structs
+from sigcat.file_kind import ROOT_NAME, TYPES_NAME, holds_only_structs, holds_signal
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 _SHOWN = 5
@@ -87,9 +87,15 @@ def _read(file: Path, limits: Limits) -> _Content:
     text = parse_vspec(data, SourceFile(str(file), "", hashlib.sha256(data).hexdigest()), limits)
     return _Content(
         tuple(_without_steps(include.target) for include in text.includes),
-        is_of_types=holds_only_structs(data),
+        is_of_types=holds_only_structs(data) or (not holds_signal(data) and _includes_structs(file, text)),
         has_root=bool(text.includes) or any("." not in statement.path for statement in text.statements),
     )
+
+
+def _includes_structs(file: Path, text: VspecFile) -> bool:
+    """Whether all that a file includes are struct types, as in VSS after 6.0."""
+    included = [file.parent / include.target for include in text.includes]
+    return bool(included) and all(path.is_file() and holds_only_structs(path.read_bytes()) for path in included)
 
 
 def _without_steps(target: str) -> str:

@@ -34,6 +34,8 @@ class NodeCheck(NamedTuple):
     """Whether it looks at what overlays do: there is nothing for it in a tree without any."""
     needs_whole_tree: bool = False
     """Whether a part of a tree alone shows nothing: what is looked up may stand in another part."""
+    of_stacks: bool = False
+    """Whether it is about overlays that are declared to apply together: of alternatives it would say what is not so."""
 
 
 class TreeCheck(NamedTuple):
@@ -43,6 +45,7 @@ class TreeCheck(NamedTuple):
     options: Mapping[str, type]
     required: tuple[str, ...] = ()
     needs_whole_tree: bool = False
+    of_stacks: bool = False
 
 
 class LineCheck(NamedTuple):
@@ -52,6 +55,7 @@ class LineCheck(NamedTuple):
     options: Mapping[str, type]
     required: tuple[str, ...] = ()
     needs_whole_tree: Literal[False] = False
+    of_stacks: Literal[False] = False
 
 
 _TYPES: Mapping[type, str] = {str: "a text", int: "a whole number", list: "a list", dict: "a mapping"}

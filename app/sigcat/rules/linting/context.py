@@ -1,6 +1,6 @@
-"""What a file is linted with: the tree that it belongs to, units, struct types, and the overlays beside it."""
+"""What a file is linted with: the tree that it belongs to, units, struct types, and the overlays that it stacks with."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -11,9 +11,16 @@ from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.vocabulary import Vocabulary, default_files, read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.data import OVERLAYS, ROOT_FILE
-from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
+from sigcat.file_kind import QUANTITY_NAMES, SHIPPED_ROOT, UNIT_NAMES, root_name
 from sigcat.findings import in_order
-from sigcat.rules.linting.discovery import Source, default_tree, discover, types_beside
+from sigcat.rules.linting.discovery import (
+    Source,
+    default_tree,
+    first_bytes,
+    has_root,
+    tree_with_root,
+    types_beside,
+)
 from sigcat.rules.linting.options import LintOptions, identity_of
 from sigcat.rules.tree import Tree
 
@@ -58,37 +65,50 @@ def units_of(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOpt
     if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_NAMES[0]):
         units += (OVERLAYS / UNIT_NAMES[0],)  # the shipped tree has them for functions, too
     units, quantities = (*units, *options.units), (*quantities, *options.quantities)
+    units, quantities = _each_once(units), _each_once(quantities)
     if not units and not any("unit" in statement.values for statement in tree.statements):
-        return Units(read_vocabulary((), tuple(dict.fromkeys(quantities))), is_older=False)
-    return read_units(root, tuple(dict.fromkeys(units)), tuple(dict.fromkeys(quantities)))
+        return Units(read_vocabulary((), quantities), is_older=False)
+    return read_units(root, units, quantities)
+
+
+def _each_once(files: Iterable[Path]) -> tuple[Path, ...]:
+    """The files in order, each by the first of its names: one may be named by two paths."""
+    by_place: dict[Path, Path] = {}
+    for file in files:
+        by_place.setdefault(file.resolve(), file)
+    return tuple(by_place.values())
 
 
 def base_of(overlay: Path, roots: Sequence[Path], options: LintOptions) -> Path:
-    """The tree below an overlay: the one of the options, the only one that is linted, one near it, or the shipped one."""
+    """The tree below an overlay: the one of the options, the only one that is linted, one near it, or the shipped one.
+
+    One whose root has another name than the paths of the overlay is not meant.
+    """
     if options.base is not None:
         return options.base
-    if len(roots) == 1:
-        return roots[0]
+    name = root_name(first_bytes(overlay))
+    fitting = [root for root in roots if not name or has_root(root, name)]
+    if len(fitting) == 1:
+        return fitting[0]
     near = default_tree(overlay)
-    return near if near is not None else ROOT_FILE
+    if near is not None and (not name or has_root(near, name)):
+        return near
+    return (tree_with_root(name, overlay) if name != SHIPPED_ROOT else None) or near or ROOT_FILE
 
 
-def in_order_of_application(group: Sequence[Path], options: LintOptions) -> list[Path]:
-    """The overlays of the configuration and those beside the named ones, and the named ones, in order."""
+def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Path, ...]]:
+    """The overlays of a group as they are judged: those of the declared stack together, each other one on top of it.
+
+    Without a stack, overlays are alternatives: each is judged over the tree alone.
+    """
     stack = {path.resolve(): path for path in options.overlays}
     named = {path.resolve(): path for path in group}
-    if not any(path in stack for path in named):
-        stack.update({path.resolve(): path for path in _overlays_beside(group)})
-    return list({**stack, **named}.values())
-
-
-def _overlays_beside(group: Sequence[Path]) -> list[Path]:
-    """The overlays of the folders: one may refer to what another defines."""
-    folders = dict.fromkeys(path.parent for path in group)
-    near = [path for folder in folders for path in sorted(folder.glob("*.vspec")) if path.is_file()]
-    named = {path.resolve(): path for path in group}
-    found = discover(near, group) if near else ()
-    return [named.get(s.path.resolve(), s.path) for s in found if s.kind == "overlay"]
+    stacked = tuple(named.get(real, path) for real, path in stack.items())
+    if any(real in stack for real in named):
+        yield stacked
+    for real, path in named.items():
+        if real not in stack:
+            yield (*stacked, path)
 
 
 def type_files(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:

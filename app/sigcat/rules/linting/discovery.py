@@ -16,14 +16,19 @@ from sigcat.file_kind import (
     ENDINGS,
     OVERLAY_FOLDERS,
     ROOT_NAME,
+    SHIPPED_ROOT,
     TREE_ENDINGS,
     UNIT_NAMES,
     FileKind,
     ending_of,
     file_kind,
     holds_only_structs,
+    holds_signal,
     holds_top_level_node,
+    root_branch,
+    root_name,
 )
+from sigcat.names import nearest
 
 Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
 
@@ -44,6 +49,13 @@ _KINDS: Mapping[FileKind, Kind] = {
 _Includes = Mapping[Path, tuple[tuple[str, str], ...]]
 
 
+class _Look(NamedTuple):
+    """What decides about a file beside the file itself: who includes whom, and the tree that the options name."""
+
+    includes: _Includes
+    base: Path | None
+
+
 class Source(NamedTuple):
     """A file to lint. `tree` and `prefix` are set for a part that is linted alone: who includes it, and where."""
 
@@ -55,26 +67,35 @@ class Source(NamedTuple):
     prefix: str = ""
 
 
-def discover(paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = ()) -> tuple[Source, ...]:
-    """The files to lint in `paths`, each once. `overlays` and `types` are known to be such. Raises NotFound."""
-    found: dict[Path, bool] = {}
-    for path in paths:
-        if path.is_dir():
-            for file in walk(path):
-                found.setdefault(file, False)
-        elif path.is_file():
-            found[path] = True
-        else:
-            raise NotFound(f"{str(path)!r} {'is not a file.' if path.exists() else 'does not exist.'}")
+def discover(
+    paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = (), base: Path | None = None
+) -> tuple[Source, ...]:
+    """The files to lint in `paths`, each once. `overlays`, `types` and the tree `base` are known to be such. Raises NotFound."""
+    found = _files_in(paths)
     includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = _parts(includes)
-    known: dict[Path, Kind] = {path.resolve(): "overlay" for path in overlays}
+    known: dict[Path, Kind] = {base.resolve(): "tree"} if base is not None else {}
+    known.update({path.resolve(): "overlay" for path in overlays})
     known.update({path.resolve(): "types" for path in types})
+    look = _Look(includes, base)
     sources = []
     for path, named in found.items():
         kind = known.get(path.resolve()) if known else None
-        sources.append(_source(path, named, kind, _above(path, parts), includes))
+        sources.append(_source(path, named, kind, _above(path, parts), look))
     return tuple(sources)
+
+
+def _files_in(paths: Sequence[Path]) -> dict[Path, bool]:
+    """The files that paths name, and whether they name the file itself; one that is named in two ways once."""
+    found: dict[Path, bool] = {}
+    names: dict[str, Path] = {}
+    for path in paths:
+        if not path.is_dir() and not path.is_file():
+            raise NotFound(f"{str(path)!r} {'is not a file.' if path.exists() else 'does not exist.'}")
+        for file in walk(path) if path.is_dir() else (path,):
+            first = names.setdefault(os.path.abspath(file), file)  # noqa: PTH100 — links stay as they are
+            found[first] = found.get(first, False) or file is path
+    return found
 
 
 def walk(folder: Path) -> Iterator[Path]:
@@ -169,9 +190,42 @@ def default_tree(near: Path) -> Path | None:
 def types_beside(files: Iterable[Path]) -> tuple[Path, ...]:
     """Files of struct types in the folders of trees and overlays, those left out that a file there includes."""
     beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in sorted(folder.glob("*.vspec"))]
-    found = [path for path in beside if holds_only_structs(first_bytes(path))]
+    found = [path for path in beside if is_of_types(path)]
     parts = _parts({path: includes_of(path) for path in found})
     return tuple(path for path in found if path not in parts)
+
+
+def is_of_types(path: Path) -> bool:
+    """Whether a file holds struct types and no signals, itself or by what it includes."""
+    found = False
+    seen, waiting = {path}, [path]
+    while waiting:
+        file = waiting.pop()
+        data = first_bytes(file)
+        if holds_signal(data):
+            return False
+        found = found or holds_only_structs(data)
+        included = [_included(target, file, path.parent) for target, _ in includes_of(file)]
+        new = {target for target in included if target is not None} - seen
+        seen |= new
+        waiting.extend(new)
+    return found
+
+
+def _included(target: str, file: Path, root: Path) -> Path | None:
+    """The file that an include means: it is looked for beside the root, then beside the file that includes it."""
+    return next((path for path in (root / target, file.parent / target) if path.is_file()), None)
+
+
+def tree_with_root(name: str, overlay: Path) -> Path | None:
+    """A tree beside an overlay whose root has a name, units or not."""
+    beside = (path for path in sorted(overlay.parent.glob("*.vspec")) if path != overlay)
+    return next((path for path in beside if name and root_branch(first_bytes(path)) == name), None)
+
+
+def has_root(path: Path, name: str) -> bool:
+    """Whether the root of a tree has a name. One that only an include shows may have any."""
+    return root_branch(first_bytes(path)) in (name, "")
 
 
 def _only_tree(folder: Path, near: Path) -> Path | None:
@@ -181,9 +235,7 @@ def _only_tree(folder: Path, near: Path) -> Path | None:
     trees = [
         path
         for path in others
-        if holds_top_level_node(first_bytes(path))
-        and not holds_only_structs(first_bytes(path))
-        and tree_of(path) is None
+        if holds_top_level_node(first_bytes(path)) and not is_of_types(path) and tree_of(path) is None
     ]
     return trees[0] if len(trees) == 1 else None
 
@@ -192,35 +244,49 @@ def _has_units(folder: Path) -> bool:
     return any((folder / name).is_file() for name in UNIT_NAMES)
 
 
-def _source(path: Path, named: bool, known: Kind | None, above: Path | None, includes: _Includes) -> Source:
+def _source(path: Path, named: bool, known: Kind | None, above: Path | None, look: _Look) -> Source:
     """`above` is the file of the list that includes this one, directly or through others, and is included by none."""
     if known:
         return Source(path, known, named)
     if ending_of(path.name) != ".vspec":
         return Source(path, _kind_of_data(path, named=named), named)
     if above is None:
-        return _top(path, named, includes)
-    is_covered = _top(above, named, includes).kind != "part"
+        return _top(path, named, look)
+    is_covered = _top(above, named, look).kind != "part"
     tree = None if is_covered else tree_of(path)
     return Source(path, "part", named, *tree) if tree is not None else Source(path, "part", named)
 
 
-def _top(path: Path, named: bool, includes: _Includes) -> Source:
+def _top(path: Path, named: bool, look: _Look) -> Source:
     """A vspec file that no other of the list includes."""
     if path.name == ROOT_NAME:
         return Source(path, "tree", named)
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
-    if holds_only_structs(first_bytes(path)):
-        return Source(path, "types", named)
-    if _is_in_overlay_folder(path):
-        return Source(path, "overlay", named)
+    return Source(path, _kind_of_top(path, look), named)
+
+
+def _kind_of_top(path: Path, look: _Look) -> Kind:
+    if is_of_types(path):
+        return "types"
+    if _has_own_root(path, look.base):
+        return "tree"
     has_units = _has_units(path.parent)
-    if has_units and (path.parent / ROOT_NAME).is_file():
-        return Source(path, "overlay", named)
-    signs = (has_units, bool(includes.get(path)), holds_top_level_node(first_bytes(path)))
-    return Source(path, "tree" if sum(signs) > 1 else "overlay", named)
+    if _is_in_overlay_folder(path) or (has_units and (path.parent / ROOT_NAME).is_file()):
+        return "overlay"
+    signs = (has_units, bool(look.includes.get(path)), holds_top_level_node(first_bytes(path)))
+    return "tree" if sum(signs) > 1 else "overlay"
+
+
+def _has_own_root(path: Path, base: Path | None) -> bool:
+    """Whether a file begins with a root that is not the root of the tree which an overlay here would be made for."""
+    own = root_branch(first_bytes(path))
+    if not own:
+        return False
+    below = base or default_tree(path)
+    known = root_name(first_bytes(below)) if below is not None else SHIPPED_ROOT
+    return bool(known) and own != known and not nearest(own, [known])
 
 
 def _is_in_overlay_folder(path: Path) -> bool:

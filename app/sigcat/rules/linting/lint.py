@@ -1,11 +1,11 @@
 """Lint files: paths in, findings out.
 
 A folder or the root of a tree is checked as a whole tree. An overlay is checked over the tree that it is made for,
-together with the overlays beside it. A part of a tree that is named alone, as pre-commit names changed files, is checked
+alone, or with those that the options say it stacks with. A part of a tree that is named alone, as pre-commit names changed files, is checked
 by itself, below the branch where its tree includes it. Only the named files have findings.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Literal
@@ -24,7 +24,7 @@ from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import (
     base_of,
     compose_tree,
-    in_order_of_application,
+    stacks_of,
     type_files,
     type_layers,
     unchecked_tree,
@@ -79,7 +79,9 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 
 def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
-    sources = [s for s in discover(paths, options.overlays, options.types) if not _is_excluded(s.path, options)]
+    sources = [
+        s for s in discover(paths, options.overlays, options.types, options.base) if not _is_excluded(s.path, options)
+    ]
     options = options._replace(types=type_files(sources, options))
     lint = _Lint(options, RuleSet(selected(every_rule, options)))
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
@@ -116,20 +118,22 @@ def _lint_overlays(overlays: Sequence[Path], trees: Sequence[Path], lint: _Lint)
     for overlay in overlays:
         groups.setdefault(base_of(overlay, trees, lint.options), []).append(overlay)
     for base, group in groups.items():
-        _lint_group(base, group, lint)
+        for stack in stacks_of(group, lint.options):
+            _lint_stack(base, stack, {str(path) for path in group}, lint)
 
 
-def _lint_group(base: Path, group: Sequence[Path], lint: _Lint) -> None:
-    """Overlays over one tree, with those that belong to them; findings in the named ones only."""
+def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint: _Lint) -> None:
+    """Overlays over one tree, the last on top; findings in the named ones only."""
     options = lint.options
-    order = in_order_of_application(group, options)
-    layers = [read_layer(path, options.include_dirs, is_overlay=True) for path in order]
-    catalogue, expanded = _composed_over(base, layers, order, options)
-    named = {str(path) for path in group}
-    files = {file.name for layer in layers if layer.name in named for file in layer.files} | named
-    beside = {file.name for file in catalogue.vocabulary.files if Path(file.name).parent in {p.parent for p in group}}
+    layers = [read_layer(path, options.include_dirs, is_overlay=True) for path in stack]
+    catalogue, expanded = _composed_over(base, layers, stack, options)
+    judged_layers = [layer for layer in layers if layer.name in named]
+    files = {file.name for layer in judged_layers for file in layer.files} | {layer.name for layer in judged_layers}
+    folders = {Path(layer.name).parent for layer in judged_layers}
+    beside = {file.name for file in catalogue.vocabulary.files if Path(file.name).parent in folders}
     judged = tuple(catalogue.written_in(files))
-    found = found_in(with_instances(catalogue, judged, expanded), lint.rules, judged, options.attributes)
+    rules = lint.rules if options.overlays else lint.rules.without_stacks
+    found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes)
     lint.add(found, files | (beside - set(lint.files)))
     lint.look_at([*files, *beside])
 

@@ -42,7 +42,7 @@ class LintOptions(NamedTuple):
     base: Path | None = None
     """The tree that overlays are checked against. Without it: one of the paths, or found near the overlay, or shipped."""
     overlays: tuple[Path, ...] = ()
-    """Overlays in the order in which they apply; one that is linted alone is linted with those beside it."""
+    """Overlays that stack, in the order in which they apply; any other is linted on top of them, alone."""
     include_dirs: tuple[Path, ...] = ()
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()
