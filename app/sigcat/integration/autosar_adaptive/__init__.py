@@ -1,1 +1,4 @@
-"""AUTOSAR adaptive: components, executables and service interfaces, derived from functions."""
+"""Functions and the settings of AUTOSAR adaptive in; Integration JSON for it, findings and a report out.
+
+Components, executables and service interfaces are derived; `derive.py` is the whole way.
+"""

@@ -1,4 +1,7 @@
-"""The checks by the names that rules call them by. To add one: write it in its file and name it here."""
+"""A rule and a tree in; problems out, from one check for each concern.
+
+The table has the checks by the names that rules call them by. To add one: write it in its file and name it here.
+"""
 
 from collections.abc import Mapping
 

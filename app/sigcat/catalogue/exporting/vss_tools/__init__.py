@@ -1,5 +1,4 @@
-"""The one door to vss-tools: its exporters, run in a process of their own on the tree that sigcat composed.
+"""A composed tree in, the files of an exporter of vss-tools out; nothing else knows vss-tools.
 
-Nothing in this process imports vss-tools: it keeps units and types in globals and ends the process on bad input.
-`worker.py` is the only file that imports it, and it runs as a script.
+It keeps units in globals and ends its process on bad input: only `worker.py`, run as a script, imports it.
 """
