@@ -58,9 +58,9 @@ def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
     has_overlays = bool(tree.overlays)
     tests: dict[str, NodeTest] = {}
     ended: set[str] = set()
-    for definition in tree.judged:
-        category = category_of(definition.path) or ""
-        selection = rules.select(definition.type, category, has_overlays=has_overlays)
+    for written in tree.judged:
+        definition = tree.resolved(written)
+        selection = rules.select(definition.type, category_of(definition.path) or "", has_overlays=has_overlays)
         is_deleted = _is_deleted_in_vain(definition)
         for node_rule in _for_values(selection, definition.values):
             if not (node_rule.is_for_all or node_rule.concerns(definition)):
@@ -72,11 +72,20 @@ def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
             if test is None:
                 test = tests[rule.id] = node_rule.check.prepare(rule, tree)
             problems = test(definition)
+            if definition is not written:
+                problems = _brought_by(written, problems)
             if not rule.trusted:
                 yield from _until_slow(rule, problems, ended)
                 continue
             for problem in problems:
                 yield _finding(rule, problem), problem.repair
+
+
+def _brought_by(written: Definition, problems: Iterable[Problem]) -> Iterator[Problem]:
+    """Of the problems of one instance, those that what is written for it brings: the definition has its others itself."""
+    for problem in problems:
+        if problem.subject in written.statements or any(problem.attribute in s.values for s in written.statements):
+            yield problem
 
 
 def _until_slow(rule: Rule, problems: Iterable[Problem], ended: set[str]) -> Iterator[Found]:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from sigcat.catalogue.composing.compose import expanded_paths
-from sigcat.catalogue.composing.expand_instances import count_instances, instance_names
+from sigcat.catalogue.composing.expand_instances import count_instances, instance_names, refined_values
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.catalogue.model.vocabulary import Vocabulary
@@ -32,6 +32,7 @@ class Tree:
         """Extended attributes that the rules or the configuration know."""
         self.judged = self.definitions.values() if judged is None else tuple(judged)
         """The definitions that are judged; the others are there to be looked up."""
+        self._holders: dict[str, bool] = {}
 
     @property
     def overlays(self) -> tuple[Layer, ...]:
@@ -99,6 +100,25 @@ class Tree:
     def resolve_other(self, path: str) -> Definition | None:
         """The definition that a path leads to through the names of instances, other than one written for it alone."""
         return _resolve(path.split("."), self.definitions) if self.is_instance(path) else None
+
+    def resolved(self, definition: Definition) -> Definition:
+        """What is written for one instance, with all that the instance has from its definition."""
+        if not self._may_hold_instances(parent_path(definition.path)):
+            return definition
+        other = self.resolve_other(definition.path)
+        if other is None:
+            return definition
+        values = {name: value for name, value in refined_values(other, definition).items() if name != "instances"}
+        return Definition(definition.path, (*other.statements, *definition.statements), values)
+
+    def _may_hold_instances(self, path: str) -> bool:
+        """Whether what is right below a path may be an instance; asked once for all that is there."""
+        known = self._holders.get(path)
+        if known is None:
+            own = self.definitions.get(path)
+            known = bool(path) and (own is None or "instances" in own.values or self.is_instance(path))
+            self._holders[path] = known
+        return known
 
     def is_instance(self, path: str) -> bool:
         """Whether the path names an instance, or leads to a definition through the names of instances."""

@@ -185,7 +185,7 @@ def test_an_overlay_may_write_below_an_instance(tree):
     cabin += "Cabin.Seat.Heat: {type: sensor, datatype: float, description: Heat.}\n"
     (tree / "vspec" / "Cabin.vspec").write_text(cabin)
     text = "Vehicle.Cabin.Seat.Row1.Left.Heat: {type: sensor, datatype: float, max: 5, description: Heat.}\n"
-    assert lint_paths([overlay(tree, "more.vspec", text)]).findings == ()
+    assert [f.rule for f in lint_paths([overlay(tree, "more.vspec", text)]).findings] == ["O104"]
 
 
 def test_a_path_that_does_not_exist_is_refused(tmp_path):

@@ -54,6 +54,30 @@ def test_what_an_overlay_makes_wrong_is_told_where_it_says_so(tmp_path, overlay,
     assert [f for f in lint_paths([tree]).findings if f.rule == told[0]] == []
 
 
+@pytest.mark.parametrize(
+    ("overlay", "told"),
+    [
+        ("Vehicle.Row.Row1.X: {type: sensor}\n", []),
+        ("Vehicle.Row.Row1: {type: branch}\n", []),
+        ("Vehicle.Row.Row2: {type: branch, delete: true}\n", []),
+        ("Vehicle.Row.Row2.X: {delete: true}\n", []),
+        ("Vehicle.Row.Row1.X: {type: sensor, max: 200}\n", ["O104"]),
+        ("Vehicle.Row.Row1.X: {type: sensor, datatype: float}\n", ["O103"]),
+        ("Vehicle.Row.Row1.X: {description: 'What it is'}\n", ["V106"]),
+        ("Vehicle.Row.Row1.New: {type: sensor, datatype: float}\n", ["V104"]),
+    ],
+)
+def test_what_is_written_for_an_instance_has_all_that_its_definition_has(tmp_path, overlay, told):
+    tree, file = tmp_path / "VehicleSignalSpecification.vspec", tmp_path / "own.vspec"
+    tree.write_text(BELOW)
+    file.write_text(overlay)
+    for name in ("units.yaml", "quantities.yaml"):
+        (tmp_path / name).write_bytes((VSPEC / name).read_bytes())
+    posted = lint_text(overlay.encode(), "posted", read_catalogue(tree), EVERY_RULE)
+    assert [f.rule for f in lint_paths([file]).findings if f.file == str(file)] == told
+    assert [f.rule for f in posted if f.rule[0] in "OV"] == told
+
+
 def test_what_an_overlay_includes_is_a_part_of_it_wherever_it_stands(tmp_path):
     overlays = tmp_path / "overlays"
     (overlays / "inc").mkdir(parents=True)

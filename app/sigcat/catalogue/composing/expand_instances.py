@@ -199,15 +199,19 @@ def _refined(draft: Draft, refinement: Draft, scope: Scope) -> Draft:
 
 
 def _refined_definition(definition: Definition, refinement: Definition, scope: Scope) -> Definition:
+    statements = definition.statements + refinement.statements
+    values = refined_values(definition, refinement)
+    refined = checked_definition(definition.path, statements, values, scope, definition.is_instance)
+    return with_blame(refined, definition, scope) if refined.problems and refinement.statements else refined
+
+
+def refined_values(definition: Definition, refinement: Definition) -> Mapping[str, Any]:
     """Empty values refine nothing. A refinement that is complete in itself brings the defaults of its attributes."""
     update = {name: value for name, value in refinement.values.items() if value is not None and value != []}
     if not any(problem.rule.severity == "error" for problem in refinement.problems):
         defaults = {**_FILLED_IN, **_FILLED_IN_BRANCH} if refinement.type == BRANCH else _FILLED_IN
         update = {**_where_present(defaults, definition.values), **update}
-    statements = definition.statements + refinement.statements
-    values = merged_values(definition.values, update)
-    refined = checked_definition(definition.path, statements, values, scope, definition.is_instance)
-    return with_blame(refined, definition, scope) if refined.problems and refinement.statements else refined
+    return merged_values(definition.values, update)
 
 
 def _where_present(defaults: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:

@@ -43,13 +43,17 @@ def unchecked_tree(tree: Layer, vocabulary: Vocabulary) -> Catalogue:
 
 
 def with_instances(catalogue: Catalogue, judged: Iterable[Definition], expanded: Callable[[], Catalogue]) -> Catalogue:
-    """The catalogue with the findings that only `expanded` shows, where judged definitions make or refine instances."""
+    """The catalogue with the findings of `expanded`, where judged definitions make or refine instances.
+
+    What is written for one instance is not judged by itself: only `expanded` has all of it.
+    """
     tree = Tree(catalogue)
     if not any("instances" in definition.values or tree.is_instance(definition.path) for definition in judged):
         return catalogue
-    known = {identity_of(finding) for finding in catalogue.findings}
+    kept = [finding for finding in catalogue.findings if tree.resolve_other(finding.path) is None]
+    known = {identity_of(finding) for finding in kept}
     more = [finding for finding in expanded().findings if identity_of(finding) not in known]
-    return catalogue.with_findings(in_order([*catalogue.findings, *more])) if more else catalogue
+    return catalogue.with_findings(in_order([*kept, *more]))
 
 
 def units_of(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOptions) -> Units:
