@@ -21,10 +21,15 @@ _UNNAMED = ("positional arguments", "options")
 
 def files() -> Mapping[str, str]:
     """The page."""
-    parsers = list(_leaves(parser_of("")))
+    parsers = command_parsers()
     tree = next(group for parser in parsers for group in _groups(parser) if group.title == _TREE)
     shared = f"## The tree\n\nOptions of every command that reads a tree.\n\n{_table(_options(tree))}"
     return {PAGE: "\n\n".join([_HEAD, _index(parsers), shared, *map(_section, parsers)]) + "\n"}
+
+
+def command_parsers() -> list[argparse.ArgumentParser]:
+    """The parser of every command that can be run, such as `sigcat export json`."""
+    return list(_leaves(parser_of("")))
 
 
 def _leaves(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:

@@ -89,9 +89,14 @@ def test_a_format_of_vss_tools_is_run_in_a_process_of_its_own(get: Ask) -> None:
 
 def test_a_folder_becomes_a_zip(get: Ask) -> None:
     archive = get(f"{CLEAN}/export/ros2interface")
+    assert archive.headers["sigcat-warnings"] == "0"
     assert archive.headers["content-type"] == "application/zip"
     names = zipfile.ZipFile(io.BytesIO(archive.content)).namelist()
     assert any(name.endswith(".msg") for name in names)
+
+
+def test_warnings_of_an_export_are_counted(get: Ask) -> None:
+    assert get(f"{CLEAN}/export/apigear").headers["sigcat-warnings"] == "1"  # no layer is named
 
 
 def test_an_unknown_format_proposes_near_ones(get: Ask) -> None:

@@ -2,12 +2,14 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from scripts.command_line import command_parsers
 from sigcat.cli import main
 from tests.catalogue.trees import ROOT
 
@@ -151,6 +153,11 @@ def test_help_names_every_command():
     assert result.returncode == 0
     for command in ("lint", "export", "function", "rule", "show", "serve"):
         assert f"  {command}" in result.stdout
+
+
+@pytest.mark.parametrize("parser", command_parsers(), ids=lambda parser: parser.prog)
+def test_no_help_shows_a_word_of_python(parser):
+    assert re.findall(r"\b(?:None|True|False|PosixPath|==SUPPRESS==)\b", parser.format_help()) == []
 
 
 @pytest.mark.parametrize("command", ["lint", "export", "function", "rule", "show", "serve"])

@@ -18,8 +18,6 @@ from sigcat.errors import UsageError
 if TYPE_CHECKING:
     from sigcat.catalogue.exporting.files import ExportedFile
 
-_SHORT = {"extended-attributes": "-e", "aborts": "-a"}
-
 
 class _LateParser(CommandParser):
     """A parser that gets its options when it is used: other commands need not wait for those of all formats."""
@@ -75,7 +73,8 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
     add_tree_options(parser)
     group = parser.add_argument_group("the export")
     where = "folder, or .zip file, to write" if exporter.is_folder else "write here instead of to standard output"
-    group.add_argument("-o", "--output", type=Path, metavar="FOLDER" if exporter.is_folder else "FILE", help=where)
+    metavar = "FOLDER" if exporter.is_folder else "FILE"
+    group.add_argument("-o", "--output", *exporter.output_also, dest="output", type=Path, metavar=metavar, help=where)
     for option in exporter.options:
         _add_option(group, option)
     group.add_argument(
@@ -86,10 +85,9 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
 
 def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
     """Every option is None where it is not given, so that the default of the exporter applies."""
-    spelled = f"--{option.name}"
     text = f"{option.text} (default: {_shown(option.default)})" if option.default not in (None, "") else option.text
     text = text.replace("%", "%%")
-    add = partial(group.add_argument, spelled, dest=option.name, default=None, help=text)
+    add = partial(group.add_argument, *option.also, f"--{option.name}", dest=option.name, default=None, help=text)
     match option.kind:
         case "flag":
             add(action="store_true")
@@ -97,11 +95,7 @@ def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
             add(action="store_true")
             group.add_argument(f"--{option.spelled_off}", dest=option.name, action="store_false", default=None)
         case "texts":
-            short = [_SHORT[option.name]] if option.name in _SHORT else []
-            group.add_argument(
-                *short, spelled, dest=option.name, default=None, help=text,
-                action="append", metavar="NAME", choices=option.choices or None,
-            )  # fmt: skip
+            add(action="append", metavar="NAME", choices=option.choices or None)
         case "number":
             add(type=int, metavar="N")
         case "choice":

@@ -38,6 +38,26 @@ def test_a_folder_is_written_into_a_folder(tree):
     assert (tree / "ros/cars/msg/Vehicle.msg").is_file()
 
 
+@pytest.mark.parametrize(
+    ("name", "spelled"),
+    [
+        ("samm", ["--target-folder", "out", "-tns", "a.b"]),
+        ("samm", ["-tf", "out"]),
+        ("apigear", ["--output-dir", "out"]),
+        ("vhal", ["--aosp-workspace-path", "out"]),
+    ],
+)
+def test_the_folder_may_be_spelled_as_vspec_spells_it(tree, name, spelled):
+    assert main(["export", name, "-s", "tree.vspec", *spelled]) == 0
+    assert list((tree / "out").iterdir())
+
+
+def test_a_mistyped_spelling_of_vspec_is_refused_with_the_near_one(capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(["export", "samm", "--target-foldr", "out"])
+    assert "unknown option --target-foldr. Did you mean '--target-folder'?" in capsys.readouterr().err
+
+
 def test_or_into_a_zip_archive(tree):
     assert main(["export", "s2dm", "-s", "tree.vspec", "-o", "schema.zip"]) == 0
     assert "schema.graphql" in zipfile.ZipFile("schema.zip").namelist()

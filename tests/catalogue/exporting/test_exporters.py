@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from scripts.command_line import command_parsers
 from sigcat.catalogue.exporting import exporters as table
 from sigcat.catalogue.exporting.export import exported
 from sigcat.catalogue.exporting.exporter import Exporter, Job
@@ -27,7 +28,7 @@ def described(module):
     command = importlib.import_module(module.partition(":")[0]).cli
     longest = lambda names: max(names, key=len, default="").lstrip("-")
     return [[longest(p.opts), longest(p.secondary_opts), p.to_info_dict()["default"], p.multiple,
-             list(getattr(p.type, "choices", ())), p.is_flag] for p in command.params]
+             list(getattr(p.type, "choices", ())), p.is_flag, [*p.opts, *p.secondary_opts]] for p in command.params]
 print(json.dumps({name: described(module) for name, module in exporters.items()}, default=lambda _: None))
 """
 
@@ -54,13 +55,21 @@ def test_every_option_of_an_exporter_is_there(exporters, exporter: Exporter):
     tree = TREE_OPTIONS if call.takes_tree_options else {"vspec"}
     assert set(ours) | tree | {call.output} | LEFT_OUT.get(exporter.name, set()) == set(theirs)
     for name, option in ours.items():
-        off, default, multiple, choices, is_flag = theirs[name]
+        off, default, multiple, choices, is_flag, _ = theirs[name]
         assert (option.kind == "switch") == bool(off), name
         assert not off or option.spelled_off == off
         assert (option.kind == "flag") == (is_flag and not off), name
         assert (option.kind == "texts") == multiple, name
         assert list(option.choices) == choices, name
         assert name == "namespace" or (option.default or None) == (default or None), name
+
+
+@pytest.mark.parametrize("name", [exporter.name for exporter in EXPORTERS.values() if exporter.same_as])
+def test_the_command_knows_every_spelling_of_vspec(exporters, name):
+    (parser,) = (parser for parser in command_parsers() if parser.prog == f"sigcat export {name}")
+    spellings = {spelled for *_, spelled_as in exporters[name] for spelled in spelled_as}
+    left_out = {f"--{option}" for option in LEFT_OUT.get(name, ())}
+    assert spellings - left_out - {text for action in parser._actions for text in action.option_strings} == set()
 
 
 def test_an_unknown_format_is_refused_with_the_nearest_one():

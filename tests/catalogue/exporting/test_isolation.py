@@ -101,6 +101,21 @@ def test_extended_attributes_alone_are_no_reason_to_warn():
     assert exported(catalogue_of(f"{ROOT}{SPEED}  ASILlevel: B\n"), "csv").findings == ()
 
 
+def test_what_vss_tools_warns_of_again_and_again_is_told_once_with_a_count(tmp_path):
+    speed = SPEED + "  unit: furlong\n"
+    tree = ROOT + speed + speed.replace("Speed", "AverageSpeed")
+    result = exported(read_catalogue(written(tmp_path / "a", tree, furlong=True)), "samm")
+    (warning,) = [finding for finding in result.findings if "No DataUnit found" in finding.message]
+    assert warning.message.endswith("(2 times)")
+
+
+def test_what_is_told_of_a_failure_is_its_cause():
+    text = ROOT + SPEED + "  max: 1.5\n  custom: 1\n"
+    with pytest.raises(InputRefused) as refusal:
+        export(catalogue_of(text), "vhal")
+    assert ["integer" in finding.message for finding in refusal.value.findings] == [True]
+
+
 def test_an_exporter_that_raises_is_told_too():
     with pytest.raises(InputRefused) as refusal:
         export(catalogue_of(ROOT + SPEED.replace("Speed:", "1:")), "csv", {"stats-piechart": "chart.csv"})

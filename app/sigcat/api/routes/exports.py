@@ -3,6 +3,7 @@
 import io
 from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
+from types import MappingProxyType
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Request
@@ -72,6 +73,12 @@ _MEDIA_TYPES = tuple(dict.fromkeys(exporter.media_type for exporter in EXPORTERS
         200: {
             "description": "The file, byte for byte as `vspec export` writes it; of a folder or several files, a zip.",
             "content": {media_type: {"schema": _content_schema(media_type)} for media_type in _MEDIA_TYPES},
+            "headers": {
+                "Sigcat-Warnings": {
+                    "description": "How many warnings there are; JSON, which is sent while it is written, has none.",
+                    "schema": {"type": "integer"},
+                }
+            },
         },
         **problem_documentation(400, 404, 422, 503),
     },
@@ -92,11 +99,13 @@ async def export_catalogue(
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
     work = partial(exported, catalogue, exporter.name, options, timeout=settings.heavy_seconds)
-    files = (await queue.run(work)).files
+    files, findings = await queue.run(work)
+    count = {"Sigcat-Warnings": str(len(findings))}
     if exporter.is_folder or len(files) > 1:
         archive = await queue.run(partial(zipped, files))
-        return _sent(request, _blocks(archive), f"{catalogue.roots[0].name}-{exporter.name}.zip", "application/zip")
-    return _sent(request, _blocks(files[0].data), files[0].name, exporter.media_type)
+        name = f"{catalogue.roots[0].name}-{exporter.name}.zip"
+        return _sent(request, _blocks(archive), name, "application/zip", count)
+    return _sent(request, _blocks(files[0].data), files[0].name, exporter.media_type, count)
 
 
 def _options(exporter: Exporter, given: Iterable[tuple[str, str]]) -> dict[str, Any]:
@@ -122,9 +131,11 @@ def _value(option: Option, text: str) -> Any:
     return text
 
 
-def _sent(request: Request, parts: Iterable[bytes], name: str, media_type: str) -> Response:
+def _sent(
+    request: Request, parts: Iterable[bytes], name: str, media_type: str, more: Mapping[str, str] = MappingProxyType({})
+) -> Response:
     safe = "".join(sign if sign.isascii() and (sign.isalnum() or sign in "._-") else "_" for sign in name)
-    headers = {**caching_headers(request), "Content-Disposition": f'attachment; filename="{safe}"'}
+    headers = {**caching_headers(request), "Content-Disposition": f'attachment; filename="{safe}"', **more}
     return StreamingResponse(parts, media_type=media_type, headers=headers)
 
 

@@ -29,6 +29,8 @@ class Option(NamedTuple):
     """Whether sigcat implements it, because vss-tools has no such option."""
     kept_at: str = ""
     """Of a state: the file in the exported folder that holds it, for the next export to continue."""
+    also: tuple[str, ...] = ()
+    """Other spellings on the command line, with their dashes: the short ones of vss-tools."""
 
     @property
     def spelled_off(self) -> str:
@@ -56,6 +58,8 @@ class Exporter(NamedTuple):
     """The command that writes the same bytes, such as `vspec export csv`."""
     needs_types: bool = False
     """Whether it exports struct types and nothing else."""
+    output_also: tuple[str, ...] = ()
+    """Other spellings of `--output` on the command line, with their dashes: those of vss-tools."""
 
     @property
     def is_folder(self) -> bool:

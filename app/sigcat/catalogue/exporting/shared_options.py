@@ -13,11 +13,11 @@ TYPES_OUTPUT = Option("types-output", "output", "write the struct types to a fil
 ALL_ATTRIBUTES = Option("extend-all-attributes", "switch", "keep all extended attributes", False)
 PRETTY = Option("pretty", "switch", "indent the output", False)
 STRICTNESS = (
-    Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated"),
+    Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated", also=("-e",)),
     Option("strict", "switch", "refuse whatever --aborts can refuse", False),
     Option(
         "aborts", "texts", "kind of problem that ends the export; may be repeated",
-        choices=("name-style", "unknown-attribute", "default-matches-first-allowed"),
+        choices=("name-style", "unknown-attribute", "default-matches-first-allowed"), also=("-a",),
     ),
     Option("strict-exceptions", "input", "YAML file with the paths that --strict and --aborts leave alone"),
 )  # fmt: skip

@@ -3,7 +3,7 @@
 Written down here so that help, API and checks need no vss-tools code; a test compares the table with vss-tools.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.shared_options import (
@@ -60,10 +60,10 @@ _APIGEAR = tuple(
     for layer, title in (("unreal", "Unreal"), ("cpp", "C++14"), ("qt5", "Qt 5"), ("qt6", "Qt 6"))
 )
 _SAMM = (
-    Option("target-namespace", "name", "namespace, and name of the folder", "com.covesa.vss.spec"),
-    Option("split", "switch", "write an aspect model for each branch", True),
-    Option("split-depth", "number", "down to which level branches become aspect models", 1),
-    Option("signals-file", "input", "file with the paths to export, one a line"),
+    Option("target-namespace", "name", "namespace, and name of the folder", "com.covesa.vss.spec", also=("-tns",)),
+    Option("split", "switch", "write an aspect model for each branch", True, also=("-spl",)),
+    Option("split-depth", "number", "down to which level branches become aspect models", 1, also=("-spld",)),
+    Option("signals-file", "input", "file with the paths to export, one a line", also=("-sigf",)),
     TYPES_OUTPUT,
 )
 _ACCESS = ("get", "set", "both")
@@ -114,19 +114,18 @@ def _run(job: Job) -> "Export":
     return run(job)
 
 
-def _exporter(
-    name: str, text: str, suffix: str, media_type: str, options: tuple[Option, ...], *, needs_types: bool = False
-) -> Exporter:
-    same_as = f"vspec export {name}"
-    return Exporter(name, text, suffix, media_type, options, _run, same_as=same_as, needs_types=needs_types)
+def _exporter(name: str, text: str, suffix: str, media_type: str, options: tuple[Option, ...], **rest: Any) -> Exporter:
+    return Exporter(name, text, suffix, media_type, options, _run, same_as=f"vspec export {name}", **rest)
 
 
 def _file(name: str, text: str, suffix: str, media_type: str, *options: Option) -> Exporter:
     return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS))
 
 
-def _folder(name: str, text: str, *options: Option, needs_types: bool = False) -> Exporter:
-    return _exporter(name, text, "", "application/zip", options, needs_types=needs_types)
+def _folder(
+    name: str, text: str, *options: Option, needs_types: bool = False, output_also: tuple[str, ...] = ()
+) -> Exporter:
+    return _exporter(name, text, "", "application/zip", options, needs_types=needs_types, output_also=output_also)
 
 
 VSS_TOOLS = (
@@ -143,8 +142,8 @@ VSS_TOOLS = (
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
     _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS),
     _folder("ros2interface", "ROS 2 messages and services", *_ROS2),
-    _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS),
-    _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS),
+    _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS, output_also=("--target-folder", "-tf")),
+    _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS, output_also=("--output-dir",)),
     _folder("avro", "Avro IDL of the struct types", *_AVRO, *STRICTNESS, needs_types=True),
-    _folder("vhal", "Android vehicle properties", *_VHAL),
+    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",)),
 )  # fmt: skip

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -30,7 +31,8 @@ _LEVELS: Mapping[str, RuleCode] = {
 """Levels of the log of vss-tools that become findings."""
 _NODE_PATH = re.compile(r"\w+(?:\.\w+)+")
 _EXPECTED = re.compile("Unknown extra attribute|No '(?:unit|quantity)' files defined")
-"""Warnings of vss-tools that say nothing new when the export succeeds: a catalogue may be extended, and may have no units.
+"""Warnings of vss-tools that say nothing new unless it is asked to be strict: a catalogue may be extended, and may have
+no units.
 
 vss-tools gives its messages no codes, so these two lines hold its words, and `_NODE_PATH` finds the nodes in them.
 """
@@ -62,14 +64,18 @@ def run(job: Job) -> Export:
         log.touch()
         failure = _run_worker({**_request(job, output, folders), "log": str(log)}, folders, job)
         reports = tuple(_reports(log, Path(temporary)))
+        news = [report for report in reports if not _EXPECTED.search(report.text)]
         if failure:
-            raise InputRefused(failure, _findings(reports, job.catalogue))
+            raise InputRefused(failure, _findings(reports if _is_strict(job) else news, job.catalogue))
         files = (*_main_files(job, folders.output), *_files_beside(job, folders))
         if not any(not file.option for file in files):
             message = f"vss-tools exported nothing as {job.exporter.name}."
-            raise InputRefused(message, _findings(reports, job.catalogue))
-        news = [report for report in reports if not _EXPECTED.search(report.text)]
+            raise InputRefused(message, _findings(news, job.catalogue))
         return Export(files, (*_left_out(job.catalogue), *_findings(news, job.catalogue)))
+
+
+def _is_strict(job: Job) -> bool:
+    return bool(job.options.get("strict") or job.options.get("aborts"))
 
 
 def _request(job: Job, output: Path, folders: _Folders) -> dict[str, Any]:
@@ -200,12 +206,12 @@ def _left_out(catalogue: Catalogue) -> Iterator[Finding]:
 
 
 def _findings(reports: Iterable[_Report], catalogue: Catalogue) -> tuple[Finding, ...]:
-    """What vss-tools reported, at the node that it is about, if it names one."""
-    return tuple(_finding(report, catalogue) for report in reports)
+    """What vss-tools reported, at the node that it is about, if it names one; what it repeats, once with a count."""
+    return tuple(_finding(report, count, catalogue) for report, count in Counter(reports).items())
 
 
-def _finding(report: _Report, catalogue: Catalogue) -> Finding:
-    text = f"vss-tools: {report.text}"
+def _finding(report: _Report, count: int, catalogue: Catalogue) -> Finding:
+    text = f"vss-tools: {report.text}" + (f" ({count} times)" if count > 1 else "")
     for path in _NODE_PATH.findall(report.text):
         node = catalogue.get(path)
         definition = catalogue.definitions.get(path) or (node.definition if node else None)
