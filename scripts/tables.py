@@ -14,7 +14,7 @@ from sigcat.api.read_settings import shown
 from sigcat.api.settings import Settings
 from sigcat.catalogue.comparing.diff_report import class_table
 from sigcat.data import INTERFACE_RULES
-from sigcat.integration.schemas import schema
+from sigcat.platforms.schemas import schema
 from sigcat.rules.pages import field_table
 from sigcat.rules.record import load_rules
 

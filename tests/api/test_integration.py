@@ -11,8 +11,8 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.data import EXAMPLES
-from sigcat.integration.platforms import PLATFORMS
-from sigcat.integration.schemas import SCHEMAS
+from sigcat.platforms.schemas import SCHEMAS
+from sigcat.platforms.table import PLATFORMS
 from tests.api.conftest import asker
 
 CORE_ACC = (EXAMPLES / "core_acc" / "function.yaml").read_text(encoding="utf-8")

@@ -16,7 +16,7 @@ from sigcat.api.application import create_app
 from sigcat.api.openapi_changes import breaking_changes
 from sigcat.api.openapi_document import operations
 from sigcat.catalogue.hosting.library import Library, shipped_sources
-from sigcat.integration.platforms import PLATFORMS
+from sigcat.platforms.table import PLATFORMS
 from tests.api.conftest import Ask, asker
 
 ROOT = Path(__file__).parents[2]

@@ -8,8 +8,8 @@ import pytest
 
 from sigcat.cli import main
 from sigcat.data import EXAMPLES, ROOT_FILE
-from sigcat.integration.platforms import PLATFORMS
-from sigcat.integration.schemas import SCHEMAS
+from sigcat.platforms.schemas import SCHEMAS
+from sigcat.platforms.table import PLATFORMS
 
 CORE_ACC = str(EXAMPLES / "core_acc" / "function.yaml")
 MPC = str(EXAMPLES / "eco_control_mpc" / "function.yaml")

@@ -10,6 +10,7 @@ from sigcat.catalogue.hosting.archive import DEFAULT_ARCHIVE_LIMITS as ARCHIVE
 from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS as FETCH
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.function_json.model import function_schema
+from sigcat.platforms.table import PLATFORMS
 from sigcat.rules.record import load_rules
 from tests.documentation.pages import PAGES, ROOT, text_of
 
@@ -67,7 +68,7 @@ def test_the_architecture_names_every_room():
         for path in (ROOT / "app/sigcat" / room).iterdir()
         if (path / "__init__.py").exists()
     ]
-    platforms = {"autosar_adaptive", "ros2"}
+    platforms = {platform.section for platform in PLATFORMS.values()}
     assert [room for room in inner if f"`{room}`" not in page and room not in platforms] == []
 
 

@@ -6,8 +6,8 @@ import pytest
 
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.integrate import integrate
-from sigcat.integration.platforms import PLATFORMS
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
 from tests.function.shipped import interfaces
 
 ARRAY = "Vehicle.ADAS.EcoControl.Gains"

@@ -8,9 +8,9 @@ from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
-from sigcat.integration.platforms import PLATFORMS
 from sigcat.integration.reading import read_functions
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.platforms.table import PLATFORMS
 from sigcat.rules.record import load_rules
 from tests.function.shipped import interfaces
 

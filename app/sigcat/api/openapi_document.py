@@ -7,11 +7,10 @@ from typing import Any
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from sigcat.adapter.generators import GENERATORS
 from sigcat.api.answers.negotiation import JSON, YAML
 from sigcat.api.answers.problems import KINDS, PROBLEM
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.platforms import PLATFORMS
+from sigcat.platforms.table import PLATFORMS
 
 Document = dict[str, Any]
 
@@ -45,7 +44,11 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
         "validate_function": {"requestBody": "$response.body"},
         "integrate_functions": {"parameters": {"platform": next(iter(PLATFORMS))}, "requestBody": "$response.body"},
     },
-    "integrate_functions": {f"generate_{name}": {"requestBody": "$response.body"} for name in GENERATORS},
+    "integrate_functions": {
+        f"generate_{generator.name}": {"requestBody": "$response.body"}
+        for platform in PLATFORMS.values()
+        for generator in platform.generators
+    },
 }
 """Which operation goes on from the answer of which, and with what of it."""
 

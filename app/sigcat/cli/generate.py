@@ -3,26 +3,32 @@
 import argparse
 from pathlib import Path
 
-from sigcat.adapter.generators import GENERATORS
 from sigcat.cli.output import write_bytes
 from sigcat.errors import UsageError
+from sigcat.platforms.platform import Generator, Platform
+from sigcat.platforms.table import PLATFORMS
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command with a sub-command for each kind of file."""
     parser = commands.add_parser("generate", help="files for a platform, from Integration JSON")
     kinds = parser.add_subparsers(title="kinds", metavar="KIND")
-    for generator in GENERATORS.values():
-        one = kinds.add_parser(
-            generator.name,
-            help=f"{generator.title} for {generator.target}",
-            description=f"Write {generator.title} for {generator.target}: {generator.contents}.",
-        )
-        one.add_argument(
-            "integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {generator.platform.title}"
-        )
-        one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
-        one.set_defaults(run=run, generator=generator)
+    for platform in PLATFORMS.values():
+        for generator in platform.generators:
+            _add_kind(kinds, platform, generator)
+
+
+def _add_kind(
+    kinds: "argparse._SubParsersAction[argparse.ArgumentParser]", platform: Platform, generator: Generator
+) -> None:
+    one = kinds.add_parser(
+        generator.name,
+        help=f"{generator.title} for {generator.target}",
+        description=f"Write {generator.title} for {generator.target}: {generator.contents}.",
+    )
+    one.add_argument("integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {platform.title}")
+    one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
+    one.set_defaults(run=run, generator=generator)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.output import write_bytes
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
-from sigcat.integration.platforms import PLATFORMS
+from sigcat.platforms.table import PLATFORMS
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -41,7 +41,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the Integration JSON; findings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.integration.integrate import integrate
+    from sigcat.platforms.integrate import integrate
 
     functions = _functions(arguments)
     integrated = integrate(arguments.platform, functions, _deployment(arguments.deployment))
@@ -65,7 +65,7 @@ def _functions(arguments: argparse.Namespace) -> "tuple[FunctionJson, ...]":
 
 
 def _deployment(path: Path | None) -> "Deployment":
-    from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+    from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 
     return DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
 

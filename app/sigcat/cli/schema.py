@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 
 from sigcat.cli.output import write_text
-from sigcat.integration.schemas import SCHEMAS, schema
+from sigcat.platforms.schemas import SCHEMAS, schema
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

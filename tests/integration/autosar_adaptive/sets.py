@@ -5,7 +5,7 @@ from functools import cache
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive import derive as deriving
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.function.shipped import FUNCTIONS, interfaces
 
 

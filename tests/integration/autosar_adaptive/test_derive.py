@@ -14,8 +14,8 @@ from sigcat.function.function_json.status_interfaces import Error, ModeInterface
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
-from sigcat.integration.deployment_file import DEPLOYMENT_FILE, read_deployment
 from sigcat.integration.report import NOT_CARRIED, to_markdown
+from sigcat.platforms.deployment_file import DEPLOYMENT_FILE, read_deployment
 from tests.growth import LINEAR, growth
 from tests.integration.autosar_adaptive.sets import at, derive, example, examples, function, signal
 from tests.published.schemas import schema

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sigcat.function.function_file import check_function_json
 from sigcat.integration.autosar_adaptive.model import to_json
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from tests.integration.autosar_adaptive.sets import derive
 from tests.needs import published, published_files
 

@@ -5,9 +5,9 @@ from functools import cache
 
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.model import to_json
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces
 
 

@@ -13,12 +13,12 @@ from sigcat.function.function_json.methods import Method
 from sigcat.function.function_json.model import FunctionInfo, Mode
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
-from sigcat.integration.deployment_file import DEPLOYMENT_FILE
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.field_targets import TABLES
 from sigcat.integration.ros2.model import integration_schema, to_json
 from sigcat.integration.ros2.names import CONSTANT, FIELD, MESSAGE
+from sigcat.platforms.deployment_file import DEPLOYMENT_FILE
 from tests.integration.ros2.functions import document, example, examples, function, rules, settings, signal, topics
 
 

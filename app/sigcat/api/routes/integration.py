@@ -11,8 +11,6 @@ from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 from pydantic import AfterValidator
 
-from sigcat.adapter.generator import Generator
-from sigcat.adapter.generators import GENERATORS
 from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
@@ -20,14 +18,14 @@ from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.findings import Finding
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
-from sigcat.integration.integrate import integrate
-from sigcat.integration.platform import Integrated
-from sigcat.integration.platforms import PLATFORMS
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
-from sigcat.integration.schemas import SCHEMAS, schema
 from sigcat.limits import Limits
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.platform import Generator, Integrated, Platform
+from sigcat.platforms.schemas import SCHEMAS, schema
+from sigcat.platforms.table import PLATFORMS
 
 router = APIRouter(prefix="/api/v1", tags=["integration"])
 
@@ -79,7 +77,7 @@ async def integrate_functions(
     return await queue.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
 
 
-def _add_generator(generator: Generator) -> None:
+def _add_generator(platform: Platform, generator: Generator) -> None:
     """The route of a generator: each has an address of its own."""
 
     async def generate_files(
@@ -88,7 +86,7 @@ def _add_generator(generator: Generator) -> None:
         queue: TheWorkQueue,
         name: Annotated[
             str, Query(max_length=300, description="What findings call the text.")
-        ] = f"{generator.platform.name}.json",
+        ] = f"{platform.name}.json",
     ) -> Response:
         return await queue.run(partial(_generated, generator, text, name, settings.limits))
 
@@ -101,12 +99,13 @@ def _add_generator(generator: Generator) -> None:
             200: {"description": f"The {generator.title} files as a zip.", "content": _ZIP},
             **problem_documentation(413, 415, 422, 503),
         },
-        openapi_extra=text_body(f"The Integration JSON of {generator.platform.title}.", ""),
+        openapi_extra=text_body(f"The Integration JSON of {platform.title}.", ""),
     )(generate_files)
 
 
-for each in GENERATORS.values():
-    _add_generator(each)
+for each in PLATFORMS.values():
+    for one in each.generators:
+        _add_generator(each, one)
 
 
 @router.get("/schemas", responses=problem_documentation(404))

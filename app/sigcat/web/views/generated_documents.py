@@ -6,16 +6,14 @@ from urllib.parse import quote
 
 from starlette.responses import Response
 
-from sigcat.adapter.generator import Generator
-from sigcat.adapter.generators import GENERATORS
 from sigcat.errors import InputRefused, NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionJson, to_json
-from sigcat.integration.integrate import integrate
-from sigcat.integration.platform import Platform
-from sigcat.integration.platforms import PLATFORMS
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.platform import Generator, Platform
+from sigcat.platforms.table import PLATFORMS
 
 
 class GeneratedDocument(NamedTuple):
@@ -36,7 +34,7 @@ JSON = "application/json"
 FUNCTION_JSON = "function-json"
 SET_VIEWS = {
     **{platform.name: platform.title for platform in PLATFORMS.values()},
-    **{generator.name: generator.title for generator in GENERATORS.values()},
+    **{generator.name: generator.title for platform in PLATFORMS.values() for generator in platform.generators},
 }
 """The views of a set of functions, with what each is called."""
 VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
@@ -58,11 +56,16 @@ def documents_of(function: FunctionJson, view: str = "") -> tuple[GeneratedDocum
 
 def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
     """What is made from functions for each platform, as it is without a deployment file."""
-    platforms = [platform for platform in PLATFORMS.values() if view in ("", platform.name)]
-    generators = [generator for generator in GENERATORS.values() if view in ("", generator.name)]
+    platforms = PLATFORMS.values()
+    pairs = [(platform, generator) for platform in platforms for generator in platform.generators]
     return (
-        *(_integration(platform, functions, name) for platform in platforms),
-        *(document for generator in generators for document in _generated(generator, functions, name)),
+        *(_integration(platform, functions, name) for platform in platforms if view in ("", platform.name)),
+        *(
+            document
+            for platform, generator in pairs
+            if view in ("", generator.name)
+            for document in _generated(platform, generator, functions, name)
+        ),
     )
 
 
@@ -87,10 +90,12 @@ def _integration(platform: Platform, functions: Sequence[FunctionJson], name: st
     return document._replace(text=_text(integrated.document), findings=integrated.findings)
 
 
-def _generated(generator: Generator, functions: Sequence[FunctionJson], name: str) -> tuple[GeneratedDocument, ...]:
+def _generated(
+    platform: Platform, generator: Generator, functions: Sequence[FunctionJson], name: str
+) -> tuple[GeneratedDocument, ...]:
     try:
-        integrated = integrate(generator.platform, functions)
-        files = generator.generate(integrated.document, f"{name}.{generator.platform.name}.json", DEFAULT_LIMITS)
+        integrated = integrate(platform, functions)
+        files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS)
     except InputRefused as refused:
         return (GeneratedDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
     return tuple(

@@ -9,8 +9,8 @@ from sigcat.findings import has_errors, in_order
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.integration.deployment import Deployment
-from sigcat.integration.platforms import PLATFORMS
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.platforms.table import PLATFORMS
 
 _SECTIONS: dict[str, Any] = {
     platform.section: (

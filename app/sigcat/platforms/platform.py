@@ -1,14 +1,16 @@
-"""What a platform brings: its section of the deployment file, its Integration JSON, and the schema of that."""
+"""What a platform brings: its section of the deployment file, its Integration JSON, and what is generated from that."""
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from sigcat.adapter.files import GeneratedFile
     from sigcat.findings import Finding
     from sigcat.function.declaration.form import DeclarationModel
     from sigcat.function.function_json.model import FunctionJson
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
+    from sigcat.limits import Limits
 
 
 class Integrated(NamedTuple):
@@ -17,6 +19,22 @@ class Integrated(NamedTuple):
     document: bytes
     findings: "tuple[Finding, ...]"
     report: "tuple[Entry, ...]"
+
+
+class Generator(NamedTuple):
+    """One kind of files that are generated from the Integration JSON of a platform."""
+
+    name: str
+    """In commands and addresses: `arxml`. No other platform has a generator of this name."""
+    title: str
+    """In headings: `ARXML`."""
+    target: str
+    """For which release of what: `AUTOSAR adaptive R23-11`."""
+    contents: str
+    """What the files hold, for help texts."""
+    media_type: str
+    generate: "Callable[[bytes, str, Limits], tuple[GeneratedFile, ...]]"
+    """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
 
 
 class Platform(NamedTuple):
@@ -29,9 +47,11 @@ class Platform(NamedTuple):
     settings: "Callable[[], type[DeclarationModel]]"
     """The model of its section of the deployment file."""
     derive: "Callable[[Sequence[FunctionJson], Deployment, Any], Integrated]"
-    """The Integration JSON of a set of functions, with what the deployment says for all platforms and for this one."""
+    """The Integration JSON of a set of functions and its report, with what the deployment says for all platforms and
+    for this one."""
     schema: Callable[[], dict[str, Any]]
     """JSON Schema of its Integration JSON."""
+    generators: tuple[Generator, ...] = ()
 
     @property
     def section(self) -> str:

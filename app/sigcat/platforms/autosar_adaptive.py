@@ -3,12 +3,14 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.integration.platform import Integrated, Platform
+from sigcat.platforms.platform import Generator, Integrated, Platform
 
 if TYPE_CHECKING:
+    from sigcat.adapter.files import GeneratedFile
     from sigcat.function.function_json.model import FunctionJson
     from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
     from sigcat.integration.deployment import Deployment
+    from sigcat.limits import Limits
 
 
 def _settings() -> "type[AutosarAdaptiveSettings]":
@@ -33,4 +35,19 @@ def _schema() -> dict[str, Any]:
     return integration_schema()
 
 
-AUTOSAR_ADAPTIVE = Platform("autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema)
+def _generate_arxml(data: bytes, name: str, limits: "Limits") -> "tuple[GeneratedFile, ...]":
+    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+    from sigcat.integration.autosar_adaptive.document import read_integration
+
+    return generate(read_integration(data, name, limits))
+
+
+ARXML = Generator(
+    name="arxml",
+    title="ARXML",
+    target="AUTOSAR adaptive R23-11",
+    contents="types, interfaces, components and deployment",
+    media_type="application/xml",
+    generate=_generate_arxml,
+)
+AUTOSAR_ADAPTIVE = Platform("autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML,))

@@ -4,12 +4,12 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sigcat.errors import NotFound
-from sigcat.integration.platforms import PLATFORMS
 from sigcat.names import nearest
+from sigcat.platforms.table import PLATFORMS
 
 
 def _deployment() -> dict[str, Any]:
-    from sigcat.integration.deployment_file import deployment_schema
+    from sigcat.platforms.deployment_file import deployment_schema
 
     return deployment_schema()
 

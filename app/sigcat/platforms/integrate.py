@@ -7,8 +7,8 @@ from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.deployment import Deployment
-from sigcat.integration.deployment_file import DEFAULT_DEPLOYMENT
-from sigcat.integration.platform import Integrated, Platform
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
+from sigcat.platforms.platform import Integrated, Platform
 
 
 @collector_paused()

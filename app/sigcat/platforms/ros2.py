@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.integration.platform import Integrated, Platform
+from sigcat.platforms.platform import Integrated, Platform
 
 if TYPE_CHECKING:
     from sigcat.function.function_json.model import FunctionJson
