@@ -65,6 +65,13 @@ def test_a_search_without_results_fails_and_says_what_may_have_been_meant(tree, 
     assert (output.out, "Did you mean 'speed'?" in output.err) == ("", True)
 
 
+def test_a_search_for_a_type_that_there_is_not_says_which_there_are(tree, capsys):
+    assert main(["search", "speed", "--type", "sensr", "-s", "tree.vspec"]) == 2
+    error = capsys.readouterr().err
+    assert "branch, sensor, actuator" in error
+    assert error.endswith("Did you mean 'sensor'?\n")
+
+
 def test_a_unit_that_allows_no_datatype_is_told_to_be_mended_in_its_file(tree, capsys):
     tree.write_text(ROOT + SPEED + "  unit: m\n")
     Path("units.yaml").write_text("m: {definition: Metre, unit: metre, quantity: length, allowed_datatypes: [float]}\n")

@@ -192,7 +192,7 @@ def test_without_a_command_all_of_them_are_listed(arguments, command, capsys):
             "usage: sigcat export json ",
             "unknown option --untis. Did you mean '--units'?",
         ),
-        (["search", "--type", "sensr", "x"], "usage: sigcat search ", "not 'sensr'. Did you mean 'sensor'?"),
+        (["search", "--format", "jsn", "x"], "usage: sigcat search ", "not 'jsn'. Did you mean 'json'?"),
         (["rule", "V101", "more"], "usage: sigcat rule ", "unexpected argument 'more'"),
     ],
 )

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from sigcat import codes
 from sigcat.api.settings import Settings
+from sigcat.api.validation import reason_of
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
@@ -32,7 +33,7 @@ def read_settings(
     try:
         settings = Settings(**{name: value for name, value in values.items() if name in Settings.model_fields})
     except ValidationError as error:
-        findings += [_wrong(each["loc"], each["msg"], known, file) for each in error.errors()]
+        findings += [_wrong(each, known, file) for each in error.errors()]
     if findings:
         raise InputRefused("The settings of the service cannot be used.", tuple(findings))
     return settings
@@ -62,14 +63,11 @@ def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
             yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} for the environment.", fix=fix)
 
 
-def _wrong(
-    place: tuple[int | str, ...], message: str, from_environment: Mapping[str, str], file: Path | None
-) -> Finding:
-    name = str(place[0])
+def _wrong(error: Mapping[str, Any], from_environment: Mapping[str, str], file: Path | None) -> Finding:
+    name = str(error["loc"][0])
     where = f"{PREFIX}{name.upper()}" if name in from_environment else f"[{TABLE}] {name}"
-    reason = message.removeprefix("Value error, ")
     return codes.SETTING_UNFIT.finding(
-        f"{where}: {reason[:1].lower()}{reason[1:]}.",
+        f"{where}: {reason_of(error)}.",
         "" if name in from_environment else str(file or ""),
     )
 

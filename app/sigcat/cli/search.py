@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from sigcat.catalogue.model.catalogue import Node
     from sigcat.catalogue.search import SearchResult
 
-_TYPES = ("branch", "sensor", "actuator", "attribute", "struct", "property")
-
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command."""
@@ -22,7 +20,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         epilog="Exit status: 1 if there are none.",
     )
     parser.add_argument("words", nargs="+", metavar="WORD", help="such as: wheel speed")
-    parser.add_argument("--type", choices=_TYPES, help="only nodes of this type")
+    parser.add_argument("--type", help="only nodes of this type, such as sensor")
     parser.add_argument("--limit", type=int, default=50, metavar="N", help="at most so many (default: %(default)s)")
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
     add_tree_options(parser)

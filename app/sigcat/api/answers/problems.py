@@ -14,6 +14,7 @@ from starlette.exceptions import HTTPException
 from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.serializers import listed_findings, plain_text
+from sigcat.api.validation import reason_of
 from sigcat.errors import InputRefused, NotFound, SigcatError
 from sigcat.findings import Finding
 
@@ -111,15 +112,13 @@ def _invalid(error: dict[str, Any]) -> Finding:
     where = [str(part) for part in error["loc"]]
     name = where[-1] if where else ""
     pointer = "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in where)
-    reason = error["msg"].removeprefix("Value error, ").rstrip(".")
+    reason = reason_of(error)
     choices = re.fullmatch(r"\^\(([\w|]+)\)\$", str(error.get("ctx", {}).get("pattern", "")))
     if choices:
         reason = f"must be {choices[1].replace('|', ' or ')}"
     if error["type"] == "extra_forbidden":
         return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Unknown parameter {name!r}.", pointer=pointer)
-    return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(
-        f"Parameter {name!r}: {reason[:1].lower()}{reason[1:]}.", pointer=pointer
-    )
+    return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Parameter {name!r}: {reason}.", pointer=pointer)
 
 
 def _detail_of(error: HTTPException) -> str:

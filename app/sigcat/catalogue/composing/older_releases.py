@@ -45,9 +45,15 @@ _UNITS_OF_TOOLS = (
 _SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
 """Keys of shipped units in the spelling of 3.0, which a tree of 3.0 keeps."""
 _ESSENTIAL = frozenset(
-    (codes.SECOND_ROOT.id, codes.OUTSIDE_ROOT.id, codes.PATH_MALFORMED.id, codes.INSTANCES_MULTIPLY.id)
-)
-"""Rules that every tree has to follow, of any age: without them there is no tree."""
+    rule.id
+    for rule in (
+        codes.NOT_YAML, codes.NOT_UTF_8, codes.NOT_A_MAPPING, codes.NOT_A_VALUE, codes.ALIAS_TO_ITSELF,
+        codes.FILE_UNREADABLE, codes.FILE_TOO_LARGE, codes.NESTING_TOO_DEEP,
+        codes.INCLUDE_MISSING, codes.INCLUDE_CYCLE, codes.INCLUDE_OUTSIDE, codes.INCLUDES_MULTIPLY,
+        codes.SECOND_ROOT, codes.OUTSIDE_ROOT, codes.PATH_MALFORMED, codes.INSTANCES_MULTIPLY,
+    )
+)  # fmt: skip
+"""Rules that every tree has to follow, of any age: without them its files cannot be read, or are no tree."""
 
 
 class Units(NamedTuple):
@@ -235,7 +241,5 @@ def tolerant(catalogue: Catalogue) -> Catalogue:
 
 
 def _tolerated(finding: Finding) -> Finding:
-    is_tolerable = finding.rule in (codes.DUPLICATE_KEY.id, codes.INCLUDE_MALFORMED.id) or (
-        finding.rule[0] in "VU" and finding.rule not in _ESSENTIAL
-    )
-    return finding._replace(severity="warning") if is_tolerable and finding.severity == "error" else finding
+    is_tolerable = finding.severity == "error" and finding.rule not in _ESSENTIAL
+    return finding._replace(severity="warning") if is_tolerable else finding

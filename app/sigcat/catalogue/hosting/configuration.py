@@ -15,6 +15,7 @@ Paths are relative to the file. Everything wrong with it is reported at once, wi
 """
 
 import re
+import sys
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -39,7 +40,8 @@ _LARGEST = 1024 * 1024
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
 _KEY = re.compile(r"\s*[\"']?([A-Za-z0-9_.-]+)[\"']?\s*=")
-_PLACE = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
+_POSITION = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
+"""How tomllib ends its messages. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 
 
@@ -144,10 +146,17 @@ def _refused(file: Path, findings: list[Finding]) -> InputRefused:
 
 
 def _syntax_error(error: tomllib.TOMLDecodeError, file: Path, text: str) -> Finding:
+    message, line, column = _message_and_position(error, text)
+    return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column)
+
+
+def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[str, int, int]:
+    if sys.version_info >= (3, 14):
+        return error.msg, error.lineno, error.colno
     message = str(error)
-    place = _PLACE.search(message)
-    line, column = (int(place[1]), int(place[2])) if place and place[1] else (text.count("\n") + 1, 0)
-    return codes.NOT_TOML.finding(f"Not valid TOML: {_PLACE.sub('', message)}.", str(file), line, column)
+    position = _POSITION.search(message)
+    line, column = (int(position[1]), int(position[2])) if position and position[1] else (text.count("\n") + 1, 0)
+    return _POSITION.sub("", message), line, column
 
 
 def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:

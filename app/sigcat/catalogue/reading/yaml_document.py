@@ -269,13 +269,18 @@ def _any_scalar(node: ScalarNode) -> Any:
     return SafeConstructor().construct_object(node)
 
 
-_COLON, _TOKEN, _ALIAS = "mapping values are not allowed", "cannot start any token", "found undefined alias"
-"""How libyaml words its errors: it has no codes for them. If its words change, advice is missing and nothing else."""
+_STRAY_CHARACTER = "cannot start any token"
+_ASTERISK = "If the asterisk belongs to a text, quote the text."
 _ADVICE = {
-    _COLON: "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
-    _TOKEN: "Indent with spaces, not with tabs.",
-    _ALIAS: "If the asterisk belongs to a text, quote the text.",
+    "mapping values are not allowed": "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
+    _STRAY_CHARACTER: "Indent with spaces, not with tabs.",
+    "found undefined alias": _ASTERISK,
+    "while scanning an alias": _ASTERISK,
 }
+"""By the words of libyaml, which has no codes for its errors; tests/catalogue/bad has a case of each.
+
+If the words change, advice is missing and nothing else.
+"""
 
 
 class _BeyondLimit(Exception):
@@ -325,7 +330,7 @@ def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document
     line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
     message = ", ".join(part for part in (error.context, error.problem) if part)
     words = next((words for words in _ADVICE if words in message), "")
-    fix = "Quote the text." if words == _TOKEN and "\t" not in text else _ADVICE.get(words, "")
+    fix = "Quote the text." if words == _STRAY_CHARACTER and "\t" not in text else _ADVICE.get(words, "")
     return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
 
 
