@@ -73,14 +73,14 @@ def derive_all(folder: Path) -> None:
     """Everything, from the files of the set to the files of the platform."""
     from sigcat.adapter.autosar_adaptive.arxml.generate import generate
     from sigcat.catalogue.composing.compose import read_catalogue
-    from sigcat.function.function_file import build_function
     from sigcat.integration.autosar_adaptive.derive import derive
     from sigcat.integration.autosar_adaptive.model import to_json
+    from sigcat.integration.reading import read_functions
 
     catalogue = read_catalogue(folder / "tree.vspec")
     paths = sorted(folder.glob("function*.yaml"))
-    functions = [build_function(path.read_bytes(), path.name, catalogue)[0] for path in paths]
-    derived = derive(functions)
+    read = read_functions([(path.read_bytes(), path.name) for path in paths], lambda: catalogue)
+    derived = derive(read.functions)
     output = folder / "output"
     output.mkdir(exist_ok=True)
     (output / "integration.json").write_bytes(to_json(derived.model))

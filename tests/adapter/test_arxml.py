@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.cli import main
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.derive import derive
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from tests.adapter.arxml_judge import (
@@ -23,7 +22,7 @@ from tests.adapter.arxml_judge import (
     numbers,
     without_number,
 )
-from tests.integration.autosar_adaptive.sets import at, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, derive, examples, function, signal
 from tests.needs import published, published_files
 
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),

@@ -8,7 +8,7 @@ from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
-from tests.function.shipped import interfaces
+from tests.function.shipped import interfaces, resolved
 
 ARRAY = "Vehicle.ADAS.EcoControl.Gains"
 
@@ -51,8 +51,8 @@ def test_the_elements_of_a_parameter_go_all_the_way() -> None:
     contracts = [contract for call in function.components[0].runnables for contract in call.contracts or ()]
     (parameter,) = [parameter for contract in contracts for parameter in contract.parameters or ()]
     assert parameter.default_text == "[10, 20]"
-    adaptive = json.loads(integrate(PLATFORMS["autosar-adaptive"], [function]).document)
+    adaptive = json.loads(integrate(PLATFORMS["autosar-adaptive"], [resolved(function)]).document)
     assert '"Default": "[10, 20]"' in json.dumps(adaptive)
-    ros = integrate(PLATFORMS["ros2"], [function]).document.decode()
+    ros = integrate(PLATFORMS["ros2"], [resolved(function)]).document.decode()
     assert "36.0" in ros
     assert "72.0" in ros

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from sigcat.findings import Finding
-    from sigcat.function.function_json.model import FunctionJson
+    from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
 
@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _functions(arguments: argparse.Namespace) -> "tuple[FunctionJson, ...]":
+def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
     for path in arguments.functions:

@@ -51,9 +51,14 @@ class CheckedFunction(NamedTuple):
         return self.resolved.function if self.resolved else None
 
     @property
+    def sound(self) -> ResolvedFunction | None:
+        """The resolved function, if its file has no errors."""
+        return None if has_errors(self.findings) else self.resolved
+
+    @property
     def sound_function(self) -> FunctionJson | None:
         """The function, if its file has no errors."""
-        return None if has_errors(self.findings) else self.function
+        return self.sound.function if self.sound else None
 
     @property
     def is_incomplete(self) -> bool:

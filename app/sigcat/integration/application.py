@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.function.function_json.model import Component, FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
 DEFAULT_VERSION = "1.0.0"
@@ -16,7 +17,7 @@ DEFAULT_VERSION = "1.0.0"
 class Application(NamedTuple):
     """A set of functions, and what their documents say of it: as the deployment has it, or else as they say."""
 
-    functions: tuple[FunctionJson, ...]
+    functions: tuple[ResolvedFunction, ...]
     """By name."""
     name: str
     description: str
@@ -49,21 +50,22 @@ class Part(NamedTuple):
         return self.component is self.function.components[0]
 
 
-def application(functions: Sequence[FunctionJson], deployment: Deployment = NO_DEPLOYMENT) -> Application:
+def application(functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT) -> Application:
     """The application of a function or a set. Raises UsageError if there is none, or one twice."""
     if not functions:
         raise UsageError("There is no function to integrate. Name at least one.")
-    ordered = tuple(sorted(functions, key=lambda function: function.info.function_name))
-    infos = [function.info for function in ordered]
+    ordered = tuple(sorted(functions, key=lambda function: function.name))
+    wholes = [function.function for function in ordered]
+    infos = [function.info for function in wholes]
     _refuse_doubles([info.function_name for info in infos])
     return Application(
         functions=ordered,
         name=deployment.name or " and ".join(info.function_name for info in infos),
         description=deployment.description or joined((info.description for info in infos), " "),
         responsible=deployment.responsible or joined(info.function_responsible for info in infos),
-        authority=deployment.authority or joined(function.meta.authority for function in ordered),
-        author=deployment.author or joined(function.meta.schema_author for function in ordered),
-        date=deployment.date or max(filter(None, map(_date, ordered)), default=None),
+        authority=deployment.authority or joined(function.meta.authority for function in wholes),
+        author=deployment.author or joined(function.meta.schema_author for function in wholes),
+        date=deployment.date or max(filter(None, map(_date, wholes)), default=None),
         version=deployment.version,
         paths=deployment.paths,
     )

@@ -1,21 +1,56 @@
-"""What `derive` finds on its way, gathered while it builds a document."""
+"""What `derive` finds on its way, each at the part of a function that it is about."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+from pydantic import BaseModel
 
 from sigcat.findings import Finding, RuleCode
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import parts
+
+
+class Subject(NamedTuple):
+    """A part of a function that findings may be about."""
+
+    name: str
+    """What findings call it; empty if the part has no name of its own."""
+    part: BaseModel
+
+    def __str__(self) -> str:
+        return self.name
 
 
 @dataclass
 class FindingCollector:
     """Findings in the order in which they were reported, each once."""
 
+    functions: Sequence[ResolvedFunction] = ()
     _found: dict[Finding, None] = field(default_factory=dict)
 
-    def report(self, rule: RuleCode, message: str, path: str = "", fix: str = "") -> None:
-        """Report one about an interface, or whatever else `path` names."""
-        self._found[rule.finding(message, path=path, fix=fix)] = None
+    def report(
+        self, rule: RuleCode, message: str, subject: Subject | str = "", fix: str = "", *, key: str = ""
+    ) -> None:
+        """Report one about a part of a function, at its field `key` if one is to blame; or about whatever else is named."""
+        self._found[self._finding(rule, message, subject, fix, key)] = None
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """All of them."""
         return tuple(self._found)
+
+    def _finding(self, rule: RuleCode, message: str, subject: Subject | str, fix: str, key: str) -> Finding:
+        if isinstance(subject, str) or id(subject.part) not in self._parts:
+            return rule.finding(message, path=str(subject), fix=fix)
+        function, pointer = self._parts[id(subject.part)]
+        return function.finding(rule, (*pointer, key) if key else pointer, message, fix, subject.name)
+
+    @cached_property
+    def _parts(self) -> dict[int, tuple[ResolvedFunction, Pointer]]:
+        """Every part of the functions by its identity: equal parts of two calls stand in two places."""
+        return {
+            id(part): (function, pointer) for function in self.functions for pointer, part in parts(function.function)
+        }

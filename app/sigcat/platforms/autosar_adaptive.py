@@ -7,7 +7,7 @@ from sigcat.platforms.platform import Generator, Integrated, Platform
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
-    from sigcat.function.function_json.model import FunctionJson
+    from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
     from sigcat.integration.deployment import Deployment
     from sigcat.limits import Limits
@@ -20,7 +20,7 @@ def _settings() -> "type[AutosarAdaptiveSettings]":
 
 
 def _derive(
-    functions: "Sequence[FunctionJson]", deployment: "Deployment", settings: "AutosarAdaptiveSettings"
+    functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "AutosarAdaptiveSettings"
 ) -> Integrated:
     from sigcat.integration.autosar_adaptive.derive import derive
     from sigcat.integration.autosar_adaptive.model import to_json

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import Deployment
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from sigcat.platforms.platform import Integrated, Platform
@@ -13,7 +13,7 @@ from sigcat.platforms.platform import Integrated, Platform
 
 @collector_paused()
 def integrate(
-    platform: Platform, functions: Sequence[FunctionJson], deployment: Deployment = DEFAULT_DEPLOYMENT
+    platform: Platform, functions: Sequence[ResolvedFunction], deployment: Deployment = DEFAULT_DEPLOYMENT
 ) -> Integrated:
     """Derive the Integration JSON for a platform. Raises InputRefused if a field of an interface has no place in it."""
     integrated = platform.derive(functions, deployment, getattr(deployment, platform.section))

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
     from sigcat.findings import Finding
     from sigcat.function.declaration.form import DeclarationModel
-    from sigcat.function.function_json.model import FunctionJson
+    from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
     from sigcat.limits import Limits
@@ -46,7 +46,7 @@ class Platform(NamedTuple):
     """In sentences: `ROS 2`."""
     settings: "Callable[[], type[DeclarationModel]]"
     """The model of its section of the deployment file."""
-    derive: "Callable[[Sequence[FunctionJson], Deployment, Any], Integrated]"
+    derive: "Callable[[Sequence[ResolvedFunction], Deployment, Any], Integrated]"
     """The Integration JSON of a set of functions and its report, with what the deployment says for all platforms and
     for this one."""
     schema: Callable[[], dict[str, Any]]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from sigcat.platforms.platform import Integrated, Platform
 
 if TYPE_CHECKING:
-    from sigcat.function.function_json.model import FunctionJson
+    from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.ros2.settings import Ros2Settings
 
@@ -17,7 +17,7 @@ def _settings() -> "type[Ros2Settings]":
     return Ros2Settings
 
 
-def _derive(functions: "Sequence[FunctionJson]", deployment: "Deployment", settings: "Ros2Settings") -> Integrated:
+def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "Ros2Settings") -> Integrated:
     from sigcat.integration.ros2.derive import derive
     from sigcat.integration.ros2.model import to_json
 

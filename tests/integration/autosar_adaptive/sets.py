@@ -6,7 +6,7 @@ from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive import derive as deriving
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
-from tests.function.shipped import FUNCTIONS, interfaces
+from tests.function.shipped import FUNCTIONS, interfaces, resolved
 
 
 @cache
@@ -17,7 +17,7 @@ def examples() -> tuple[FunctionJson, ...]:
 
 def derive(functions, deployment=DEFAULT_DEPLOYMENT):
     """The integration with the deployment of a file."""
-    return deriving.derive(functions, deployment, deployment.autosar_adaptive)
+    return deriving.derive([resolved(each) for each in functions], deployment, deployment.autosar_adaptive)
 
 
 def example(name: str) -> FunctionJson:

@@ -8,7 +8,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.model import to_json
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
-from tests.function.shipped import FUNCTIONS, interfaces
+from tests.function.shipped import FUNCTIONS, interfaces, resolved
 
 
 @cache
@@ -27,7 +27,7 @@ def settings(**ros2):
 
 def derived(functions, deployment=None):
     deployment = deployment or DEFAULT_DEPLOYMENT
-    return derive(functions, deployment, deployment.ros2)
+    return derive([resolved(each) for each in functions], deployment, deployment.ros2)
 
 
 def document(functions, deployment=None):

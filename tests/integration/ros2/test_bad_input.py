@@ -11,12 +11,11 @@ from sigcat.errors import InputRefused
 from sigcat.function.function_json.model import to_json as function_to_json
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_markdown
-from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.document import read_integration
 from sigcat.integration.ros2.model import to_json
 from sigcat.integration.ros2.names import FIELD, MESSAGE
 from tests.growth import LINEAR, growth
-from tests.integration.ros2.functions import document, function, signal
+from tests.integration.ros2.functions import derived, document, function, signal
 
 HOSTILE = [
     "*/ #include <x>",
@@ -52,7 +51,7 @@ def test_hostile_texts_become_names_that_are_none(text):
 
 def test_nothing_of_a_document_reaches_the_report_unescaped():
     hostile = function(signal('"><script>', "Vehicle.<b>|x|"), name="<img src=x>")
-    table = to_markdown(derive([hostile]).report)
+    table = to_markdown(derived([hostile]).report)
     assert "<" not in table
     assert all(line.replace("\\|", "").count("|") == 7 for line in table.splitlines())
 
@@ -61,13 +60,13 @@ def test_nothing_of_a_document_reaches_the_report_unescaped():
 @given(st.text(max_size=40), st.text(max_size=40), st.text(max_size=20), st.text(max_size=20))
 def test_any_text_anywhere_is_derived_or_refused(name, path, factor, unit):
     made = function(signal(name, path, Factor=factor, VssUnit=unit, Timeout=factor, AsilLevel=unit), name=name)
-    json.loads(to_json(derive([made]).model))
+    json.loads(to_json(derived([made]).model))
 
 
 def test_ten_times_the_signals_take_about_ten_times_as_long():
     def deriving(count):
         many = function(*(signal(f"S{i}", f"Vehicle.Branch{i % 50}.S{i}") for i in range(count)))
-        return partial(derive, [many])
+        return partial(derived, [many])
 
     assert len(deriving(1_000)().model.communications[0].topics) == 1_000
     assert growth(deriving, 100) < LINEAR
@@ -113,14 +112,14 @@ def test_another_schema_version_is_refused():
 
 
 def test_integration_json_is_no_function():
-    data = to_json(derive([function(signal())]).model)
+    data = to_json(derived([function(signal())]).model)
     with pytest.raises(InputRefused, match="cannot be integrated") as refused:
         read_functions([(data, "ros2.json")], no_catalogue)
     assert any("not Integration JSON" in finding.message for finding in refused.value.findings)
 
 
 def test_a_document_is_read_back_and_a_defect_has_its_place():
-    data = to_json(derive([function(signal())]).model)
+    data = to_json(derived([function(signal())]).model)
     assert to_json(read_integration(data, "ros2.json")) == data
     with pytest.raises(InputRefused) as refused:
         read_integration(data.replace(b'"TopicName"', b'"Topic"'), "ros2.json")

@@ -14,12 +14,21 @@ from sigcat.function.function_json.model import FunctionInfo, Mode
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.report import NOT_CARRIED
-from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.field_targets import TABLES
 from sigcat.integration.ros2.model import integration_schema, to_json
 from sigcat.integration.ros2.names import CONSTANT, FIELD, MESSAGE
 from sigcat.platforms.deployment_file import DEPLOYMENT_FILE
-from tests.integration.ros2.functions import document, example, examples, function, rules, settings, signal, topics
+from tests.integration.ros2.functions import (
+    derived,
+    document,
+    example,
+    examples,
+    function,
+    rules,
+    settings,
+    signal,
+    topics,
+)
 
 
 def node(functions, index=0):
@@ -44,11 +53,11 @@ def test_the_examples_are_derived_valid_under_our_schema():
 
 
 def test_the_order_of_the_functions_does_not_matter():
-    assert to_json(derive(examples()).model) == to_json(derive(examples()[::-1]).model)
+    assert to_json(derived(examples()).model) == to_json(derived(examples()[::-1]).model)
 
 
 def test_a_document_is_read_back_to_the_same_bytes():
-    model = derive(examples()).model
+    model = derived(examples()).model
     assert to_json(type(model).model_validate(json.loads(to_json(model)))) == to_json(model)
 
 
@@ -65,9 +74,9 @@ def test_every_name_is_one_of_rosidl():
 
 def test_a_set_has_each_function_once_and_one_at_least():
     with pytest.raises(UsageError, match="once, not twice: CoreAcc"):
-        derive([example("core_acc"), example("core_acc")])
+        derived([example("core_acc"), example("core_acc")])
     with pytest.raises(UsageError, match="There is no function"):
-        derive([])
+        derived([])
 
 
 # -- topics and messages ------------------------------------------------------------------------------------------
@@ -444,7 +453,7 @@ def test_the_report_knows_every_field_of_every_interface(kind):
 
 
 def test_the_report_tells_where_each_field_went():
-    told = {(entry.interface, entry.field): entry for entry in derive(examples()).report}
+    told = {(entry.interface, entry.field): entry for entry in derived(examples()).report}
     brake = told["Vehicle.Chassis.Brake.CylP", "Variable"]
     assert brake.target == "topic /vehicle/chassis/brake/cyl_p, field cyl_p: Variable"
     assert told["CoreAcc_Step", "StackSize"].target == NOT_CARRIED
@@ -452,6 +461,6 @@ def test_the_report_tells_where_each_field_went():
 
 
 def test_what_is_not_carried_has_a_reason():
-    not_carried = [entry for entry in derive(examples()).report if entry.target == NOT_CARRIED]
+    not_carried = [entry for entry in derived(examples()).report if entry.target == NOT_CARRIED]
     assert not_carried
     assert all(entry.note for entry in not_carried)

@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from pydantic import BaseModel
+
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
 from sigcat.function.function_json.methods import Method
@@ -104,3 +106,16 @@ def _arguments(at: Pointer, method: Any) -> Iterator[tuple[Pointer, str]]:
     for key, items in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
         for index, item in enumerate(items):
             yield (*at, key, index, "Datatype"), item.datatype
+
+
+def parts(part: BaseModel, pointer: Pointer = ()) -> Iterator[tuple[Pointer, BaseModel]]:
+    """A model and all models in it, by their keys and indexes in the document."""
+    yield pointer, part
+    for name, info in type(part).model_fields.items():
+        value, at = getattr(part, name), (*pointer, info.alias or name)
+        if isinstance(value, BaseModel):
+            yield from parts(value, at)
+        elif isinstance(value, tuple | list):
+            for index, item in enumerate(value):
+                if isinstance(item, BaseModel):
+                    yield from parts(item, (*at, index))

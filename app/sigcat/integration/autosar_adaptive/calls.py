@@ -12,6 +12,7 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.finding_collector import Subject
 
 T = TypeVar("T", str, None)
 _RUN_TYPES = {
@@ -63,10 +64,14 @@ def _run_type(call: Runnable, part: Part, context: Context) -> str:
         message = (
             f"{call.name} runs on events, which the published schema has no run type for: it is written as Cyclic."
         )
-        context.findings.report(codes.CALL_ON_EVENTS, message, call.name, "Read `Trigger`, which says Event.")
+        context.findings.report(
+            codes.CALL_ON_EVENTS, message, Subject(call.name, call), "Read `Trigger`, which says Event.", key="Runtype"
+        )
     if run_type is None:
         message = f"The run type of {call.name} of {part.function_name} must be Init, Cyclic, EventTriggered or Shutdown, not {call.run_type!r}: it is written as Cyclic."
-        context.findings.report(codes.RUN_TYPE_UNKNOWN, message, call.name, "Correct it in the function.")
+        context.findings.report(
+            codes.RUN_TYPE_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Runtype"
+        )
     return run_type or "Cyclic"
 
 
@@ -74,7 +79,9 @@ def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if plain not in _SCHEDULING:
         message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
-        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call.name, "Correct it in the function.")
+        context.findings.report(
+            codes.SCHEDULING_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Scheduling"
+        )
     return _SCHEDULING.get(plain)
 
 
@@ -100,7 +107,7 @@ def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
 
 
 def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
-    """Parameters of a component; one that several calls use stands once, unless they tell it differently."""
+    """Parameters of a component; one that several calls use stands once, unless they describe it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], Parameter] = {}
     for call in part.component.runnables:
@@ -124,16 +131,31 @@ def _parameter(
     name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
-    where = f"{parameter.name} of {part.function_name}"
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
         datatype=_parameter_type(parameter, part, types),
-        range_error_action=_known(parameter.range_error_action or None, ("Default", "Init"), None, where, context),
-        interface_type=_known(
-            stored, ("Calibration", "Measurement", "PersistanceMemory"), "Calibration", where, context
+        range_error_action=_known(
+            parameter.range_error_action or None,
+            ("Default", "Init"),
+            None,
+            "RangeErrorAction",
+            parameter,
+            part,
+            context,
         ),
-        attribute=_known(parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", where, context),
+        interface_type=_known(
+            stored,
+            ("Calibration", "Measurement", "PersistanceMemory"),
+            "Calibration",
+            "Interfacetype",
+            parameter,
+            part,
+            context,
+        ),
+        attribute=_known(
+            parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", "Attribute", parameter, part, context
+        ),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,
@@ -147,13 +169,15 @@ def _parameter(
     )
 
 
-def _known(word: str | None, words: Sequence[str], otherwise: T, where: str, context: Context) -> str | T:
+def _known(
+    word: str | None, words: Sequence[str], otherwise: T, key: str, parameter: Parameter, part: Part, context: Context
+) -> str | T:
     """The word, if the published schema has it; a word of another spelling is reported, not written."""
     if word is None or word in words:
         return word or otherwise
     near = {known.lower(): known for known in words}.get(word.lower())
-    message = f"{where} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
-    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, where.split(" ", 1)[0])
+    message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
+    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, Subject(parameter.name, parameter), key=key)
     return near or otherwise
 
 

@@ -3,10 +3,13 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from pydantic import BaseModel
+
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
+from sigcat.function.function_json.walk import parts
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
@@ -21,7 +24,7 @@ from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.unused import report_unused
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import NOT_CARRIED, Entry
 
 NO_DATE = "1970-01-01"
@@ -40,13 +43,15 @@ class Derived(NamedTuple):
 
 
 def derive(
-    functions: Sequence[FunctionJson],
+    functions: Sequence[ResolvedFunction],
     deployment: Deployment = NO_DEPLOYMENT,
     settings: AutosarAdaptiveSettings = NO_SETTINGS,
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
-    context = Context(app, settings, named_parts(app.functions), FindingCollector())
+    context = Context(
+        app, settings, named_parts([each.function for each in app.functions]), FindingCollector(app.functions)
+    )
     types = TypeTable(context)
     sides = placed(list(items(context.parts)), context)
     all_services = services(sides, context)
@@ -58,7 +63,8 @@ def derive(
         components=components,
         datatypes=types.entries or None,
         deployment=_deployment_names(context),
-        provenance=tuple(f.provenance.model_dump(mode="json") for f in app.functions if f.provenance) or None,
+        provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
+        or None,
     )
     report_unused(sides, all_services, context)
     targets = field_targets(context, sides, all_services)
@@ -70,7 +76,16 @@ def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
     for entry in targets:
         if entry.target == NOT_CARRIED:
             message = f"{entry.field} of {entry.interface} ({entry.function}) has no place in the Integration JSON: {entry.note}."
-            context.findings.report(codes.FIELD_NOT_CARRIED, message, entry.interface)
+            holder = _holder(entry, context)
+            subject = entry.interface if holder is None else Subject(entry.interface, holder)
+            context.findings.report(codes.FIELD_NOT_CARRIED, message, subject, key=entry.field)
+
+
+def _holder(entry: Entry, context: Context) -> BaseModel | None:
+    """The part of a function that has the field of an entry."""
+    function = next(each.function for each in context.application.functions if each.name == entry.function)
+    named = (part for _, part in parts(function) if getattr(part, "name", entry.function) == entry.interface)
+    return next((part for part in named if entry.field in (part.model_extra or ())), None)
 
 
 def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
@@ -168,7 +183,7 @@ def _info(app: Application) -> model.FunctionInformation:
         name=app.name,
         responsible=app.responsible,
         description=app.description,
-        functions=tuple(function.info.function_name for function in app.functions),
+        functions=tuple(function.name for function in app.functions),
     )
 
 

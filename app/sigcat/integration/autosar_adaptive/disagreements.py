@@ -8,6 +8,7 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Element, Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.types import TypeTable
+from sigcat.integration.finding_collector import Subject
 
 
 def report_disagreements(all_services: Iterable[Service], types: TypeTable, context: Context) -> None:
@@ -28,8 +29,9 @@ def _compare(element: Element, types: TypeTable, context: Context) -> None:
                 f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
                 f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
             )
+            subject = Subject(element.identity, side.item.interface)
             context.findings.report(
-                codes.MEANINGS_DIFFER_ADAPTIVE, message, element.identity, "Build both from the same catalogue."
+                codes.MEANINGS_DIFFER_ADAPTIVE, message, subject, "Build both from the same catalogue."
             )
 
 

@@ -20,6 +20,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     assign,
 )
 from sigcat.integration.autosar_names import distinct, event_name, short_name
+from sigcat.integration.finding_collector import Subject
 
 FIELD_GROUP = "Fields"
 """Event group of the notifiers of fields."""
@@ -60,7 +61,8 @@ def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
     for side in placed:
         by_origin[_key(side.group)].append(side)
     names = distinct({key: sides[0].group.name for key, sides in by_origin.items()})
-    _report_renamed({names[key]: sides[0].group.name for key, sides in by_origin.items()}, context)
+    for key, sides in by_origin.items():
+        _report_renamed(names[key], Subject(sides[0].group.name, sides[0].item.interface), context)
     numbers = _numbers(names.values(), SERVICES, context, "", "")
     instances = _numbers(names.values(), INSTANCES, context, "", ":instance")
     return tuple(
@@ -98,11 +100,12 @@ def _elements(sides: Sequence[Placed], service: str, context: Context) -> tuple[
         for (identity, kind), listed in found.items()
     }
     names = distinct(wanted)
-    _report_renamed({f"{service}.{names[key]}": f"{service}.{wanted[key]}" for key in wanted}, context)
-    made = [
-        Element(names[f"{identity} {kind.__name__}"], identity, kind, tuple(listed))
-        for (identity, kind), listed in found.items()
-    ]
+    made = []
+    for (identity, kind), listed in found.items():
+        key = f"{identity} {kind.__name__}"
+        plain = Subject(f"{service}.{wanted[key]}", listed[0].item.interface)
+        _report_renamed(f"{service}.{names[key]}", plain, context)
+        made.append(Element(names[key], identity, kind, tuple(listed)))
     return tuple(sorted(made, key=lambda element: element.name))
 
 
@@ -117,11 +120,10 @@ def _wanted(identity: str, side: Placed, context: Context) -> str:
     return event_name(identity) if is_data and context.path_of(side.item) else short_name(identity)
 
 
-def _report_renamed(wanted: dict[str, str], context: Context) -> None:
-    for name, plain in wanted.items():
-        if name != plain:
-            message = f"{plain} is the name of another interface too: short names have no dots, and case does not count. This one is {name}."
-            context.findings.report(codes.NAME_TAKEN, message, plain)
+def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
+    if name != wanted.name:
+        message = f"{wanted} is the name of another interface too: short names have no dots, and case does not count. This one is {name}."
+        context.findings.report(codes.NAME_TAKEN, message, wanted)
 
 
 def _numbers(names: Iterable[str], span: Span, context: Context, scope: str, suffix: str) -> dict[str, int]:

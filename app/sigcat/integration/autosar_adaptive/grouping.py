@@ -12,6 +12,7 @@ from sigcat.function.function_json.status_interfaces import Error, ModeInterface
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_names import branch_of, service_name
+from sigcat.integration.finding_collector import Subject
 
 MODES = "ModeManagement"
 SAFETY = "SafetyManagement"
@@ -50,17 +51,22 @@ def identity_of(item: Item, context: Context) -> str:
 def _providers(items: Iterable[Item], context: Context) -> dict[tuple[bool, str], list[Part]]:
     """Components that provide each signal (False) and each method (True), in the order of the set."""
     found: defaultdict[tuple[bool, str], list[Part]] = defaultdict(list)
+    second: dict[tuple[bool, str], Item] = {}
     for item in items:
         if not isinstance(item.interface, Signal | DataQueue | Method) or item.interface.role != PROVIDER:
             continue
-        parts = found[isinstance(item.interface, Method), identity_of(item, context)]
-        if all(part.name != item.part.name for part in parts):
-            parts.append(item.part)
-    for (_, identity), parts in found.items():
-        if len(parts) > 1:
-            names = ", ".join(part.name for part in parts)
-            message = f"{identity} must have one provider, not {names}. Consumers are connected to {parts[0].name}."
-            context.findings.report(codes.SEVERAL_PROVIDERS, message, identity, "Let only one of them provide it.")
+        key = (isinstance(item.interface, Method), identity_of(item, context))
+        if all(part.name != item.part.name for part in found[key]):
+            found[key].append(item.part)
+            if len(found[key]) == 2:
+                second[key] = item
+    for key, item in second.items():
+        subject, parts = Subject(key[1], item.interface), found[key]
+        names = ", ".join(part.name for part in parts)
+        message = f"{subject} must have one provider, not {names}. Consumers are connected to {parts[0].name}."
+        context.findings.report(
+            codes.SEVERAL_PROVIDERS, message, subject, "Let only one of them provide it.", key="Role"
+        )
     return found
 
 
@@ -85,9 +91,8 @@ def _outside(item: Item, identity: str, context: Context) -> Group:
         return _configured(identity, context) or _of_origin(branch_of(identity))
     message = f"{identity} ({item.where}) must have a VSS path or a provider in the set."
     fix = f"Set its path in the deployment file, as `paths: {{{item.part.function_name}.{item.interface.name}: Vehicle...}}`, or add the provider."
-    context.findings.report(
-        codes.PROVIDER_UNKNOWN, message, identity, "Add its provider." if isinstance(item.interface, Method) else fix
-    )
+    fix = "Add its provider." if isinstance(item.interface, Method) else fix
+    context.findings.report(codes.PROVIDER_UNKNOWN, message, Subject(identity, item.interface), fix)
     return _of_origin(f"{item.part.name}Required")
 
 

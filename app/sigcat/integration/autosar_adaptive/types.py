@@ -9,6 +9,7 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference
+from sigcat.integration.finding_collector import Subject
 
 _STORAGE = "uint8"
 
@@ -109,7 +110,7 @@ class TypeTable:
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} must have content: it has {what}, and is written as an empty structure."
         fix = "Give it a `Kind` with members, symbols or elements."
-        self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, fix=fix)
+        self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, Subject("", datatype or function), fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
 
@@ -126,7 +127,8 @@ class TypeTable:
         self._context.findings.report(
             codes.DATATYPE_CONTAINS_ITSELF,
             message,
-            fix="Break the cycle, for instance with an index.",
+            Subject("", datatype),
+            "Break the cycle, for instance with an index.",
         )
 
 

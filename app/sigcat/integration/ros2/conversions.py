@@ -10,20 +10,20 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, 
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import Spelling
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.model import Conversion, SymbolMap
 from sigcat.integration.ros2.types import FieldType, c_definition, code_type
 
 _FLOATING = ("float", "double")
 
 
-def to_catalogue(item: Signal | DataQueue | Parameter, interface: str, findings: FindingCollector) -> Linear:
+def to_catalogue(item: Signal | DataQueue | Parameter, interface: Subject, findings: FindingCollector) -> Linear:
     """From the number in the code to the value in the catalogue's unit."""
     scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, findings)
     return scale.then(physical(item, interface, findings))
 
 
-def physical(item: Signal | DataQueue | Parameter, interface: str, findings: FindingCollector) -> Linear:
+def physical(item: Signal | DataQueue | Parameter, interface: Subject, findings: FindingCollector) -> Linear:
     """From the value in the code's unit to the value in the catalogue's."""
     return _linear(item.conversion_factor, item.conversion_offset, interface, findings)
 
@@ -78,7 +78,7 @@ def _narrows(source: Spelling, target: Spelling, way: Linear) -> bool:
     return ends[0] < Fraction(held[0]) or ends[1] > Fraction(held[1])
 
 
-def _linear(factor: object, offset: object, interface: str, findings: FindingCollector) -> Linear:
+def _linear(factor: object, offset: object, interface: Subject, findings: FindingCollector) -> Linear:
     if factor is None and offset is None:
         return IDENTITY
     numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]

@@ -6,10 +6,12 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
+from sigcat.function.function_json.data_interfaces import Parameter
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import Entry
 from sigcat.integration.ros2.field_targets import field_targets
 from sigcat.integration.ros2.function_set import function_set
@@ -35,14 +37,15 @@ class Derived(NamedTuple):
 
 
 def derive(
-    functions: Sequence[FunctionJson], deployment: Deployment = NO_DEPLOYMENT, settings: Ros2Settings = NO_SETTINGS
+    functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT, settings: Ros2Settings = NO_SETTINGS
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
     merged = function_set(app.functions)
-    findings = FindingCollector()
+    wholes = tuple(each.function for each in merged.functions)
+    findings = FindingCollector(merged.functions)
     book = MessageBook(settings.message_package, {each.reference: each for each in merged.datatypes}, findings)
-    parts = node_parts(merged.functions, findings)
+    parts = node_parts(wholes, findings)
     uses = signal_uses(parts, app.paths)
     exchanged = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
     exchanged = with_services(exchanged, parts, settings, book, findings)
@@ -55,13 +58,13 @@ def derive(
         meta=_meta(app),
         info=_info(app),
         components=tuple(part.component for part in parts),
-        modes=_modes(merged.functions),
+        modes=_modes(wholes),
         datatypes=merged.datatypes,
-        mode_interfaces=tuple(each for f in merged.functions for each in f.mode_interfaces or ()) or None,
+        mode_interfaces=tuple(each for f in wholes for each in f.mode_interfaces or ()) or None,
         communications=exchanged,
         interface_packages=_interface_packages(book, app, settings),
         node_packages=tuple(_node_package(part, nodes[part.name], book, app, settings) for part in parts),
-        functions=tuple(_source(function) for function in merged.functions),
+        functions=tuple(_source(function) for function in wholes),
     )
     return Derived(model, findings.findings, field_targets(parts, nodes, exchanged))
 
@@ -70,25 +73,31 @@ def _report_asil(parts: Sequence[Part], findings: FindingCollector) -> None:
     """ROS 2 protects no message end to end and isolates no call: one finding for each call and interface above QM."""
     for part in parts:
         for call in part.component.runnables:
-            _above_qm(call.name, call.asil_level, "the call shares process and executor with others", findings)
+            _above_qm(
+                Subject(call.name, call), call.asil_level, "the call shares process and executor with others", findings
+            )
             for contract in call.contracts or ():
                 for item in data_of(contract):
                     name = item.vss_path or f"{part.function_name}.{item.name}"
-                    _above_qm(name, item.asil_level, "messages have no end-to-end protection", findings)
+                    _above_qm(Subject(name, item), item.asil_level, "messages have no end-to-end protection", findings)
                 for parameter in contract.parameters or ():
                     name = parameter.vss_path or f"{part.function_name}.{parameter.name}"
-                    _above_qm(name, parameter.asil_level, "parameters are not protected", findings)
+                    _above_qm(Subject(name, parameter), parameter.asil_level, "parameters are not protected", findings)
                 for error in contract.errors or ():
-                    _above_qm(error.name, error.asil_level, "diagnostics are not protected", findings)
+                    _above_qm(Subject(error.name, error), error.asil_level, "diagnostics are not protected", findings)
                 for reaction in contract.safety_reactions or ():
-                    _above_qm(reaction.name, reaction.asil_level, "diagnostics are not protected", findings)
+                    _above_qm(
+                        Subject(reaction.name, reaction), reaction.asil_level, "diagnostics are not protected", findings
+                    )
 
 
-def _above_qm(name: str, asil: str | None, why: str, findings: FindingCollector) -> None:
+def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCollector) -> None:
     level = asil_of(asil)
     if level != "QM":
-        message = f"{name}: ROS 2 does not support ASIL {level}: {why}."
-        findings.report(codes.ASIL_NOT_SUPPORTED, message, name, "Protect it in the code, or use a qualified platform.")
+        message = f"{subject}: ROS 2 does not support ASIL {level}: {why}."
+        key = "Asillevel" if isinstance(subject.part, Parameter) else "AsilLevel"
+        fix = "Protect it in the code, or use a qualified platform."
+        findings.report(codes.ASIL_NOT_SUPPORTED, message, subject, fix, key=key)
 
 
 # -- the parts of the document ------------------------------------------------------------------------------------
@@ -109,7 +118,7 @@ def _info(app: Application) -> FunctionInfo:
         function_name=app.name,
         function_responsible=app.responsible,
         description=app.description,
-        version=app.version or joined(function.info.version for function in app.functions) or None,
+        version=app.version or joined(function.function.info.version for function in app.functions) or None,
     )
 
 
@@ -130,7 +139,7 @@ def _modes(functions: Sequence[FunctionJson]) -> tuple[Mode, ...] | None:
 def _interface_packages(book: MessageBook, app: Application, settings: Ros2Settings) -> tuple[InterfacePackage, ...]:
     if not (book.messages or book.services):
         return ()
-    functions = joined(function.info.function_responsible for function in app.functions)
+    functions = joined(function.function.info.function_responsible for function in app.functions)
     package = InterfacePackage(
         name=book.package,
         version=app.version or DEFAULT_VERSION,

@@ -1,10 +1,12 @@
 """Several functions as one set: datatypes of one name and two meanings get two names."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 
 _REFERENCES = ("Datatype", "ElementType", "typeRef")
 
@@ -12,20 +14,21 @@ _REFERENCES = ("Datatype", "ElementType", "typeRef")
 class FunctionSet(NamedTuple):
     """Functions whose references all mean one table of datatypes."""
 
-    functions: tuple[FunctionJson, ...]
+    functions: tuple[ResolvedFunction, ...]
     datatypes: tuple[Datatype, ...]
 
 
-def function_set(functions: Sequence[FunctionJson]) -> FunctionSet:
+def function_set(functions: Sequence[ResolvedFunction]) -> FunctionSet:
     """Merge the datatypes of functions. The first function keeps its names."""
     table: dict[str, Datatype] = {}
     merged = []
-    for function in functions:
+    for resolved in functions:
+        function = resolved.function
         names = {datatype.reference: _free(datatype, table) for datatype in function.datatypes}
         changed = {old: new for old, new in names.items() if old != new}
         own = FunctionJson.model_validate(_renamed(function.model_dump(), changed)) if changed else function
         table.update((datatype.reference, datatype) for datatype in own.datatypes)
-        merged.append(own)
+        merged.append(replace(resolved, function=own))
     return FunctionSet(tuple(merged), tuple(table.values()))
 
 

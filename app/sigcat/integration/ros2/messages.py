@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from sigcat import codes
 from sigcat.function.function_json.datatype import Datatype, Symbol
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed
 from sigcat.integration.ros2.types import FieldType, field_type
@@ -40,7 +40,7 @@ class MessageBook:
         return tuple(self._services[name] for name in sorted(self._services))
 
     def add(
-        self, source: str, interface: str, description: str,
+        self, source: str, interface: Subject, description: str,
         fields: Iterable[MessageField], constants: Iterable[MessageConstant],
     ) -> str:  # fmt: skip
         """Add a message and return its name."""
@@ -50,28 +50,33 @@ class MessageBook:
         return name
 
     def add_service(
-        self, source: str, description: str, request: Iterable[MessageField], response: Iterable[MessageField]
+        self,
+        source: str,
+        interface: Subject,
+        description: str,
+        request: Iterable[MessageField],
+        response: Iterable[MessageField],
     ) -> str:
         """Add a service and return its name."""
-        name = self._name(source, source)
+        name = self._name(source, interface)
         service = Service(name=name, description=description, request=tuple(request), response=tuple(response))
         self._services[name.lower()] = service
         return name
 
-    def written(self, kind: FieldType, interface: str) -> str | None:
+    def written(self, kind: FieldType, interface: Subject) -> str | None:
         """How a message of this package writes a datatype. None, and a finding, if no message can have it."""
         if kind.element is not None:
             return kind.element.ros2 + kind.suffix
         name = self._struct(kind.struct, interface)
         return None if name is None else name + kind.suffix
 
-    def _name(self, source: str, interface: str) -> str:
+    def _name(self, source: str, interface: Subject) -> str:
         name = message_name(source, self._taken)
         report_renamed(name, source, interface, self._findings)
         self._taken.add(name.text.lower())
         return name.text
 
-    def _struct(self, reference: str, interface: str) -> str | None:
+    def _struct(self, reference: str, interface: Subject) -> str | None:
         if reference in self._structs:
             return self._structs[reference]
         if reference in self._open:
@@ -91,7 +96,7 @@ class MessageBook:
         self._structs[reference] = name
         return name
 
-    def _members(self, datatype: Datatype, interface: str) -> list[MessageField] | None:
+    def _members(self, datatype: Datatype, interface: Subject) -> list[MessageField] | None:
         made: list[MessageField] = []
         for member in datatype.fields or ():
             kind = field_type(member.datatype, None, self.table)
@@ -108,7 +113,7 @@ class MessageBook:
         return made
 
 
-def unresolved(findings: FindingCollector, interface: str, reference: str) -> None:
+def unresolved(findings: FindingCollector, interface: Subject, reference: str) -> None:
     """Note that a datatype cannot be resolved."""
     message = f"{interface}: the datatype {reference} must be defined, with a C type. The field is left out."
     findings.report(
@@ -117,7 +122,7 @@ def unresolved(findings: FindingCollector, interface: str, reference: str) -> No
 
 
 def constants(
-    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: str, findings: FindingCollector
+    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: Subject, findings: FindingCollector
 ) -> tuple[MessageConstant, ...]:
     """The values of an enumeration. Where the catalogue has texts, so has the message: numbers differ between codes."""
     made: dict[str, MessageConstant] = {}

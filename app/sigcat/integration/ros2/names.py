@@ -11,7 +11,7 @@ from hashlib import sha256
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.reserved_words import C_MACROS, CPP_KEYWORDS, IDL_KEYWORDS, PYTHON_KEYWORDS
 from sigcat.names import camel_case, screaming_snake_case, snake_case
 
@@ -33,7 +33,7 @@ class Name(NamedTuple):
     reason: str = ""
 
 
-def report_renamed(name: Name, source: str, interface: str, findings: FindingCollector) -> None:
+def report_renamed(name: Name, source: str, interface: Subject, findings: FindingCollector) -> None:
     """Report the name of an interface, or of a part of it, if there is a reason why it is not as in the source."""
     if name.reason:
         findings.report(codes.NAME_CHANGED, f"{source!r} is named {name.text!r} in ROS 2: {name.reason}.", interface)

@@ -10,7 +10,7 @@ from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
@@ -114,8 +114,9 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
         findings.report(
             codes.CALL_WITHOUT_TRIGGER,
             f"{call.name} must have {lacking} to run on.",
-            call.name,
+            Subject(call.name, call),
             "Add it, or correct the run type.",
+            key="Runtype",
         )
     own_group = call.scheduling.lower().replace("-", "").replace("_", "") == "preemptive"
     group = package_name(call.name if own_group else f"{part.name}_calls").text
@@ -152,9 +153,8 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
     for name in before:
         if name not in own:
             message = f"{call.name} must run after a call of its own node, not after {name}: nodes have no order."
-            findings.report(
-                codes.ORDER_BETWEEN_NODES, message, call.name, "Let a signal of one trigger the other, or use offsets."
-            )
+            fix = "Let a signal of one trigger the other, or use offsets."
+            findings.report(codes.ORDER_BETWEEN_NODES, message, Subject(call.name, call), fix, key="PrevRunnable")
     return ", ".join(name for name in before if name in own and run_kind(own[name]) != INIT) or None
 
 
@@ -164,7 +164,8 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
         return int(text)
     if text:
         message = f"The priority of {call.name} must be from 1 to 99, not {_short(text)!r}."
-        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, call.name, "Use a number; higher ones run first.")
+        fix = "Use a number; higher ones run first."
+        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
     return None
 
 
@@ -203,12 +204,12 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
         message = (
             f"{call.name}: ROS 2 has no setting for the stack size of {_short(call.stack_size)} bytes; it is left out."
         )
-        findings.report(
-            codes.STACK_SIZE_NOT_CARRIED, message, call.name, "Set it for the process, for instance with `ulimit -s`."
-        )
+        fix = "Set it for the process, for instance with `ulimit -s`."
+        findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
     if call.watchdog and call.watchdog.logical:
         message = f"{call.name}: the logical supervision is free text, which no node can check."
-        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, call.name, "Supervise it in hand-written code.")
+        fix = "Supervise it in hand-written code."
+        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, Subject(call.name, call), fix, key="Watchdog")
 
 
 # -- modes --------------------------------------------------------------------------------------------------------
@@ -224,7 +225,7 @@ def _modes(
             continue
         kind = field_type(interface.datatype, None, book.table)
         if kind is None or kind.element is None:
-            unresolved(findings, interface.name, interface.datatype)
+            unresolved(findings, Subject(interface.name, interface), interface.datatype)
             continue
         way = f"mode_{interface.direction}"
         yield ModeTopic(
@@ -243,16 +244,17 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
         return book.modes[interface.name]
     kind = field_type(interface.datatype, None, book.table)
     assert kind is not None
+    subject = Subject(interface.name, interface)
     field = MessageField(
         name="mode",
-        datatype=book.written(kind, interface.name) or "uint8",
+        datatype=book.written(kind, subject) or "uint8",
         description=interface.description,
         vss_path=interface.vss_path,
     )
-    values = constants(kind.symbols, kind, "", interface.name, findings)
+    values = constants(kind.symbols, kind, "", subject, findings)
     name = book.add(
         f"{part.function_name}_Mode_{interface.direction}",
-        interface.name,
+        subject,
         interface.description,
         (STAMP, field),
         values,
@@ -265,18 +267,17 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
 
 
 def _diagnostic(error: Error, part: Part, statuses: Mapping[str, str], findings: FindingCollector) -> Diagnostic:
+    subject = Subject(error.name, error)
     if error.ignition_count_limit:
         message = (
             f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is left out."
         )
-        findings.report(
-            codes.IGNITION_CYCLES_NOT_COUNTED, message, error.name, "Count them in a fault memory outside ROS 2."
-        )
+        fix = "Count them in a fault memory outside ROS 2."
+        findings.report(codes.IGNITION_CYCLES_NOT_COUNTED, message, subject, fix, key="IgnitionCountLimit")
     if error.reset_condition:
         message = f"{error.name}: the reset condition is free text, which no node can check."
-        findings.report(
-            codes.RESET_CONDITION_IN_WORDS, message, error.name, "Report the error as passed when the condition holds."
-        )
+        fix = "Report the error as passed when the condition holds."
+        findings.report(codes.RESET_CONDITION_IN_WORDS, message, subject, fix, key="ResetCondition")
     return Diagnostic(
         name=f"{part.name}: {error.name}",
         error=error.name,
@@ -287,7 +288,7 @@ def _diagnostic(error: Error, part: Part, statuses: Mapping[str, str], findings:
         occurrence_count_limit=error.occurrence_count_limit,
         reset_time=error.reset_time,
         reset_condition=error.reset_condition,
-        dependencies=_statuses(error.name, error.dependencies, statuses, findings),
+        dependencies=_statuses(subject, "Dependancy", error.dependencies, statuses, findings),
         vss_path=error.vss_path,
     )
 
@@ -299,22 +300,21 @@ def _condition(
         condition=reaction.name,
         description=reaction.description,
         topic=DIAGNOSTICS,
-        statuses=_statuses(reaction.name, reaction.errors, statuses, findings),
+        statuses=_statuses(Subject(reaction.name, reaction), "ErrorList", reaction.errors, statuses, findings),
         variable_type=c_definition(reaction.datatype, table),
         vss_path=reaction.vss_path,
     )
 
 
 def _statuses(
-    name: str, errors: Iterable[str], statuses: Mapping[str, str], findings: FindingCollector
+    subject: Subject, key: str, errors: Iterable[str], statuses: Mapping[str, str], findings: FindingCollector
 ) -> tuple[str, ...]:
     """Names of the statuses of errors; of an error from outside of the set, its own name."""
     made = []
     for error in errors:
         if error not in statuses:
-            message = f"{name} depends on {_short(error)}, which no function in the set reports."
-            findings.report(
-                codes.ERROR_FROM_OUTSIDE, message, name, f"Whoever reports it must call its status {_short(error)!r}."
-            )
+            message = f"{subject} depends on {_short(error)}, which no function in the set reports."
+            fix = f"The node that reports it must call its status {_short(error)!r}."
+            findings.report(codes.ERROR_FROM_OUTSIDE, message, subject, fix, key=key)
         made.append(statuses.get(error, error))
     return tuple(made)

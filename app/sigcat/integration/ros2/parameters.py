@@ -13,7 +13,7 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.application import Part
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.conversions import conversion, converted, physical
 from sigcat.integration.ros2.messages import unresolved
 from sigcat.integration.ros2.model import RosParameter
@@ -43,7 +43,7 @@ def parameters_of(
 def _parameter(
     item: Parameter, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
 ) -> RosParameter | None:
-    interface = item.vss_path or f"{part.function_name}.{item.name}"
+    interface = Subject(item.vss_path or f"{part.function_name}.{item.name}", item)
     kind = field_type(item.datatype, item.vss_datatype, table)
     if kind is None:
         unresolved(findings, interface, item.datatype)
@@ -143,7 +143,7 @@ def _constraints(kind: FieldType) -> str | None:
     return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
 
 
-def _unexpressed(item: Parameter, kind: FieldType, interface: str, findings: FindingCollector) -> None:
+def _unexpressed(item: Parameter, kind: FieldType, interface: Subject, findings: FindingCollector) -> None:
     if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
         message = f"{interface} must survive a restart, and node parameters do not."
         findings.report(codes.VALUE_NOT_KEPT, message, interface, "Write it to a file when the node is cleaned up.")
@@ -152,4 +152,4 @@ def _unexpressed(item: Parameter, kind: FieldType, interface: str, findings: Fin
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Provide it as a signal.")
     if kind.element is not None and kind.element.vss == "uint64" and item.max > _LARGEST:
         message = f"{interface}: `max` must be at most {_LARGEST} in a node parameter, not {item.max}."
-        findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Narrow the range with `max`.")
+        findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Narrow the range with `max`.", key="Max")

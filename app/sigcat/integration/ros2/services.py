@@ -8,7 +8,7 @@ from sigcat.function.function_json.methods import Argument, Method
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
 from sigcat.integration.ros2.names import field_name, report_renamed, topic_name
@@ -69,20 +69,21 @@ def _service(
 ) -> RosService | None:
     """Server or client of a method. Providers and users of one name have one service."""
     method = call.method
-    request = _side(method.inputs, method.name, book, findings)
-    response = _side(method.outputs, method.name, book, findings)
+    interface = Subject(method.name, method)
+    request = _side(method.inputs, interface, book, findings)
+    response = _side(method.outputs, interface, book, findings)
     if request is None or response is None:
         return None
     if method.name not in types:
         types[method.name] = (
-            book.add_service(camel_case(method.name), method.description, request.fields, response.fields),
+            book.add_service(camel_case(method.name), interface, method.description, request.fields, response.fields),
             request,
             response,
         )
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
         message = f"The method {method.name} must have the same arguments everywhere; those of {call.part.function_name} differ from another function's."
-        findings.report(codes.MEANINGS_DIFFER, message, method.name, "Rename one of them.")
+        findings.report(codes.MEANINGS_DIFFER, message, interface, "Rename one of them.")
     return RosService(
         name=settings.namespace + topic_name(method.name),
         method=method.name,
@@ -98,7 +99,9 @@ def _shape(side: _Side) -> list[tuple[str, str]]:
     return [(field.name, field.datatype) for field in side.fields]
 
 
-def _side(arguments: Sequence[Argument], interface: str, book: MessageBook, findings: FindingCollector) -> _Side | None:
+def _side(
+    arguments: Sequence[Argument], interface: Subject, book: MessageBook, findings: FindingCollector
+) -> _Side | None:
     fields: list[MessageField] = []
     maps: list[ArgumentMap] = []
     for argument in arguments:

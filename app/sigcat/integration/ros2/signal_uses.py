@@ -10,7 +10,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.integration.application import Part
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.names import package_name, report_renamed
 
 Kind = str
@@ -37,9 +37,9 @@ class SignalUse(NamedTuple):
         return self.path or f"{self.part.function_name}.{self.data.name}"
 
     @property
-    def interface(self) -> str:
-        """What findings call it."""
-        return self.path or f"{self.part.function_name}.{self.data.name}"
+    def interface(self) -> Subject:
+        """The signal, as findings call it."""
+        return Subject(self.key, self.data)
 
     @property
     def queue_length(self) -> int | None:
@@ -72,7 +72,7 @@ def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) ->
             is_shared = names.count(component.name) > 1 and component.name != function.info.function_name
             source = f"{function.info.function_name}_{component.name}" if is_shared else component.name
             name = package_name(source, taken)
-            report_renamed(name, component.name, component.name, findings)
+            report_renamed(name, component.name, Subject(component.name, component), findings)
             taken.add(name.text)
             made.append(Part(name.text, function, component))
     return tuple(made)

@@ -100,7 +100,9 @@ def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[st
             first = providers.setdefault(use.key, use.part.function_name)
             if first != use.part.function_name:
                 message = f"{use.interface} must have one publisher, not {first} and {use.part.function_name}: subscribers get a mixture."
-                findings.report(codes.SEVERAL_PUBLISHERS, message, use.interface, "Let only one of them provide it.")
+                findings.report(
+                    codes.SEVERAL_PUBLISHERS, message, use.interface, "Let only one of them provide it.", key="Role"
+                )
     return providers
 
 
@@ -126,7 +128,7 @@ def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCol
         free = f"{name}_{number}"
     reason = f"{name!r} is taken by {taken[name]}" if free != name else ""
     report_renamed(Name(free, reason), name, use.interface, findings)
-    taken[free] = use.interface
+    taken[free] = use.interface.name
     return free
 
 
@@ -252,9 +254,8 @@ def _check_timeouts(mine: Sequence[SignalUse], topic: Topic, findings: FindingCo
         cycle = slowest.get(use.key)
         if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
             message = f"{use.interface}: the time-out must be at least two cycles of {cycle} ms, not {use.timeout} ms."
-            findings.report(
-                codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, "Raise it, or one late value triggers it."
-            )
+            fix = "Raise it, or one late value triggers it."
+            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, fix, key="Timeout")
 
 
 def _data_map(

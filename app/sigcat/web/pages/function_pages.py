@@ -54,7 +54,7 @@ def show_function(request: Request, hosted: NamedCatalogue, function_id: str, vi
         timeline=time_line([function]) if function else None,
         source=source_view(shipped.text, shipped.findings),
         file=FILE,
-        documents=documents_of(function, shown) if function and shown in VIEWS else (),
+        documents=documents_of(shipped.resolved, shown) if shipped.resolved and shown in VIEWS else (),
     )
 
 
@@ -64,7 +64,7 @@ def download_document(hosted: NamedCatalogue, function_id: str, document_id: str
     shipped = shipped_function(hosted.catalogue, function_id)
     if document_id == "source":
         return attached(GeneratedDocument("source", "source", f"{function_id}.yaml", "application/yaml", shipped.text))
-    known = {document.id: document for document in documents_of(shipped.function)} if shipped.function else {}
+    known = {document.id: document for document in documents_of(shipped.resolved)} if shipped.resolved else {}
     if document_id not in known:
         raise NotFound(f"There is no document {document_id!r} of {shipped.name}.", nearest(document_id[:100], known))
     return attached(known[document_id])

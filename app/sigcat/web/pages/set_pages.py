@@ -12,7 +12,7 @@ from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheLibr
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.errors import NotFound, UsageError
 from sigcat.findings import Finding
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.names import nearest
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
@@ -127,7 +127,7 @@ def _page(
         views=VIEWS,
         view=chosen_view(view, VIEWS),
         documents=_documents(together.whole, "" if view == "files" else view),
-        made_from=[function.info.function_name for function in together.whole],
+        made_from=[function.name for function in together.whole],
         ids={each.name: each.id for each in shipped_functions(hosted.catalogue) if each.id in chosen},
         is_eco_control=not own and set(chosen) == set(ECO_CONTROL),
     )
@@ -160,11 +160,11 @@ def _check_size(functions: Sequence[object]) -> None:
         raise UsageError(f"A set must have at most {_MOST_FUNCTIONS} functions.")
 
 
-def _documents(functions: Sequence[FunctionJson], view: str = "") -> Sequence[GeneratedDocument]:
+def _documents(functions: Sequence[ResolvedFunction], view: str = "") -> Sequence[GeneratedDocument]:
     return integrations_of(functions, "FunctionSet", view) if functions else ()
 
 
-def _download(functions: Sequence[FunctionJson], document_id: str) -> Response:
+def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Response:
     known = {document.id: document for document in _documents(functions) if document.text}
     if document_id not in known:
         near = nearest(document_id[:100], known)

@@ -16,7 +16,7 @@ from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import is_json
 from sigcat.findings import Finding
 from sigcat.function.function_file import check_function_json, checked_file
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.limits import Limits
 from sigcat.names import nearest
 from sigcat.rules.linting.posted import lint_text
@@ -66,7 +66,7 @@ class Tried(NamedTuple):
     """What was found in a text, and the function that it declares, if it does."""
 
     findings: tuple[Finding, ...]
-    function: FunctionJson | None = None
+    resolved: ResolvedFunction | None = None
 
 
 @router.get("/try")
@@ -105,7 +105,7 @@ def _tried_form(request: Request, hosted: Hosted, rules: ServiceRules, form: For
     data = _posted_data(form)
     result = _judged(request, hosted, rules, kind, data)
     if form.last("download"):
-        return _download(result.function, form.last("download"))
+        return _download(result.resolved, form.last("download"))
     return _page(request, hosted, kind, shown_text(data), result, form.last("view", "interfaces"))
 
 
@@ -114,7 +114,7 @@ def _posted_data(form: Form) -> bytes:
     return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
 
 
-def _download(function: FunctionJson | None, document_id: str) -> Response:
+def _download(function: ResolvedFunction | None, document_id: str) -> Response:
     known = {document.id: document for document in documents_of(function) if document.text} if function else {}
     if document_id not in known:
         near = nearest(document_id[:100], known)
@@ -133,13 +133,14 @@ def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, li
         return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
     if is_json(data, FILE):
         document = check_function_json(data, "function.json", catalogue, limits)
-        return Tried(document.findings, document.function)
+        return Tried(document.findings, document.resolved)
     declaration = checked_file(data, FILE, catalogue, limits)
-    return Tried(declaration.findings, declaration.sound_function)
+    return Tried(declaration.findings, declaration.sound)
 
 
 def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
-    function, shown = result.function, chosen_view(view, _VIEWS)
+    resolved, shown = result.resolved, chosen_view(view, _VIEWS)
+    function = resolved.function if resolved else None
     return page(
         request,
         "try.html",
@@ -155,7 +156,7 @@ def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried
         timeline=time_line([function]) if function else None,
         views=_VIEWS,
         view=shown,
-        documents=documents_of(function, shown) if function and shown in VIEWS else (),
+        documents=documents_of(resolved, shown) if resolved and shown in VIEWS else (),
     )
 
 

@@ -7,8 +7,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.findings import Finding, has_errors, in_order
+from sigcat.findings import Finding, in_order
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.sets.check_set import check_set, read_set
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits
@@ -28,7 +29,7 @@ class FunctionSet(NamedTuple):
     files: tuple[PostedFile, ...]
     functions: tuple[FunctionJson, ...]
     """Every function that can be drawn, each name once."""
-    whole: tuple[FunctionJson, ...]
+    whole: tuple[ResolvedFunction, ...]
     """Those without an error: files are made of them."""
     findings: tuple[Finding, ...]
     wiring: Wiring
@@ -41,7 +42,7 @@ def function_set(files: Sequence[PostedFile], catalogue: Catalogue, limits: Limi
     findings = in_order([*(finding for member in members for finding in member.findings), *together])
     built = {m.function.info.function_name: m for m in reversed(members) if m.function is not None}
     drawn = tuple(function for m in members if (function := m.function) and built[function.info.function_name] is m)
-    whole = tuple(f for f in drawn if not has_errors(built[f.info.function_name].findings))
+    whole = tuple(sound for f in drawn if (sound := built[f.info.function_name].sound))
     return FunctionSet(over, tuple(files), drawn, whole, findings, connect(drawn))
 
 

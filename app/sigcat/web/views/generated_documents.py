@@ -9,6 +9,7 @@ from starlette.responses import Response
 from sigcat.errors import InputRefused, NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionJson, to_json
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
 from sigcat.platforms.integrate import integrate
@@ -48,13 +49,13 @@ def chosen_view(given: str, views: Iterable[str]) -> str:
     return given
 
 
-def documents_of(function: FunctionJson, view: str = "") -> tuple[GeneratedDocument, ...]:
+def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedDocument, ...]:
     """The documents of a function: those of one view, or all."""
-    own = (_function_json(function),) if view in ("", FUNCTION_JSON) else ()
-    return (*own, *integrations_of((function,), function.info.function_name, view))
+    own = (_function_json(function.function),) if view in ("", FUNCTION_JSON) else ()
+    return (*own, *integrations_of((function,), function.name, view))
 
 
-def integrations_of(functions: Sequence[FunctionJson], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
+def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
     """What is made from functions for each platform, as it is without a deployment file."""
     platforms = PLATFORMS.values()
     pairs = [(platform, generator) for platform in platforms for generator in platform.generators]
@@ -81,7 +82,7 @@ def _function_json(function: FunctionJson) -> GeneratedDocument:
     return GeneratedDocument(FUNCTION_JSON, FUNCTION_JSON, name, JSON, _text(to_json(function)))
 
 
-def _integration(platform: Platform, functions: Sequence[FunctionJson], name: str) -> GeneratedDocument:
+def _integration(platform: Platform, functions: Sequence[ResolvedFunction], name: str) -> GeneratedDocument:
     document = GeneratedDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
     try:
         integrated = integrate(platform, functions)
@@ -91,7 +92,7 @@ def _integration(platform: Platform, functions: Sequence[FunctionJson], name: st
 
 
 def _generated(
-    platform: Platform, generator: Generator, functions: Sequence[FunctionJson], name: str
+    platform: Platform, generator: Generator, functions: Sequence[ResolvedFunction], name: str
 ) -> tuple[GeneratedDocument, ...]:
     try:
         integrated = integrate(platform, functions)

@@ -11,6 +11,7 @@ from sigcat.errors import NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_file import checked_file
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.names import nearest
@@ -19,12 +20,17 @@ FILE = "function.yaml"
 
 
 class ShippedFunction(NamedTuple):
-    """A function with its declaration. `function` is None if the declaration does not fit the catalogue."""
+    """A function with its declaration. `resolved` is None if the declaration does not fit the catalogue."""
 
     id: str
     text: str
-    function: FunctionJson | None
+    resolved: ResolvedFunction | None
     findings: tuple[Finding, ...]
+
+    @property
+    def function(self) -> FunctionJson | None:
+        """The function as it is written."""
+        return self.resolved.function if self.resolved else None
 
     @property
     def name(self) -> str:
@@ -56,7 +62,7 @@ def shipped_functions(catalogue: Catalogue) -> tuple[ShippedFunction, ...]:
 def built(function_id: str, text: str, catalogue: Catalogue) -> ShippedFunction:
     """A function from the text of its declaration."""
     checked = checked_file(text.encode("utf-8", "replace"), FILE, catalogue)
-    return ShippedFunction(function_id, text, checked.sound_function, checked.findings)
+    return ShippedFunction(function_id, text, checked.sound, checked.findings)
 
 
 def shipped_function(catalogue: Catalogue, function_id: str) -> ShippedFunction:

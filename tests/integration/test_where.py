@@ -1,0 +1,71 @@
+"""An integration starts from resolved functions: findings point into the file, and carried definitions are used."""
+
+import pytest
+
+from sigcat.errors import InputRefused
+from sigcat.function.declaration.scaffold import scaffold
+from sigcat.function.function_file import build_function
+from sigcat.function.function_json.model import to_json
+from sigcat.integration.reading import read_functions
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
+from tests.function.shipped import FUNCTIONS, interfaces
+
+TEXT = scaffold("Parking")
+DISTANCE = "Vehicle.ADAS.Parking.Distance"
+DEFINED = f"  data:\n    {DISTANCE}: {{type: sensor, datatype: float, unit: m, description: Distance to the wall.}}\n"
+PROVIDED = f"data:\n          - {{path: {DISTANCE}, role: provided, name: Distance, variable: out.distance, asil: QM, init: 0.0}}"
+PROVIDING = TEXT.replace("data:\n", f"{PROVIDED}\n", 1).replace("define:\n", f"define:\n{DEFINED}", 1)
+CONSUMING = scaffold("Warning").replace("path: Vehicle.Speed", f"path: {DISTANCE}").replace("in.speed", "in.distance")
+
+
+def found(data, name, platform="ros2"):
+    read = read_functions([(data, name)], interfaces)
+    return {finding.rule: finding for finding in integrate(PLATFORMS[platform], read.functions).findings}
+
+
+def line_at(text, finding):
+    """The text of the file from the position of a finding on, to the end of the line."""
+    return text.splitlines()[finding.line - 1][finding.column - 1 :]
+
+
+def test_a_finding_about_a_field_stands_where_its_author_wrote_it():
+    text = TEXT.replace("            asil: QM\n", "            asil: B\n", 1)
+    assert text != TEXT
+    finding = found(text.encode(), "parking.yaml")["N201"]
+    assert (finding.file, line_at(text, finding)) == ("parking.yaml", "B")
+    assert finding.pointer == "/components/0/runnables/1/data/0/asil"
+
+
+def test_a_finding_about_what_the_catalogue_says_stands_at_the_reference():
+    text = next(path for path in FUNCTIONS if path.parent.name == "core_acc").read_text(encoding="utf-8")
+    finding = found(text.encode(), "acc.yaml")["N202"]
+    assert finding.path == "CoreAcc_Step"
+    assert line_at(text, finding).startswith("interface: CoreAcc_Step")
+
+
+def test_in_function_json_it_stands_at_the_field():
+    data = to_json(build_function(TEXT.encode(), "parking.yaml", interfaces())[0])
+    text = data.decode().replace('"Scheduling": "Preemptive"', '"Scheduling": "Sometimes"', 1)
+    assert text != data.decode()
+    finding = found(text.encode(), "parking.json", "autosar-adaptive")["A011"]
+    assert finding.file == "parking.json"
+    assert finding.pointer.endswith("/Scheduling")
+    assert line_at(text, finding).startswith('"Sometimes"')
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_every_finding_about_an_example_has_a_position(platform):
+    files = [(path.read_bytes(), str(path)) for path in FUNCTIONS]
+    findings = integrate(PLATFORMS[platform], read_functions(files, interfaces).functions).findings
+    assert [finding for finding in findings if not (finding.file and finding.line and finding.column)] == []
+
+
+def test_what_a_function_json_carries_the_others_may_use():
+    carrying = to_json(build_function(PROVIDING.encode(), "parking.yaml", interfaces())[0])
+    consuming = (CONSUMING.encode(), "warning.yaml")
+    with pytest.raises(InputRefused) as alone:
+        read_functions([consuming], interfaces)
+    assert [finding.rule for finding in alone.value.findings if finding.severity == "error"] == ["F010"]
+    read = read_functions([(carrying, "parking.json"), consuming], interfaces)
+    assert [function.name for function in read.functions] == ["Parking", "Warning"]
