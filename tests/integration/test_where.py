@@ -12,7 +12,7 @@ from sigcat.platforms.table import PLATFORMS
 from tests.function.shipped import FUNCTIONS, interfaces
 
 TEXT = scaffold("Parking")
-DISTANCE = "Vehicle.ADAS.Parking.Distance"
+DISTANCE = "Vehicle.ADAS.WallDistance"
 DEFINED = f"  data:\n    {DISTANCE}: {{type: sensor, datatype: float, unit: m, description: Distance to the wall.}}\n"
 PROVIDED = f"data:\n          - {{path: {DISTANCE}, role: provided, name: Distance, variable: out.distance, asil: QM, init: 0.0}}"
 PROVIDING = TEXT.replace("data:\n", f"{PROVIDED}\n", 1).replace("define:\n", f"define:\n{DEFINED}", 1)
