@@ -1,15 +1,19 @@
 """Tables within pages: each stands between `<!-- NAME ARGUMENTS -->` and `<!-- /NAME -->`, and is written anew.
 
 `keys SCHEMA KEY ...`: the keys of a JSON Schema of sigcat, or of what is below these keys. `fields CODE`: the fields that a rule wants interfaces to
-have. `rules PREFIX`: the rules whose codes begin so. `settings`: the settings of the service. `classes`: those of changes.
+have. `limits [CLASS]`: the limits in `limits.py`.
+`rules PREFIX`: the rules whose codes begin so. `settings`: the settings of the service. `classes`: those of changes.
 """
 
+import ast
 import json
 import re
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from sigcat import limits
 from sigcat.api.read_settings import shown
 from sigcat.api.settings import Settings
 from sigcat.catalogue.comparing.diff_report import class_table
@@ -27,8 +31,9 @@ _KINDS = {
     "integer": "integer",
     "boolean": "boolean",
 }
+_MIB = 1024 * 1024
 _PLACE = re.compile(
-    r"^<!-- (?P<name>keys|fields|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
+    r"^<!-- (?P<name>keys|fields|limits|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
     re.MULTILINE | re.DOTALL,
 )
 
@@ -110,6 +115,24 @@ def _settings() -> str:
     return "\n".join(["| setting | default | meaning |", "|---|---|---|", *rows])
 
 
+def _limits(owner: str = "") -> str:
+    """The constants of `limits.py`, or the fields of one of its classes, by what stands below each."""
+    body = ast.parse(Path(limits.__file__).read_text(encoding="utf-8")).body
+    if owner:
+        body = next(each.body for each in body if isinstance(each, ast.ClassDef) and each.name == owner)
+    values = getattr(limits, owner)._field_defaults if owner else vars(limits)
+    lines = ["| limit | of |", "|---|---|"]
+    for statement, meaning in pairwise(body):
+        if isinstance(statement, ast.Assign | ast.AnnAssign) and isinstance(meaning, ast.Expr):
+            name = ast.unparse(statement.target if isinstance(statement, ast.AnnAssign) else statement.targets[0])
+            lines.append(f"| {_shown_limit(values[name])} | {ast.literal_eval(meaning.value)} |")
+    return "\n".join(lines)
+
+
+def _shown_limit(value: float) -> str:
+    return f"{value // _MIB} MiB" if value >= _MIB and value % _MIB == 0 else f"{value:,.10g}"
+
+
 _TABLES: Mapping[str, Callable[..., str]] = {
-    "keys": _keys, "fields": _fields, "rules": _rules, "settings": _settings, "classes": class_table,
+    "keys": _keys, "fields": _fields, "limits": _limits, "rules": _rules, "settings": _settings, "classes": class_table,
 }  # fmt: skip

@@ -1,4 +1,9 @@
-"""How much input is taken before it is refused: the limits that a caller may set. Others stand where they are met."""
+"""Which limits there are: how much input is read, and how much work one input may cause, before it is refused.
+
+What a caller may set is a field of `Limits`, `FetchLimits` or `ArchiveLimits`; the rest are constants. Limits of the
+service, such as the size of a body, are its settings (`api/settings.py`). `make generate` writes the page of limits from
+this file.
+"""
 
 from typing import NamedTuple
 
@@ -7,6 +12,7 @@ class Limits(NamedTuple):
     """Bounds on input. The defaults are far above any real tree and far below what would hurt the process."""
 
     file_bytes: int = 32 * 1024 * 1024
+    """Bytes of one file."""
     nesting: int = 64
     """Levels of YAML collections inside each other (VSS needs four)."""
     values: int = 2_000_000
@@ -24,3 +30,97 @@ class Limits(NamedTuple):
 
 
 DEFAULT_LIMITS = Limits()
+
+
+class FetchLimits(NamedTuple):
+    """Bounds on one download, as of `sigcat pull`."""
+
+    bytes: int = 128 * 1024 * 1024
+    """Bytes of a download."""
+    idle_seconds: float = 20.0
+    """Seconds without a byte."""
+    total_seconds: float = 600.0
+    """Seconds of a whole download."""
+    redirects: int = 5
+    """Redirects that a download follows."""
+
+
+DEFAULT_FETCH_LIMITS = FetchLimits()
+
+
+class ArchiveLimits(NamedTuple):
+    """Bounds on what an archive may hold; an official release has about 1,000 files and 20 MB."""
+
+    entries: int = 20_000
+    """Files and folders in an archive."""
+    unpacked_bytes: int = 512 * 1024 * 1024
+    """Bytes that an archive unpacks to."""
+    file_bytes: int = 32 * 1024 * 1024
+    """Bytes of one file that is kept."""
+    ratio: int = 200
+    """Times that an archive may grow when it is unpacked, beyond what any archive may."""
+    free_bytes: int = 16 * 1024 * 1024
+    """Bytes that any archive may unpack to, however small it is."""
+    path_characters: int = 240
+    """Characters of a path in an archive."""
+    path_names: int = 32
+    """Names in a path in an archive."""
+
+
+DEFAULT_ARCHIVE_LIMITS = ArchiveLimits()
+
+# -- files ----------------------------------------------------------------------------------------------------------
+
+CONFIGURATION_BYTES = 1024 * 1024
+"""Bytes of `sigcat.toml`."""
+
+RECOGNITION_BYTES = 4 * 1024 * 1024
+"""Bytes of a YAML or JSON file that are looked into to find out what it is, where its name does not say so."""
+
+NUMBER_CHARACTERS = 1_000
+"""Characters of one number in YAML: reading a longer one takes time that grows with the square of its length."""
+
+REFUSED_INCLUDES = 100
+"""Includes of a posted text that are refused one by one; of more, their number is given."""
+
+PATTERN_PARTS = 10_000
+"""Parts of a regular expression with its repetitions written out: what is larger takes seconds to compile."""
+
+COMPARED_INSTANCES = 100_000
+"""Instances on one level that a rule compares with names; composing refuses a tree of so many."""
+
+# -- functions ------------------------------------------------------------------------------------------------------
+
+FUNCTION_COLLECTIONS = 200_000
+"""Lists and mappings in one function file: twenty times those of a function with 10,000 signals."""
+
+FUNCTION_PROBLEMS = 1_000
+"""Wrong values that are reported one by one for a function file; of more, their number is given."""
+
+EXPRESSION_CHARACTERS = 1_000
+"""Characters of a C expression that a value is held in (`variable`)."""
+
+# -- requests and pages ---------------------------------------------------------------------------------------------
+
+REQUEST_FUNCTIONS = 500
+"""Functions in one request to the API."""
+
+PAGE_FUNCTIONS = 20
+"""Functions of a set that a page shows."""
+
+FORM_FIELDS = 40
+"""Fields of a form, and files of it; no page has as many."""
+
+ANSWER_DEPTH = 64
+"""Levels below a node in one answer of the API."""
+
+ANSWER_FINDINGS = 1_000
+"""Findings in one answer of the API; a hostile text can have as many as it has lines."""
+
+# -- proposals ("Did you mean …?") ----------------------------------------------------------------------------------
+
+PROPOSALS = 100
+"""Proposals for names in one file or layer: each compares a name with all others. With more wrong names, another tree was meant."""
+
+PROPOSAL_CHARACTERS = 500
+"""Characters of a name that is compared with others for a proposal."""

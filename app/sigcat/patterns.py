@@ -5,8 +5,9 @@ import re
 import time
 from typing import Any
 
+from sigcat.limits import PATTERN_PARTS
+
 SECONDS_PER_MATCH = 0.1
-_MOST_PARTS = 10_000
 _TOKENS = r"(?s)\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|."
 _COUNT = r"\{([^,}]*)"
 _UNUSUAL = r"\(\?[^:=!<P]|\[:"
@@ -21,8 +22,8 @@ def compile_bounded(text: str) -> Any:
     """Compile an expression with the `regex` package, whose matches take a `timeout`. Raises BadPattern."""
     import regex  # loaded only where a pattern has something to match; unlike `re` it can stop a match
 
-    if (parts := _parts(text)) > _MOST_PARTS:
-        raise BadPattern(f"it has {parts:,} parts with repetitions written out; the limit is {_MOST_PARTS:,}")
+    if (parts := _parts(text)) > PATTERN_PARTS:
+        raise BadPattern(f"it has {parts:,} parts with repetitions written out; the limit is {PATTERN_PARTS:,}")
     try:
         return regex.compile(text)
     except (regex.error, OverflowError, RecursionError, ValueError) as error:
@@ -53,7 +54,7 @@ class Matching:
 
 def _parts(text: str) -> int:
     """How many parts a compiled expression has at least: the compiler writes the least count of a repetition out."""
-    if len(text) > _MOST_PARTS:
+    if len(text) > PATTERN_PARTS:
         return len(text)
     if re.search(_UNUSUAL, text):
         return len(text) * math.prod(max(_number(count), 1) for count in re.findall(_COUNT, text))

@@ -5,11 +5,12 @@ import re
 
 import pytest
 
+from sigcat import limits
 from sigcat.api.settings import Settings
-from sigcat.catalogue.hosting.archive import DEFAULT_ARCHIVE_LIMITS as ARCHIVE
-from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS as FETCH
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.function_json.model import function_schema
+from sigcat.limits import DEFAULT_ARCHIVE_LIMITS as ARCHIVE
+from sigcat.limits import DEFAULT_FETCH_LIMITS as FETCH
 from sigcat.platforms.table import PLATFORMS
 from sigcat.rules.record import load_rules
 from tests.documentation.pages import PAGES, ROOT, text_of
@@ -83,3 +84,10 @@ def test_production_names_settings_and_metrics_that_there_are():
     assert {name for name in written if not name.startswith(("sigcat_", "request_id"))} <= set(Settings.model_fields)
     (user,) = re.findall(r"--uid (\d+)", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
     assert f"user {user}" in page
+
+
+def test_every_limit_has_a_row_that_says_what_it_bounds():
+    owners = (limits.Limits, limits.FetchLimits, limits.ArchiveLimits)
+    constants = [name for name, value in vars(limits).items() if name.isupper() and isinstance(value, int)]
+    rows = re.findall(r"^\| \d.* \| [A-Z].*\. \|$", text_of("docs/reference/limits.md"), re.MULTILINE)
+    assert len(rows) == sum(len(owner._fields) for owner in owners) + len(constants)

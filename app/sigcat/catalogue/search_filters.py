@@ -9,9 +9,9 @@ from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.catalogue.search import SearchIndex, overlay_name
 from sigcat.errors import UsageError
+from sigcat.limits import PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean
 
-_LONGEST_VALUE = 500
 _MOST_LISTED = 12
 """Values of a filter that are listed where none of them was given."""
 
@@ -23,7 +23,7 @@ def checked_filters(given: Mapping[str, str | None], catalogue: Catalogue, index
         known = dict.fromkeys((*_possible_values(facet, catalogue), *index.values_of(facet)))
         if value not in known:
             listed = f"; there are {', '.join(known)}" if 0 < len(known) <= _MOST_LISTED else ""
-            hint = did_you_mean(value[:_LONGEST_VALUE], known)
+            hint = did_you_mean(value[:PROPOSAL_CHARACTERS], known)
             raise UsageError(f"There is no {facet} {value[:100]!r} in this catalogue{listed}. {hint}".rstrip())
     return filters
 

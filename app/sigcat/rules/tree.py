@@ -13,10 +13,8 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.catalogue.reading.layers import Layer
+from sigcat.limits import COMPARED_INSTANCES
 from sigcat.names import last_name, parent_path
-
-_MOST_INSTANCES = 100_000
-"""A level with more instances is not looked into: composing refuses it."""
 
 
 class Tree:
@@ -163,7 +161,7 @@ def _levels(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
             yield frozenset(map(str, singles))
         return
     for entry in instances:
-        yield frozenset(instance_names(entry)) if count_instances([entry]) <= _MOST_INSTANCES else frozenset()
+        yield frozenset(instance_names(entry)) if count_instances([entry]) <= COMPARED_INSTANCES else frozenset()
 
 
 def name_of(definition: Definition) -> str:

@@ -12,9 +12,7 @@ from sigcat.api.requests.dependencies import catalogue_at
 from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import UsageError
-
-_MOST_FIELDS = 40
-"""Fields of a form, and files of it; no page has as many."""
+from sigcat.limits import FORM_FIELDS
 
 
 class PostedFile(NamedTuple):
@@ -50,9 +48,9 @@ async def read_form(body: bytes, content_type: str) -> Form:
     if kind == b"multipart/form-data" and boundary:
         return await _multipart(body, boundary)
     try:
-        pairs = parse_qsl(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=_MOST_FIELDS)
+        pairs = parse_qsl(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=FORM_FIELDS)
     except ValueError:
-        raise UsageError(f"The form must have at most {_MOST_FIELDS} fields.") from None
+        raise UsageError(f"The form must have at most {FORM_FIELDS} fields.") from None
     return Form(tuple(pairs))
 
 
@@ -75,7 +73,7 @@ async def _multipart(body: bytes, boundary: bytes) -> Form:
     fields: list[tuple[str, str]] = []
     files: list[PostedFile] = []
     try:
-        async with request.form(max_files=_MOST_FIELDS, max_fields=_MOST_FIELDS, max_part_size=len(body)) as form:
+        async with request.form(max_files=FORM_FIELDS, max_fields=FORM_FIELDS, max_part_size=len(body)) as form:
             for name, value in form.multi_items():
                 if isinstance(value, str):
                     fields.append((_utf8(name), _utf8(value)))

@@ -15,7 +15,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sigcat.catalogue.hosting.archive import ArchiveLimits, ArchiveRefused, unpack
+from sigcat.catalogue.hosting.archive import ArchiveRefused, unpack
+from sigcat.limits import ArchiveLimits
 from tests.catalogue.hosting.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
 
 KEPT = sorted(name for name in FILES if not name.startswith("docs/"))

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.catalogue.hosting.download import FetchFailed, FetchLimits, fetch
+from sigcat.catalogue.hosting.download import FetchFailed, fetch
+from sigcat.limits import FetchLimits
 from tests.catalogue.hosting.server import GOOD
 
 LIMITS = FetchLimits(bytes=1_000_000)

@@ -12,7 +12,7 @@ import pytest
 
 from sigcat.catalogue.hosting import releases
 from sigcat.catalogue.hosting.archive import ArchiveRefused
-from sigcat.catalogue.hosting.download import FetchFailed, FetchLimits
+from sigcat.catalogue.hosting.download import FetchFailed
 from sigcat.catalogue.hosting.releases import (
     PullLimits,
     find_release,
@@ -24,6 +24,7 @@ from sigcat.catalogue.hosting.releases import (
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import release_source
 from sigcat.errors import InputRefused, NotFound, UsageError
+from sigcat.limits import FetchLimits
 from tests.catalogue.hosting.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
 from tests.catalogue.hosting.server import GOOD
 from tests.needs import OFFICIAL, official_releases

@@ -23,10 +23,9 @@ from sigcat.catalogue.reading.statement import Origin
 from sigcat.catalogue.search import overlay_name
 from sigcat.data import VSPEC
 from sigcat.findings import Finding, has_errors
+from sigcat.limits import ANSWER_FINDINGS
 from sigcat.rules.record import Rule
 
-MOST_FINDINGS = 1000
-"""Findings in one answer; nobody reads more, and a hostile text can have as many as it has lines."""
 _SHIPPED = f"{VSPEC.parent}{os.sep}"
 
 
@@ -70,7 +69,7 @@ def finding_schema(finding: Finding) -> schemas.Finding:
 
 def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
     """Findings as the API has them; of very many the first, and a last one that says how many more there are."""
-    shown = [finding_schema(each) for each in findings[:MOST_FINDINGS]]
+    shown = [finding_schema(each) for each in findings[:ANSWER_FINDINGS]]
     more = len(findings) - len(shown)
     if more > 0:
         text = f"{more:,} more findings are not shown. Settle these first."

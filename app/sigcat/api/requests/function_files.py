@@ -8,10 +8,8 @@ from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.document.read_json import read_json
-from sigcat.limits import Limits
+from sigcat.limits import REQUEST_FUNCTIONS, Limits
 
-LARGEST_SET = 500
-"""Most functions of one request."""
 SET = "a JSON object with `functions`, a list of Function JSON objects and of texts of `function.yaml`"
 
 File = tuple[bytes, str]
@@ -48,9 +46,9 @@ def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Ma
         return None
     given = value["functions"]
     unknown = sorted(set(value) - set(keys))
-    if unknown or not isinstance(given, list) or not 1 <= len(given) <= LARGEST_SET:
+    if unknown or not isinstance(given, list) or not 1 <= len(given) <= REQUEST_FUNCTIONS:
         more = ", and `deployment` if wanted" if "deployment" in keys else ""
-        message = f"A set has `functions`, a list of 1 to {LARGEST_SET}{more}; nothing else."
+        message = f"A set has `functions`, a list of 1 to {REQUEST_FUNCTIONS}{more}; nothing else."
         at = (unknown[0],) if unknown else ("functions",)
         raise InputRefused(message, (document.finding(codes.FIELD_UNKNOWN, at, message),))
     return value

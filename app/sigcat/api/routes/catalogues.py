@@ -21,12 +21,11 @@ from sigcat.catalogue.search import FACETS, SearchResult
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound, UsageError
+from sigcat.limits import ANSWER_DEPTH, PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean, nearest
 
 listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
-_LONGEST_NAME = 500
-_DEEPEST = 64
 _PAGE = 50
 _OWN_FIELDS = ("path", "name", "category")
 """Fields of a node that are no attributes."""
@@ -99,7 +98,7 @@ def get_tree(
     hosted: TheCatalogue,
     settings: TheSettings,
     path: Annotated[str | None, Query(description="Where the tree begins; without it, at the root.")] = None,
-    depth: Annotated[int, Query(ge=0, le=_DEEPEST, description="Levels below the first node.")] = 1,
+    depth: Annotated[int, Query(ge=0, le=ANSWER_DEPTH, description="Levels below the first node.")] = 1,
 ) -> Response:
     """A node and what stands below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
@@ -223,7 +222,7 @@ def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Itera
     known = {*_OWN_FIELDS, *CORE_ATTRIBUTES, *rules_of(request).active.attributes, *catalogue.attributes}
     for field in fields:
         if field not in known:
-            hint = did_you_mean(field[:_LONGEST_NAME], sorted(known))
+            hint = did_you_mean(field[:PROPOSAL_CHARACTERS], sorted(known))
             raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
 
 
@@ -231,8 +230,8 @@ def find_node(catalogue: Catalogue, path: str) -> Node:
     """The node at a path. Raises NotFound with the nearest paths."""
     node = catalogue.get(path)
     if node is None:
-        shown = path if len(path) <= _LONGEST_NAME else f"{path[:_LONGEST_NAME]}…"
-        near = nearest(path[:_LONGEST_NAME], catalogue.nodes, limit=5, cutoff=60)
+        shown = path if len(path) <= PROPOSAL_CHARACTERS else f"{path[:PROPOSAL_CHARACTERS]}…"
+        near = nearest(path[:PROPOSAL_CHARACTERS], catalogue.nodes, limit=5, cutoff=60)
         raise NotFound(f"There is no node {shown!r} in catalogue {catalogue.name!r}.", near)
     return node
 

@@ -20,6 +20,7 @@ from typing import IO, Literal, NamedTuple
 
 from sigcat.errors import InputRefused
 from sigcat.file_kind import ROOT_NAME
+from sigcat.limits import DEFAULT_ARCHIVE_LIMITS, ArchiveLimits
 
 Kind = Literal["file", "folder", "link", "device"]
 
@@ -28,23 +29,6 @@ ROOT_FILE = f"spec/{ROOT_NAME}"
 KEPT_FOLDERS = frozenset(("spec", "overlays"))
 KEPT_FILES = frozenset(("LICENSE", "LICENSE.txt", "VERSION", "CHANGELOG.md"))
 """What is kept of the top of a release; documentation and build files are not."""
-
-
-class ArchiveLimits(NamedTuple):
-    """Bounds on what an archive may hold; an official release has about 1,000 files and 20 MB."""
-
-    entries: int = 20_000
-    unpacked_bytes: int = 512 * 1024 * 1024
-    file_bytes: int = 32 * 1024 * 1024
-    """Bytes of one file that is kept."""
-    ratio: int = 200
-    """Times that the archive may grow when it is unpacked, beyond `free_bytes`."""
-    free_bytes: int = 16 * 1024 * 1024
-    path_characters: int = 240
-    path_names: int = 32
-
-
-DEFAULT_ARCHIVE_LIMITS = ArchiveLimits()
 
 
 class ArchiveRefused(InputRefused):

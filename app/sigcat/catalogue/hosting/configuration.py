@@ -27,6 +27,7 @@ from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import Finding, RuleCode, in_order
+from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import did_you_mean
 
 FILE_NAME = "sigcat.toml"
@@ -36,7 +37,6 @@ CATALOGUE_KEYS: Mapping[str, type] = {
 }  # fmt: skip
 TOP_KEYS: Mapping[str, type] = {"watch": bool, "shipped": bool, "catalogue": list}
 
-_LARGEST = 1024 * 1024
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
 _KEY = re.compile(r"\s*[\"']?([A-Za-z0-9_.-]+)[\"']?\s*=")
@@ -128,11 +128,11 @@ class _Reading:
 
 def _text(file: Path) -> str:
     try:
-        data = file.read_bytes() if file.stat().st_size <= _LARGEST else None
+        data = file.read_bytes() if file.stat().st_size <= CONFIGURATION_BYTES else None
     except OSError as error:
         raise UsageError(f"{file}: {error.strerror or error}") from None
     if data is None:
-        raise UsageError(f"{file}: the file has more than {_LARGEST:,} bytes")
+        raise UsageError(f"{file}: the file has more than {CONFIGURATION_BYTES:,} bytes")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

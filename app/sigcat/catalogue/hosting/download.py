@@ -14,27 +14,15 @@ import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import IO, Any, NamedTuple
+from typing import IO, Any
 from urllib.parse import SplitResult, urljoin, urlsplit
 
 from sigcat import __version__
 from sigcat.errors import SigcatError
+from sigcat.limits import DEFAULT_FETCH_LIMITS, FetchLimits
 
 Progress = Callable[[int, int | None], None]
 """Called after each piece: bytes so far, and bytes in all, if known."""
-
-
-class FetchLimits(NamedTuple):
-    """Bounds on one download."""
-
-    bytes: int = 128 * 1024 * 1024
-    idle_seconds: float = 20.0
-    """Time without a byte."""
-    total_seconds: float = 600.0
-    redirects: int = 5
-
-
-DEFAULT_FETCH_LIMITS = FetchLimits()
 
 
 class FetchFailed(SigcatError):

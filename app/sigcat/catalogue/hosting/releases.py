@@ -14,12 +14,13 @@ from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
-from sigcat.catalogue.hosting.archive import DEFAULT_ARCHIVE_LIMITS, ROOT_FILE, ArchiveLimits, unpack
-from sigcat.catalogue.hosting.download import DEFAULT_FETCH_LIMITS, FetchLimits, Progress, fetch
+from sigcat.catalogue.hosting.archive import ROOT_FILE, unpack
+from sigcat.catalogue.hosting.download import Progress, fetch
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.reading.root_file import types_beside
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import has_errors
+from sigcat.limits import DEFAULT_ARCHIVE_LIMITS, DEFAULT_FETCH_LIMITS, ArchiveLimits, FetchLimits
 from sigcat.names import nearest
 
 ADDRESS = "https://github.com/COVESA/vehicle_signal_specification/archive/refs/tags/{name}.tar.gz"

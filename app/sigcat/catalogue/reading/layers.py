@@ -13,7 +13,7 @@ from sigcat.catalogue.reading.vspec_file import Include, VspecFile, parse_vspec
 from sigcat.digest import digest_of
 from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding
-from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.limits import DEFAULT_LIMITS, REFUSED_INCLUDES, Limits
 
 
 class Layer:
@@ -90,14 +90,10 @@ def layer_from_text(text: bytes, name: str, *, is_overlay: bool = True, limits: 
     """A layer from text that is not in a file, such as a posted overlay. It cannot include files."""
     source = SourceFile(name, name if is_overlay else "", digest_of(text))
     file = parse_vspec(text, source, limits)
-    refused = [_refused_include(include, name) for include in file.includes[:_MOST_REFUSED]]
-    if (more := len(file.includes) - _MOST_REFUSED) > 0:
+    refused = [_refused_include(include, name) for include in file.includes[:REFUSED_INCLUDES]]
+    if (more := len(file.includes) - REFUSED_INCLUDES) > 0:
         refused.append(codes.INCLUDE_OUTSIDE.finding(f"{more:,} more includes are not read.", name))
     return Layer(name, is_overlay, (source,), file.statements, (*file.findings, *refused))
-
-
-_MOST_REFUSED = 100
-"""Includes of a text that are refused one by one."""
 
 
 def _refused_include(include: Include, name: str) -> Finding:

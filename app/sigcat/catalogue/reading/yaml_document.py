@@ -19,7 +19,7 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat import codes
 from sigcat.findings import Finding, RuleCode
-from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.limits import DEFAULT_LIMITS, NUMBER_CHARACTERS, Limits
 
 _LIBYAML: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -250,12 +250,11 @@ def _number(node: ScalarNode) -> float:
 def _readable(node: ScalarNode) -> str:
     """The text of a number. Raises ValueError for one so long that reading it takes the square of its length."""
     text: str = node.value
-    if len(text) > _LONGEST_NUMBER:
-        raise ValueError(f"a number has at most {_LONGEST_NUMBER:,} characters")
+    if len(text) > NUMBER_CHARACTERS:
+        raise ValueError(f"a number has at most {NUMBER_CHARACTERS:,} characters")
     return text
 
 
-_LONGEST_NUMBER = 1_000
 _SCALARS: dict[str, Callable[[ScalarNode], Any]] = {
     _STANDARD + "int": _integer,
     _STANDARD + "float": _number,

@@ -2,7 +2,8 @@
 
 import re
 
-_LONGEST = 1_000
+from sigcat.limits import EXPRESSION_CHARACTERS
+
 _TOKEN = re.compile(
     r"\s*(?:(?P<name>[A-Za-z_]\w*)|(?P<number>\d[\w.]*)|(?P<member>->|\.)|(?P<open>[(\[])|(?P<close>[)\]])"
     r"|(?P<prefix>[*&])|(?P<operator><<|>>|[-+/%|^~,]))",
@@ -27,7 +28,7 @@ def may_hold_value(text: str) -> bool:
 def _tokens(text: str) -> list[tuple[str, str]] | None:
     """Kinds and texts of the tokens; None where C has no such token, or none that names a value."""
     found, at, text = [], 0, text.rstrip()
-    while at < len(text) <= _LONGEST:
+    while at < len(text) <= EXPRESSION_CHARACTERS:
         match = _TOKEN.match(text, at)
         if match is None or match[match.lastgroup or 0] in _KEYWORDS:
             return None

@@ -2,16 +2,15 @@
 
 from collections.abc import Iterable
 
+from sigcat.limits import PROPOSALS
 from sigcat.names import did_you_mean
-
-MOST_HINTS = 100
 
 
 class Hints:
     """The first hundred problems get a proposal: a search among many names costs milliseconds."""
 
     def __init__(self) -> None:
-        self._left = MOST_HINTS
+        self._left = PROPOSALS
 
     def __call__(self, name: str, candidates: Iterable[str]) -> str:
         """A sentence that proposes the nearest names, or nothing."""

@@ -2,10 +2,7 @@
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.limits import Limits
-
-MOST_COLLECTIONS = 200_000
-"""Lists and mappings in one document: twenty times those of a function with 10,000 signals."""
+from sigcat.limits import FUNCTION_COLLECTIONS, Limits
 
 
 def too_crowded(data: bytes, name: str, limits: Limits, openers: tuple[bytes, ...]) -> Finding | None:
@@ -16,8 +13,8 @@ def too_crowded(data: bytes, name: str, limits: Limits, openers: tuple[bytes, ..
     if len(data) > limits.file_bytes:
         return None
     count, values = sum(map(data.count, openers)), data.count(b",")
-    if count > MOST_COLLECTIONS:
-        message = f"The document has {count:,} lists and mappings; the limit is {MOST_COLLECTIONS:,}."
+    if count > FUNCTION_COLLECTIONS:
+        message = f"The document has {count:,} lists and mappings; the limit is {FUNCTION_COLLECTIONS:,}."
     elif values > limits.values:
         message = f"The document has {values:,} values; the limit is {limits.values:,}."
     else:

@@ -13,6 +13,7 @@ from sigcat.catalogue.model.definition import TYPES
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.yaml_words import in_yaml
+from sigcat.limits import FUNCTION_PROBLEMS
 from sigcat.names import did_you_mean, nearest
 
 _EXPECTED = {
@@ -60,7 +61,6 @@ _KINDS = (
     ),
 )
 """Keys by which documents of other kinds are known, the more special first; what they are, and what takes them."""
-_MOST_DEFECTS = 1_000
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
@@ -78,11 +78,11 @@ def structural_findings(error: ValidationError, document: Document, model: type[
     defects = error.errors(include_url=False, include_context=True)
     meant = set(_meant(defects, model))
     defects = [defect for defect in defects if not (defect["type"] == "missing" and defect["loc"] in meant)]
-    for defect in defects[:_MOST_DEFECTS]:
+    for defect in defects[:FUNCTION_PROBLEMS]:
         pointer = _existing(defect["loc"], document.value)
         yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
-    if len(defects) > _MOST_DEFECTS:
-        message = f"{len(defects) - _MOST_DEFECTS:,} more values are wrong."
+    if len(defects) > FUNCTION_PROBLEMS:
+        message = f"{len(defects) - FUNCTION_PROBLEMS:,} more values are wrong."
         yield codes.VALUE_UNFIT.finding(message, document.name, fix="Correct the others first.")
 
 
@@ -109,7 +109,7 @@ def _title(model: type[BaseModel]) -> str:
 def _meant(defects: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
     """Where misspelled keys were meant to stand: what lacks there is not missing as well."""
     missing = {defect["loc"] for defect in defects if defect["type"] == "missing"}
-    for defect in defects[:_MOST_DEFECTS] if missing else ():
+    for defect in defects[:FUNCTION_PROBLEMS] if missing else ():
         location = defect["loc"]
         if defect["type"] == "extra_forbidden" and location:
             yield from ((*location[:-1], near) for near in nearest(str(location[-1]), _keys_beside(location, model), 1))

@@ -5,14 +5,12 @@ from typing import Any
 
 from sigcat.catalogue.model.definition import Definition, merged_values
 from sigcat.catalogue.reading.statement import Statement
+from sigcat.limits import PROPOSALS
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
-
-_MOST_PROPOSALS = 100
-"""A proposal compares a name with all others. With more wrong names than this, another tree was meant."""
 
 
 def _near(path: str, tree: Tree) -> str:
@@ -31,7 +29,7 @@ def _near(path: str, tree: Tree) -> str:
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
     """A node that an overlay adds has a `type`; one without was meant to change a node that is there."""
 
-    proposals = iter(range(_MOST_PROPOSALS))
+    proposals = iter(range(PROPOSALS))
 
     def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
@@ -47,7 +45,7 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
     """`delete: true` is written for a node that an earlier layer has."""
 
-    proposals = iter(range(_MOST_PROPOSALS))
+    proposals = iter(range(PROPOSALS))
 
     def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]

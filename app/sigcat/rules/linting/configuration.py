@@ -10,8 +10,8 @@ from typing import Any
 from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
 from sigcat.names import did_you_mean
-from sigcat.rules.linting.grading import OFF, as_severity
 from sigcat.rules.linting.options import LintOptions, PerFile
+from sigcat.rules.linting.severity import OFF, as_severity
 
 FILES = ("sigcat.toml", "pyproject.toml")
 

@@ -28,13 +28,12 @@ from sigcat.file_kind import (
     root_branch,
     root_name,
 )
+from sigcat.limits import RECOGNITION_BYTES
 from sigcat.names import nearest
 
 Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
 
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
-_MOST_BYTES = 4 * 1024 * 1024
-"""A data file larger than this is not looked into to find out what it is."""
 _INCLUDE = rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?"
 _KINDS: Mapping[FileKind, Kind] = {
     "vspec": "overlay",
@@ -149,7 +148,7 @@ def first_bytes(path: Path) -> bytes:
         return b""
     try:
         with path.open("rb") as file:
-            return file.read(_MOST_BYTES)
+            return file.read(RECOGNITION_BYTES)
     except (OSError, ValueError):
         return b""
 

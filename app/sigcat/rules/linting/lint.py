@@ -32,9 +32,9 @@ from sigcat.rules.linting.context import (
     with_instances,
 )
 from sigcat.rules.linting.discovery import Source, discover, first_bytes
-from sigcat.rules.linting.grading import Grading, matches
 from sigcat.rules.linting.options import LintOptions, LintResult, identity_of
 from sigcat.rules.linting.selection import rules_for, selected
+from sigcat.rules.linting.severity import Grading, matches
 from sigcat.rules.linting.suppression import MARK, Suppressions, apply_suppressions, read_suppressions
 from sigcat.rules.problem import Repair
 from sigcat.rules.record import Rule, parse_rules

@@ -13,8 +13,8 @@ from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import with_instances
-from sigcat.rules.linting.grading import Grading
 from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.severity import Grading
 from sigcat.rules.linting.suppression import MARK, apply_suppressions, read_suppressions
 from sigcat.rules.rule_set import RuleSet
 

@@ -9,8 +9,8 @@ from sigcat.names import did_you_mean
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.checks.kind import BadOption, check_options
 from sigcat.rules.compiled import compiled_rules
-from sigcat.rules.linting.grading import OFF, as_severity, most_specific
 from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.severity import OFF, as_severity, most_specific
 from sigcat.rules.record import Rule, load_rule_files
 
 

@@ -13,6 +13,7 @@ from sigcat.catalogue.hosting.library import Hosted
 from sigcat.errors import NotFound, UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.limits import PAGE_FUNCTIONS
 from sigcat.names import nearest
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
@@ -36,7 +37,6 @@ router = APIRouter()
 ECO_CONTROL = ("core_acc", "eco_control_mpc")
 """The set that is shown when none is chosen."""
 VIEWS = {"files": "Files", **SET_VIEWS}
-_MOST_FUNCTIONS = 20
 _MOST_FINDINGS = 200
 
 Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
@@ -156,8 +156,8 @@ def _chosen(functions: Sequence[str] | None) -> tuple[str, ...]:
 
 
 def _check_size(functions: Sequence[object]) -> None:
-    if len(functions) > _MOST_FUNCTIONS:
-        raise UsageError(f"A set must have at most {_MOST_FUNCTIONS} functions.")
+    if len(functions) > PAGE_FUNCTIONS:
+        raise UsageError(f"A set must have at most {PAGE_FUNCTIONS} functions.")
 
 
 def _documents(functions: Sequence[ResolvedFunction], view: str = "") -> Sequence[GeneratedDocument]:
