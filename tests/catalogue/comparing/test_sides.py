@@ -19,6 +19,7 @@ from tests.catalogue.comparing.running import sigcat, signal
 from tests.catalogue.trees import ROOT, catalogue_of
 
 TREE = ROOT + "#include part/engine.vspec Vehicle\n" + signal("Vehicle.Speed")
+CASES = Path(__file__).parents[1] / "cases"
 STRUCTS = (
     "Types:\n  type: branch\n  description: T.\nTypes.Point:\n  type: struct\n  description: P.\n"
     "Types.Point.X:\n  type: property\n  datatype: float\n  description: X.\n"
@@ -131,6 +132,15 @@ def test_a_file_may_have_a_plus_in_its_name(tmp_path):
     assert paths(write_tree(tmp_path, "c++.vspec")) == WHOLE
 
 
+def test_folders_and_overlays_may_have_a_plus_too(tmp_path):
+    tree = write_tree(tmp_path / "a+b" / "c++")
+    overlay = tmp_path / "a+b" / "one+two.vspec"
+    overlay.write_text("Vehicle.Speed:\n  min: 1\n")
+    assert paths(tree.parent) == WHOLE
+    for named in (f"{tree.parent}+{overlay}", f"{tree}+{overlay}+{overlay}"):
+        assert read_side(named, no_release).catalogue.nodes["Vehicle.Speed"].values["min"] == 1
+
+
 @pytest.mark.parametrize("name", ["missing/tree.vspec", "missing.vspec", "missing.json", "", "+"])
 def test_what_is_not_there_is_said(name):
     with pytest.raises(UsageError, match="no such file or folder"):
@@ -183,6 +193,36 @@ def test_an_export_does_not_differ_from_its_tree(form):
     assert {path: node.template for path, node in export.nodes.items()} == {
         path: node.template for path, node in tree.nodes.items()
     }
+
+
+def given_in(file):
+    """The overlays that a case is made with, and the other options that name files."""
+    words = file.read_text().replace("--no-expand", "").split() if file.is_file() else []
+    pairs = [pair for pair in zip(words[::2], words[1::2], strict=True) if pair[0] != "-e"]
+    overlays = [value for option, value in pairs if option == "-l"]
+    return overlays, [word for pair in pairs if pair[0] != "-l" for word in pair]
+
+
+@pytest.mark.parametrize("form", ["--pretty", "--extend-all-attributes"])
+@pytest.mark.parametrize("case", sorted(case.name for case in CASES.iterdir()))
+def test_a_tree_does_not_differ_from_what_sigcat_exports_of_it(case, form, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(CASES / case)
+    overlays, options = given_in(CASES / case / "options")
+    over = [word for overlay in overlays for word in ("-l", overlay)]
+    tree, export = "+".join(["tree.vspec", *overlays]), str(tmp_path / "export.json")
+    assert sigcat("export", "json", "-s", "tree.vspec", *over, *options, form, "-o", export) == 0
+    for sides in ((tree, export), (export, tree)):
+        capsys.readouterr()
+        assert sigcat("diff", *sides, *options) == 0
+        assert capsys.readouterr().out == "No differences.\n"
+
+
+def test_only_at_the_root_may_an_export_have_left_out_an_extended_attribute(tmp_path, capsys):
+    (tmp_path / "old.vspec").write_text(ROOT + "  source: x\n" + signal("Vehicle.A", source="x"))
+    (tmp_path / "new.vspec").write_text(ROOT + signal("Vehicle.A"))
+    assert sigcat("export", "json", "-s", str(tmp_path / "new.vspec"), "-o", str(tmp_path / "new.json")) == 0
+    assert sigcat("diff", str(tmp_path / "old.vspec"), str(tmp_path / "new.json")) == 0
+    assert capsys.readouterr().out.count("source: x → (none)") == 1
 
 
 def test_changes_between_exports_are_grouped_by_instances(tmp_path, capsys):

@@ -166,6 +166,15 @@ def test_an_option_names_a_file_a_folder_or_a_release_with_overlays(folder, serv
     assert source_from_option("d=shipped").spec == ROOT_FILE
 
 
+def test_a_path_may_have_a_comma(tmp_path):
+    folder = tmp_path / "a,b"
+    folder.mkdir()
+    for name in ("tree.vspec", "one,two.vspec"):
+        (folder / name).write_text(TREE)
+    source = source_from_option(f"a={folder}/tree.vspec,{folder}/one,two.vspec")
+    assert (source.spec, source.overlays) == (folder / "tree.vspec", (folder / "one,two.vspec",))
+
+
 @pytest.mark.parametrize("text", ["", "a", "a=", "=b", "a=5.0,missing.vspec", "a=overlays"])
 def test_an_option_that_names_no_catalogue_is_refused(folder, monkeypatch, data, text):
     monkeypatch.chdir(folder)

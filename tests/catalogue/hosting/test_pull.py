@@ -12,7 +12,7 @@ import pytest
 
 from sigcat.catalogue.hosting import releases
 from sigcat.catalogue.hosting.archive import ArchiveRefused
-from sigcat.catalogue.hosting.download import FetchFailed
+from sigcat.catalogue.hosting.download import FetchFailed, FileMissing
 from sigcat.catalogue.hosting.releases import (
     PullLimits,
     find_release,
@@ -88,6 +88,17 @@ def test_the_address_of_a_release_is_the_source_archive_of_its_tag(monkeypatch, 
     monkeypatch.setattr(releases, "fetch", fetch)
     pull("4.1")
     assert asked == ["https://github.com/COVESA/vehicle_signal_specification/archive/refs/tags/v4.1.tar.gz"]
+
+
+def test_without_a_network_the_way_around_it_is_named(monkeypatch, data):
+    monkeypatch.setattr(releases, "ADDRESS", "https://127.0.0.1:9/{name}.tar.gz")
+    with pytest.raises(FetchFailed, match=r"cannot be read: .+ bring https://.+/v4\.1\.tar\.gz here and .* --from$"):
+        pull("4.1")
+
+
+def test_a_file_that_is_missing_is_told_from_a_missing_network(server, data):
+    with pytest.raises(FileMissing):
+        pull("4.1", f"{server}/none")
 
 
 def test_a_release_that_is_here_is_not_fetched_again(server, data):

@@ -1,5 +1,6 @@
 """What a comparison of two catalogues yields: changes, each with a class that says whom it concerns."""
 
+import datetime as dt
 from collections.abc import Iterable
 from typing import Any, Literal, NamedTuple, get_args
 
@@ -74,11 +75,18 @@ def at_least(compatibility: Class, bound: Class) -> bool:
 
 
 def same(old: Any, new: Any) -> bool:
-    """Whether two values say the same. 1 and 1.0 do, 1 and true do not, and .nan equals itself."""
+    """Whether two values say the same. 1 and 1.0 do, 1 and true do not, .nan equals itself, and a date its text."""
     if isinstance(old, dict) and isinstance(new, dict):
         return old.keys() == new.keys() and all(same(value, new[name]) for name, value in old.items())
     if isinstance(old, list) and isinstance(new, list):
         return len(old) == len(new) and all(map(same, old, new))
     if isinstance(old, bool) is not isinstance(new, bool):
         return False
+    if isinstance(old, dt.date) is not isinstance(new, dt.date):
+        return bool(_text_of(old) == _text_of(new))
     return bool(old == new or (old != old and new != new))  # noqa: PLR0124 -- only .nan differs from itself
+
+
+def _text_of(value: Any) -> Any:
+    """A date as JSON has it; everything else as it is."""
+    return value.isoformat() if isinstance(value, dt.date) else value

@@ -12,7 +12,7 @@ from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies, attribu
 from sigcat.catalogue.comparing.instance_changes import Replacement, changed_holders, instances_as_written, replaced
 from sigcat.catalogue.comparing.moves import Move, find_moves
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.model.definition import STRUCT
+from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, STRUCT
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.names import parent_path
 
@@ -47,7 +47,7 @@ class _Comparison:
         self._ignored = ignored
         self._vocabularies = Vocabularies(old.vocabulary, new.vocabulary)
         self._known: dict[tuple[int, int], tuple[AttributeChange, ...]] = {}
-        self._holders = changed_holders(old, new)
+        self._holders = changed_holders(old, new, may_be_lost="instances" in ignored)
         gone = {path: node for path, node in old.nodes.items() if path not in new.nodes}
         came = {path: node for path, node in new.nodes.items() if path not in old.nodes}
         self._went: Replacement = replaced(gone, old, new, self._holders)
@@ -83,6 +83,8 @@ class _Comparison:
             if after is None or path in self._gone:
                 continue
             attributes = self._attributes(before, after)
+            if self._ignored and "." not in path:
+                attributes = tuple(attribute for attribute in attributes if not _is_lost_at_the_root(attribute))
             if path in self._holders:
                 yield self._holder(path, before, after, attributes)
             elif attributes:
@@ -162,6 +164,11 @@ class _Comparison:
         note = node.values.get("deprecation")
         change = _whole("removed", "removed", node, leaves)._replace(note=note if isinstance(note, str) else "")
         return _Single(change, node.template)
+
+
+def _is_lost_at_the_root(attribute: AttributeChange) -> bool:
+    """Whether an export may have left it out: it has all extended attributes, but at the root only those asked for."""
+    return attribute.name not in CORE_ATTRIBUTES and (attribute.old is None or attribute.new is None)
 
 
 def _whole(kind: Kind, rule: str, node: Node, leaves: int) -> Change:

@@ -30,8 +30,11 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
-UNKNOWN = frozenset(("arraysize", "aggregate", "uuid"))
-"""Attributes that are not compared: an export may have lost them or, for `uuid`, have made them from the path."""
+UNKNOWN = frozenset(("arraysize", "aggregate", "uuid", "instances"))
+"""Attributes that are not compared: an export may have lost them or, for `uuid`, have made them from the path.
+
+Of `instances`, the nodes that they made are compared.
+"""
 _REPEATED = ("type", "description", "comment")
 """What older exports repeat of a branch in its instances; those of today repeat everything."""
 _REFERS_OUTSIDE = frozenset((codes.DATATYPE_UNKNOWN.id, codes.UNIT_UNKNOWN.id, codes.UNIT_OF_WRONG_DATATYPE.id))

@@ -17,8 +17,8 @@ class Replacement(NamedTuple):
     """By the branch with the instances, the topmost of these paths."""
 
 
-def changed_holders(old: Catalogue, new: Catalogue) -> set[str]:
-    """Branches whose `instances` say something else, or make other nodes where the words are lost."""
+def changed_holders(old: Catalogue, new: Catalogue, *, may_be_lost: bool = False) -> set[str]:
+    """Branches whose `instances` say something else, or make other nodes where the words are, or may be, lost."""
     holders = set()
     known: dict[tuple[int, int], bool] = {}
     for path, before in old.nodes.items():
@@ -32,7 +32,7 @@ def changed_holders(old: Catalogue, new: Catalogue) -> set[str]:
             known[key] = not same(instances_as_written(before), instances_as_written(after)) and _differ_in_effect(
                 before, after
             )
-        if known[key]:
+        if known[key] and not (may_be_lost and _have_the_same_below(before, after)):
             holders.add(path)
     return holders
 
@@ -41,6 +41,13 @@ def _differ_in_effect(before: Node, after: Node) -> bool:
     """Whether the instances differ, judged by what was written if both sides have that, else by the expansion."""
     is_known = [_words_of(node) is not None or not _generated(node) for node in (before, after)]
     return all(is_known) or sorted(_generated(before)) != sorted(_generated(after))
+
+
+def _have_the_same_below(before: Node, after: Node) -> bool:
+    """Whether the words are lost on one side, and the nodes are those that the other side has."""
+    if _words_of(before) is not None and _words_of(after) is not None:
+        return False
+    return {node.path for node in before.walk()} == {node.path for node in after.walk()}
 
 
 def instances_as_written(node: Node) -> Any:

@@ -15,6 +15,7 @@ from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.git_revision import unpack_revision
+from sigcat.catalogue.reading.joined_paths import split_paths
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.errors import InputRefused, UsageError
@@ -70,10 +71,8 @@ def read_side(name: str, release: Release, options: Options = NO_OPTIONS) -> Sid
 
 
 def _parts(name: str, folder: Path = Path()) -> tuple[str, tuple[Path, ...]]:
-    """The tree and its overlays; a file may have a plus in its name."""
-    if (folder / name).exists():
-        return name, ()
-    base, *overlays = name.split("+")
+    """The tree and its overlays; each may have a plus in its path."""
+    base, *overlays = split_paths(name, "+", folder)
     return base, tuple(folder / overlay for overlay in overlays)
 
 

@@ -13,6 +13,7 @@ import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from http import HTTPStatus
 from pathlib import Path
 from typing import IO, Any
 from urllib.parse import SplitResult, urljoin, urlsplit
@@ -27,6 +28,10 @@ Progress = Callable[[int, int | None], None]
 
 class FetchFailed(SigcatError):
     """The file could not be fetched; its text says why."""
+
+
+class FileMissing(FetchFailed):
+    """The host answers that there is no such file."""
 
 
 class _Moved(Exception):
@@ -102,7 +107,7 @@ def _fetch_one(
     except _AddressRefused as error:
         raise FetchFailed(f"{_host(parts)} is not asked: {error} is not a public address") from None
     except (TimeoutError, urllib.error.URLError, http.client.HTTPException, OSError) as error:
-        raise FetchFailed(_reason(parts, error)) from None
+        raise _failure(parts, error) from None
 
 
 def _is_same_host(parts: SplitResult, trusted: SplitResult) -> bool:
@@ -224,12 +229,17 @@ def _copy(response: Any, file: IO[bytes], total: int | None, progress: Progress,
     return done
 
 
-def _reason(parts: SplitResult, error: Exception) -> str:
+def _failure(parts: SplitResult, error: Exception) -> FetchFailed:
     host = _host(parts)
     if isinstance(error, urllib.error.HTTPError):
-        hint = ": there is no such file" if error.code == 404 else ""
-        return f"{host} answers {error.code} {error.reason}{hint}"
+        answer = f"{host} answers {error.code} {error.reason}"
+        return (
+            FileMissing(f"{answer}: there is no such file")
+            if error.code == HTTPStatus.NOT_FOUND
+            else FetchFailed(answer)
+        )
     cause = error.reason if isinstance(error, urllib.error.URLError) else error
     if isinstance(cause, TimeoutError):
-        return f"{host} does not answer in time"
-    return f"{host} cannot be read: {cause or type(cause).__name__}"
+        return FetchFailed(f"{host} does not answer in time")
+    reason = cause.strerror if isinstance(cause, OSError) and cause.strerror else cause
+    return FetchFailed(f"{host} cannot be read: {reason or type(cause).__name__}")

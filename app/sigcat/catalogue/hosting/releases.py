@@ -15,7 +15,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.hosting.archive import ROOT_FILE, unpack
-from sigcat.catalogue.hosting.download import Progress, fetch
+from sigcat.catalogue.hosting.download import FetchFailed, FileMissing, Progress, fetch
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.reading.root_file import types_beside
 from sigcat.errors import InputRefused, NotFound, UsageError
@@ -190,7 +190,7 @@ def _bring(name: str, origin: str, archive: Path, progress: Progress | None, lim
     if origin.startswith(("http://", "https://")):
         return fetch(origin, archive, is_trusted=True, progress=progress, limits=limits.fetch)
     if not origin:
-        return fetch(ADDRESS.format(name=name), archive, progress=progress, limits=limits.fetch)
+        return _fetch_official(ADDRESS.format(name=name), archive, progress, limits)
     if re.match(r"[A-Za-z][A-Za-z0-9+.-]+:", origin):
         raise UsageError(f"--from {origin}: name an http or https address, or a file")
     file = Path(origin)
@@ -200,6 +200,16 @@ def _bring(name: str, origin: str, archive: Path, progress: Progress | None, lim
         raise InputRefused(f"{origin} has more than {limits.fetch.bytes:,} bytes")
     shutil.copyfile(file, archive)
     return str(file.resolve())
+
+
+def _fetch_official(address: str, archive: Path, progress: Progress | None, limits: PullLimits) -> str:
+    try:
+        return fetch(address, archive, progress=progress, limits=limits.fetch)
+    except FileMissing:
+        raise
+    except FetchFailed as error:
+        hint = f"Without a network, bring {address} here and name the file with --from"
+        raise FetchFailed(f"{error}. {hint}") from None
 
 
 def _digest_of(file: Path) -> str:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from sigcat.catalogue.hosting.releases import find_release, pulled_releases
 from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.reading.joined_paths import split_paths
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from sigcat.errors import UsageError
@@ -44,7 +45,7 @@ def pulled_sources() -> tuple[Source, ...]:
 def source_from_option(text: str) -> Source:
     """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
     catalogue_id, equals, rest = text.partition("=")
-    tree, *overlays = rest.split(",")
+    tree, *overlays = split_paths(rest, ",")
     if not (catalogue_id and equals and tree):
         raise UsageError(f"{text!r} does not name a catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
     source = source_of_tree(tree)
