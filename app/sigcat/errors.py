@@ -6,6 +6,9 @@ SigcatError
 └── UsageError          a command or request asks for something that cannot be done
 """
 
+import os
+from pathlib import Path
+
 from sigcat.findings import Finding
 
 
@@ -31,3 +34,18 @@ class NotFound(SigcatError):
 
 class UsageError(SigcatError):
     """A command or request asks for something that cannot be done."""
+
+
+def existing_file(path: str | os.PathLike[str]) -> Path:
+    """The path of a file that a user named. Raises UsageError."""
+    file = Path(path)
+    if file.is_dir():
+        raise UsageError(must_be_a_file(path))
+    if not file.is_file():
+        raise UsageError(f"{path} must be a regular file" if file.exists() else f"{path}: there is no such file")
+    return file
+
+
+def must_be_a_file(path: str | os.PathLike[str]) -> str:
+    """What is said of a folder where a file belongs."""
+    return f"{path} must be a file, not a folder"

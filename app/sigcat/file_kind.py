@@ -41,7 +41,7 @@ _FIRST_NAME = rb"""^["']?([A-Za-z]\w*)(?=["']?:|\.)"""
 
 
 def file_kind(data: bytes, name: str = "") -> FileKind:
-    """The kind of a file; without a name, of a text. JSON and YAML are told apart by the ending, if there is one."""
+    """The kind of a file; without a name, of a text. JSON and YAML are distinguished by the ending, if there is one."""
     ending = ending_of(name)
     if ending == ".vspec":
         return "vspec"

@@ -108,7 +108,7 @@ def test_without_a_tree_the_shipped_one_is_meant(capsys):
     [
         (["export", "json", "-s", "none.vspec"], "none.vspec: there is no such file"),
         (["export", "json", "-s", "tree.vspec", "-o", "no/such/folder.json"], "there is no such folder"),
-        (["export", "json", "-s", "tree.vspec", "-o", "."], "is a folder"),
+        (["export", "json", "-s", "tree.vspec", "-o", "."], "must be a file, not a folder"),
         (["export", "json", "-s", "tree.vspec", "-e", "min"], "name one attribute that VSS does not define"),
         (["show", "Vehicle.Sped", "-s", "tree.vspec"], "Did you mean Vehicle.Speed?"),
     ],

@@ -207,7 +207,7 @@ def test_what_no_command_knows_is_refused_by_the_one_that_was_asked(arguments, u
 
 def test_a_folder_is_no_function_file(folder, capsys):
     assert main(["function", "build", str(folder)]) == 2
-    assert capsys.readouterr().err == f"sigcat: {folder} is a folder; a file belongs here\n"
+    assert capsys.readouterr().err == f"sigcat: {folder} must be a file, not a folder\n"
 
 
 def test_an_internal_error_is_one_line_and_with_a_variable_its_traceback(monkeypatch, capsys):

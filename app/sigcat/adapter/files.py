@@ -1,4 +1,4 @@
-"""What every adapter gives: files, by name and content. Writing them is left to whoever asked."""
+"""What every adapter gives: files, by name and content. Writing them is left to the caller."""
 
 from typing import NamedTuple
 

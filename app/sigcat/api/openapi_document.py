@@ -1,4 +1,4 @@
-"""The OpenAPI document: what FastAPI knows of the routes, and what it does not tell by itself."""
+"""The OpenAPI document: what FastAPI knows of the routes, and what has to be added."""
 
 from collections.abc import Iterator, Mapping
 from copy import deepcopy

@@ -17,7 +17,7 @@ from sigcat.names import did_you_mean
 PREFIX = "SIGCAT_"
 TABLE = "service"
 OTHERS = ("SIGCAT_CONFIG", "SIGCAT_DATA", "SIGCAT_DEBUG", "SIGCAT_BROWSER", "SIGCAT_FUZZ")
-"""Variables that say something else than settings; the last two speak to the tests."""
+"""Variables that are not settings; the last two are for the tests."""
 _SET_BY_KUBERNETES = ("SIGCAT_SERVICE_", "SIGCAT_PORT_")
 
 

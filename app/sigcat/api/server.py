@@ -15,7 +15,7 @@ _log = logging.getLogger("sigcat")
 
 
 class _Server(uvicorn.Server):
-    """Says where it listens once it does: with port 0 nobody knows before."""
+    """Says where it listens once it does: with port 0 it is not known before."""
 
     async def startup(self, sockets: list[object] | None = None) -> None:  # type: ignore[override]
         await super().startup(sockets)  # type: ignore[arg-type]
@@ -57,7 +57,7 @@ def prepare(application: FastAPI, settings: Settings) -> None:
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
     tell_errors(application.state.library)
     if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
-        _log.warning("reading needs a token, and none of `tokens` has the scope read: nobody can read")
+        _log.warning("reading needs a token, and none of `tokens` has the scope read: no client can read")
     gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
     sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
     gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms

@@ -149,8 +149,8 @@ class SearchIndex:
 
     def _instead(self, wanted: list[str], chosen: Bits) -> tuple[str, ...]:
         """Texts with results: with each unknown word put right; failing that, with one word less."""
-        mended = [self._mended(word) for word in wanted]
-        right = [list(each) for each in islice(product(*(each for each in mended if each)), _MOST_TRIED)]
+        corrected = [self._corrected(word) for word in wanted]
+        right = [list(each) for each in islice(product(*(each for each in corrected if each)), _MOST_TRIED)]
         fewer = [first[:i] + first[i + 1 :] for first in right[:1] for i in reversed(range(len(first)))]
         for choices in (right, fewer):
             texts = [" ".join(choice) for choice in choices if choice]
@@ -159,7 +159,7 @@ class SearchIndex:
                 return tuple(found[:_MOST_LISTED])
         return ()
 
-    def _mended(self, word: str) -> tuple[str, ...]:
+    def _corrected(self, word: str) -> tuple[str, ...]:
         """A word itself if it is known; else the nearest ones, or else the two known words that it is made of."""
         if self._is_known(word):
             return (word,)

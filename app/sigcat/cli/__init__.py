@@ -12,7 +12,7 @@ from importlib import import_module
 
 from sigcat import __version__
 from sigcat.cli.command_parser import CommandParser
-from sigcat.errors import InputRefused, SigcatError
+from sigcat.errors import InputRefused, SigcatError, must_be_a_file
 
 COMMANDS = (
     "lint",
@@ -84,7 +84,7 @@ def _failed(message: str, status: int) -> int:
 
 def _reason(error: OSError) -> str:
     if isinstance(error, IsADirectoryError):
-        return f"{error.filename} is a folder; a file belongs here"
+        return must_be_a_file(error.filename)
     return f"{error.filename}: {error.strerror}" if error.filename else str(error.strerror or error)
 
 

@@ -14,7 +14,7 @@ class CommandParser(argparse.ArgumentParser):
         return super().add_subparsers(**named)
 
     def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
-        """Parse what belongs to this parser, and refuse the rest: nobody else knows it."""
+        """Parse what belongs to this parser, and refuse the rest, which no other parser reads."""
         parsed, unknown = super().parse_known_args(*arguments, **named)
         if unknown:
             self._refuse(unknown[0].partition("=")[0])

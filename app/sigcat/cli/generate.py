@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from sigcat.cli.output import write_bytes
-from sigcat.errors import UsageError
+from sigcat.errors import UsageError, existing_file
 from sigcat.platforms.platform import Generator, Platform
 from sigcat.platforms.table import PLATFORMS
 
@@ -35,9 +35,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Write the files; the folder is made if its parent exists. Raises InputRefused if the document cannot be used."""
     from sigcat.limits import DEFAULT_LIMITS
 
-    source = arguments.integration
-    if not source.is_file():
-        raise UsageError(f"{source}: there is no such file")
+    source = existing_file(arguments.integration)
     files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS)
     _make(arguments.output)
     for file in files:
@@ -47,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _make(folder: Path) -> None:
     if folder.exists() and not folder.is_dir():
-        raise UsageError(f"{folder} must be a folder")
+        raise UsageError(f"{folder} must be a folder, not a file")
     if not folder.parent.is_dir():
         raise UsageError(f"{folder.parent}: there is no such folder")
     folder.mkdir(exist_ok=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.output import write_bytes
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import UsageError
+from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
 
 if TYPE_CHECKING:
@@ -55,10 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
-    for path in arguments.functions:
-        if not path.is_file():
-            raise UsageError(f"{path}: there is no such file")
-    files = [(path.read_bytes(), str(path)) for path in arguments.functions]
+    files = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
     functions, findings = read_functions(files, lambda: read_tree(arguments))
     _print(findings)
     return functions

@@ -117,7 +117,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     try:
         _report(result, options, arguments)
         sys.stdout.flush()
-    except BrokenPipeError:  # the exit status is right even if nobody reads
+    except BrokenPipeError:  # the exit status is right even if the output is not read
         discard_output()
     return int(result.fails)
 

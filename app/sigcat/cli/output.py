@@ -6,7 +6,7 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import InputRefused, UsageError, must_be_a_file
 
 
 def write_text(text: str, output: Path | None) -> None:
@@ -35,7 +35,7 @@ def write_bytes(data: bytes, output: Path | None) -> None:
         sys.stdout.buffer.write(data)
         return
     if output.is_dir():
-        raise UsageError(f"{output}: is a folder")
+        raise UsageError(must_be_a_file(output))
     target = Path(os.path.realpath(output))
     if output.exists() and not output.is_file():
         _write_to(output, data)

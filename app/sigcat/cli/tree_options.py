@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import InputRefused, existing_file
 from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
@@ -60,8 +60,7 @@ def tree_source(arguments: argparse.Namespace) -> "Source":
     from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
 
     for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
-        if not path.is_file():
-            raise UsageError(f"{path}: there is no such file")
+        existing_file(path)
     source = source_of_tree(str(arguments.vspec)) if arguments.vspec is not None else shipped_sources()[0]
     return source._replace(
         id=source.spec.stem,

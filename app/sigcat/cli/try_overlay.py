@@ -2,12 +2,11 @@
 
 import argparse
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.cli.diff import is_coloured
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import UsageError
+from sigcat.errors import existing_file
 from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
@@ -47,9 +46,7 @@ def _trial(base: "Catalogue", arguments: argparse.Namespace) -> "Trial":
 
     if arguments.overlay == "-":
         return trial.try_overlay(base, sys.stdin.buffer.read(), "standard input")
-    path = Path(arguments.overlay)
-    if not path.is_file():
-        raise UsageError(f"{path}: there is no such file")
+    path = existing_file(arguments.overlay)
     return trial.try_layer(base, read_layer(path, arguments.include_dirs, is_overlay=True))
 
 

@@ -172,7 +172,7 @@ def check_files(files: Sequence[FunctionFile], catalogue: Catalogue) -> tuple[tu
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
-    """What a declaration defines for nobody. Where a reference is wrong, nobody knows what it meant."""
+    """What a declaration defines and does not use. Where a reference is wrong, it may have meant any of it."""
     if checked.is_incomplete or not checked.is_declaration:
         return
     is_incomplete = any(finding.rule == codes.CALLS_INCOMPLETE.id for finding in checked.findings)

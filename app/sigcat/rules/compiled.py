@@ -25,7 +25,7 @@ _Stamp = tuple[tuple[str, int, int], ...]
 
 
 def compiled_rules(folder: Path) -> tuple[Rule, ...]:
-    """What `load_rules` gives, without reading the files again. Raises InputRefused with all defects."""
+    """What `load_rules` gives, without reading the files again. Raises InputRefused with all findings."""
     files = sorted(folder.glob("*.yaml"))
     stamp = _stamp((*files, *CODE))
     compiled = folder / "__pycache__" / f"rules-{__version__}.{sys.implementation.cache_tag}.marshal"

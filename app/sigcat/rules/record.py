@@ -88,12 +88,12 @@ class _Bad(Exception):
 
 
 def load_rules(folder: Path, *, trusted: bool = True) -> tuple[Rule, ...]:
-    """Every rule of the files in `folder`, in the order of their codes. Raises InputRefused with all defects."""
+    """Every rule of the files in `folder`, in the order of their codes. Raises InputRefused with all findings."""
     return load_rule_files(sorted(folder.glob("*.yaml")), trusted=trusted)
 
 
 def load_rule_files(paths: Iterable[Path], *, trusted: bool) -> tuple[Rule, ...]:
-    """The rules of these files, in the order of their codes. Raises InputRefused with all defects."""
+    """The rules of these files, in the order of their codes. Raises InputRefused with all findings."""
     rules: dict[str, Rule] = {}
     findings: list[Finding] = []
     for path in paths:
@@ -110,7 +110,7 @@ def load_rule_files(paths: Iterable[Path], *, trusted: bool) -> tuple[Rule, ...]
 
 
 def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
-    """The rules in the bytes of one file; every defect is a finding L010."""
+    """The rules in the bytes of one file; everything wrong is a finding L010."""
     document = read_document(data, name)
     findings = list(document.findings)
     if document.root is None:

@@ -162,8 +162,3 @@ def _levels(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
         return
     for entry in instances:
         yield frozenset(instance_names(entry)) if count_instances([entry]) <= COMPARED_INSTANCES else frozenset()
-
-
-def name_of(definition: Definition) -> str:
-    """Last name of the definition's path."""
-    return last_name(definition.path)

@@ -189,7 +189,7 @@ def test_an_overlay_may_write_below_an_instance(tree):
 
 
 def test_a_path_that_does_not_exist_is_refused(tmp_path):
-    with pytest.raises(NotFound, match="does not exist"):
+    with pytest.raises(NotFound, match="there is no such file or folder"):
         lint_paths([tmp_path / "nothing"])
 
 

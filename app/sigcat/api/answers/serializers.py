@@ -49,7 +49,7 @@ def plain_text(text: str) -> str:
     return text.encode("utf-8", "replace").decode()
 
 
-def place(origin: Origin) -> schemas.Place:
+def origin_schema(origin: Origin) -> schemas.Place:
     """Where something was written."""
     return schemas.Place(
         file=shown_file(origin.file), line=origin.line, column=origin.column, overlay=overlay_name(origin.overlay)
@@ -119,7 +119,7 @@ def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
         parent=parent.path if parent else None,
         previous=siblings[position - 1] if position else None,
         next=siblings[position + 1] if position + 1 < len(siblings) else None,
-        origin=place(catalogue.origin(node)),
+        origin=origin_schema(catalogue.origin(node)),
         unit=unit_schema(unit) if unit else None,
         attributes=attributes(node),
         children=[node_summary(child) for child in node.children],
@@ -138,9 +138,11 @@ def attributes(node: Node) -> list[schemas.Attribute]:
         schemas.Attribute(
             name=plain_text(name),
             value=plain(value),
-            origin=place(node.definition.origin(name)),
+            origin=origin_schema(node.definition.origin(name)),
             is_extended=name not in CORE_ATTRIBUTES,
-            history=[schemas.HistoryEntry(value=plain(v), origin=place(o)) for v, o in node.definition.history(name)],
+            history=[
+                schemas.HistoryEntry(value=plain(v), origin=origin_schema(o)) for v, o in node.definition.history(name)
+            ],
         )
         for name, value in node.values.items()
     ]
@@ -155,12 +157,14 @@ def tree_node(node: Node, depth: int) -> schemas.TreeNode:
 def unit_schema(unit: Unit) -> schemas.Unit:
     """A unit as the API has it."""
     fields = unit._asdict()
-    return schemas.Unit(**{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": place(unit.origin)})
+    return schemas.Unit(
+        **{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": origin_schema(unit.origin)}
+    )
 
 
 def quantity_schema(quantity: Quantity) -> schemas.Quantity:
     """A quantity as the API has it."""
-    return schemas.Quantity(**{**quantity._asdict(), "origin": place(quantity.origin)})
+    return schemas.Quantity(**{**quantity._asdict(), "origin": origin_schema(quantity.origin)})
 
 
 def _summary_fields(hosted: Hosted) -> dict[str, Any]:

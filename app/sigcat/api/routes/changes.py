@@ -1,4 +1,4 @@
-"""Routes that tell what changed, and what an overlay would change."""
+"""Routes for what changed, and what an overlay would change."""
 
 from functools import partial
 from typing import Annotated
@@ -90,7 +90,7 @@ async def try_overlay(
     queue: TheWorkQueue,
     name: FileName = "posted.vspec",
 ) -> Response:
-    """Apply an overlay to a catalogue and tell the resulting nodes, findings and changes. Nothing is stored."""
+    """Apply an overlay to a catalogue and return the resulting nodes, findings and changes. Nothing is stored."""
 
     def trial() -> schemas.Trial:
         return trial_schema(tried(hosted.catalogue, text, name, settings.limits), settings.results)

@@ -34,8 +34,8 @@ def _row(rule: str, what: str, compatibility: Class, why: str) -> Row:
 
 
 TABLE: tuple[Row, ...] = (
-    _row("removed", "a node is gone", "breaking", "Whoever uses its path finds nothing."),
-    _row("moved", "a node has another path", "breaking", "Whoever uses the old path finds nothing."),
+    _row("removed", "a node is gone", "breaking", "Lookups by its path fail."),
+    _row("moved", "a node has another path", "breaking", "Lookups by the old path fail."),
     _row("added", "a node is new", "compatible", "Nothing knew of it."),
     _row("property-added", "a struct has a new property", "breaking", "The struct is laid out differently."),
     _row("instances-removed", "`instances`: nodes went", "breaking", "As for nodes that are gone."),

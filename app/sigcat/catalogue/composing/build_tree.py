@@ -20,7 +20,7 @@ class Draft(NamedTuple):
 
 
 def draft_tree(definitions: Mapping[str, Definition], limits: Limits, findings: list[Finding]) -> Draft | None:
-    """The tree of the first root, or None if there is no root. Branches that nobody defined are added."""
+    """The tree of the first root, or None if there is no root. Branches that no file defines are added."""
     usable = [path for path in definitions if _is_usable(path, definitions[path], limits, findings)]
     usable.sort(key=lambda path: path.count("."))
     root = _single_root(usable, definitions, findings)
@@ -77,7 +77,7 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
 
 
 def _connect(path: str, placed: dict[str, Draft], root: str, findings: list[Finding]) -> None:
-    """Connect a node whose parent nobody defined to the tree, with branches added for the missing ones."""
+    """Connect a node whose parent no file defines to the tree, with branches added for the missing ones."""
     definition = placed[path].definition
     child, parent = placed[path], parent_path(path)
     while parent and parent not in placed:

@@ -70,7 +70,7 @@ def fetch(
 
 
 def _unseen(_done: int, _total: int | None) -> None:
-    """Progress that nobody looks at."""
+    """Progress that is not shown."""
 
 
 def _split(address: str) -> SplitResult:

@@ -8,7 +8,7 @@ from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.reading.joined_paths import split_paths
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
-from sigcat.errors import UsageError
+from sigcat.errors import UsageError, existing_file
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
@@ -50,8 +50,7 @@ def source_from_option(text: str) -> Source:
         raise UsageError(f"{text!r} does not name a catalogue; write ID=TREE or ID=TREE,OVERLAY,…")
     source = source_of_tree(tree)
     for overlay in overlays:
-        if not Path(overlay).is_file():
-            raise UsageError(f"{overlay}: there is no such file")
+        existing_file(overlay)
     title = catalogue_id if not source.release else source.title
     return source._replace(id=catalogue_id, title=title, overlays=(*source.overlays, *map(Path, overlays)))
 

@@ -229,7 +229,7 @@ class CataloguePart(Catalogue):
 
 def _over(below: Mapping[str, Value], above: Mapping[str, Value]) -> Mapping[str, Value]:
     """Two mappings as one. To copy a whole tree costs more than all that an overlay asks of it."""
-    return ChainMap(above, below)  # type: ignore[arg-type] # nobody writes into it
+    return ChainMap(above, below)  # type: ignore[arg-type] # it is only read
 
 
 def _interfaces(definitions: Mapping[str, Definition], below: Mapping[str, Definition]) -> Mapping[str, Definition]:

@@ -113,7 +113,7 @@ def collector_paused() -> Iterator[None]:
 
 
 def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Document:
-    """Compose `data`. Every defect is a finding that names `name`; a document with a defect has no root."""
+    """Compose `data`. Every error is a finding that names `name`; a document with an error has no root."""
     if len(data) > limits.file_bytes:
         return _refused(
             "", name, codes.FILE_TOO_LARGE, f"The file has {len(data):,} bytes; the limit is {limits.file_bytes:,}."

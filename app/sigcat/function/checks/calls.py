@@ -108,7 +108,7 @@ def _asil(function: FunctionJson) -> Problems:
 
 
 def check_inputs(function: FunctionJson) -> Problems:
-    """Inputs of which nobody knows what they may be relied on for, at calls that are implemented to an ASIL.
+    """Inputs without an ASIL, at calls that are implemented to an ASIL.
 
     In Function JSON from elsewhere everything without an ASIL is a problem.
     """

@@ -1,4 +1,4 @@
-"""Problems that only follow from others: mended with these, and so not reported beside them."""
+"""Problems that only follow from others: fixed with these, and so not reported beside them."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 

@@ -12,7 +12,7 @@ from sigcat.function.function_json.walk import data, errors, parameters, runnabl
 
 
 def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterator[Problem]:
-    """Interfaces and types that are defined for nobody. `used` are the paths and names in use."""
+    """Interfaces and types that are defined and not used. `used` are the paths and names in use."""
     nodes = (*definitions.nodes, *definitions.types)
     mentioned = {*used, *(text for node in nodes for text in _texts(node.values))}
     for node in nodes:

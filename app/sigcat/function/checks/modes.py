@@ -53,7 +53,7 @@ def _names(function: FunctionJson) -> Problems:
 
 
 def _without_entry(function: FunctionJson) -> Problems:
-    """Modes that the function can be told to take, and of which it does not say what runs in them."""
+    """Modes that the function can be asked to take, and of which it does not say what runs in them."""
     modes = function.modes or ()
     interfaces = function.mode_interfaces or ()
     asked = [each for each in interfaces if each.direction == "In"] or interfaces

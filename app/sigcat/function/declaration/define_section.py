@@ -26,7 +26,7 @@ class LeafDefinition(DeclarationModel):
     max: Number | None = Field(None, description="Largest value, in the unit.")
     allowed: list[Any] | None = Field(None, description="The only values, where they are few.")
     enum: dict[str, Integer] | None = Field(None, description="Names of numbers.")
-    default: Any = Field(None, description="Value where nobody gives one.")
+    default: Any = Field(None, description="Value where none is given.")
     arraysize: Natural | None = Field(None, description="Elements of an array.")
     resolution: Number | None = Field(None, description="Smallest step between two values, in the unit.")
     asil: Asil | None = Field(None, description="ASIL: QM, A, B, C or D.")

@@ -21,7 +21,7 @@ class Subject(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """One defect. `pointer` leads into the document that was looked at: a declaration, or Function JSON."""
+    """One thing that is wrong. `pointer` leads into the document that was looked at: a declaration, or Function JSON."""
 
     rule: RuleCode
     pointer: Pointer

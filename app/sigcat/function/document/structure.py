@@ -1,4 +1,4 @@
-"""Structural defects of a document, as the models report them, turned into findings with a position."""
+"""Structural errors of a document, as the models report them, turned into findings with a position."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -65,8 +65,8 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
 
-def structural_findings(error: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
-    """One finding for each defect; of very many the first, and a last one that says how many more there are.
+def structural_findings(invalid: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
+    """One finding for each error; of very many the first, and a last one that says how many more there are.
 
     A document of another kind is one finding: everything in it would be wrong.
     """
@@ -75,14 +75,14 @@ def structural_findings(error: ValidationError, document: Document, model: type[
         message = f"The document must be {_title(model)}, not {title}."
         yield codes.FIELD_UNKNOWN.finding(message, document.name, 1, 1, fix=fix)
         return
-    defects = error.errors(include_url=False, include_context=True)
-    meant = set(_meant(defects, model))
-    defects = [defect for defect in defects if not (defect["type"] == "missing" and defect["loc"] in meant)]
-    for defect in defects[:FUNCTION_PROBLEMS]:
-        pointer = _existing(defect["loc"], document.value)
-        yield _finding(defect["type"], defect["loc"], pointer, defect, document, model)
-    if len(defects) > FUNCTION_PROBLEMS:
-        message = f"{len(defects) - FUNCTION_PROBLEMS:,} more values are wrong."
+    errors = invalid.errors(include_url=False, include_context=True)
+    meant = set(_meant(errors, model))
+    errors = [error for error in errors if not (error["type"] == "missing" and error["loc"] in meant)]
+    for error in errors[:FUNCTION_PROBLEMS]:
+        pointer = _existing(error["loc"], document.value)
+        yield _finding(error["type"], error["loc"], pointer, error, document, model)
+    if len(errors) > FUNCTION_PROBLEMS:
+        message = f"{len(errors) - FUNCTION_PROBLEMS:,} more values are wrong."
         yield codes.VALUE_UNFIT.finding(message, document.name, fix="Correct the others first.")
 
 
@@ -106,17 +106,17 @@ def _title(model: type[BaseModel]) -> str:
     return next((title for signs, title, _ in _KINDS if signs <= known), f"a {model.__name__.lower()}")
 
 
-def _meant(defects: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
+def _meant(errors: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
     """Where misspelled keys were meant to stand: what lacks there is not missing as well."""
-    missing = {defect["loc"] for defect in defects if defect["type"] == "missing"}
-    for defect in defects[:FUNCTION_PROBLEMS] if missing else ():
-        location = defect["loc"]
-        if defect["type"] == "extra_forbidden" and location:
+    missing = {error["loc"] for error in errors if error["type"] == "missing"}
+    for error in errors[:FUNCTION_PROBLEMS] if missing else ():
+        location = error["loc"]
+        if error["type"] == "extra_forbidden" and location:
             yield from ((*location[:-1], near) for near in nearest(str(location[-1]), _keys_beside(location, model), 1))
 
 
 def _finding(
-    kind: str, location: Pointer, pointer: Pointer, defect: Any, document: Document, model: type[BaseModel]
+    kind: str, location: Pointer, pointer: Pointer, error: Any, document: Document, model: type[BaseModel]
 ) -> Finding:
     key = str(location[-1]) if location else ""
     if kind == "missing":
@@ -126,9 +126,9 @@ def _finding(
         fix = did_you_mean(key, beside) or (f"Use one of {', '.join(beside)}." if beside else "")
         return document.finding(codes.FIELD_UNKNOWN, pointer, f"Unknown key {key!r}.", fix, of_key=True)
     if key == "[key]":
-        return _bad_name(str(defect["input"]), pointer, document)
-    message = f"{_named(pointer)} must {_wanted(kind, defect)}, not {_shown(defect['input'])}."
-    fix = _unquoted(defect["input"]) if kind == "string_type" else ""
+        return _bad_name(str(error["input"]), pointer, document)
+    message = f"{_named(pointer)} must {_wanted(kind, error)}, not {_shown(error['input'])}."
+    fix = _unquoted(error["input"]) if kind == "string_type" else ""
     return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
 
 
@@ -149,17 +149,17 @@ def _unquoted(value: Any) -> str:
     return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
 
 
-def _wanted(kind: str, defect: Any) -> str:
+def _wanted(kind: str, error: Any) -> str:
     """What a value must do, as the rest of a sentence: `be a text`, `be 'A' or 'B'`, `have at least 1 item`."""
     if kind in _EXPECTED:
         return f"be {_EXPECTED[kind]}"
-    context = defect.get("ctx") or {}
+    context = error.get("ctx") or {}
     if kind in _BOUNDS:
         bound, words = _BOUNDS[kind]
         return f"be {words.format(context[bound])}"
     if context.get("pattern") in _PATTERNS:
         return f"be {_PATTERNS[context['pattern']]}"
-    message: str = defect["msg"].removesuffix(".")
+    message: str = error["msg"].removesuffix(".")
     subject, should, rest = message.partition(" should ")
     return rest if should else f"be valid ({subject[:1].lower()}{subject[1:]})"
 

@@ -49,7 +49,7 @@ def definition_findings(definitions: Definitions, document: Document, catalogue:
 
 @cache
 def _rules() -> RuleSet:
-    """Whoever has written the definitions as an overlay, too, defines nothing new: that is how it is meant."""
+    """Definitions that an overlay has as well define nothing new, which is intended."""
     return RuleSet(rule for rule in load_rules(INTERFACE_RULES) if rule.default and rule.check != "overlay-no-effect")
 
 

@@ -29,7 +29,7 @@ class Provenance(WireModel):
     catalogue_digest: str = described(
         "CatalogueDigest", "SHA-256 of its content, however split into files.", source=OWN
     )
-    release: str | None = described("Release", "Release of VSS, if the tree tells it.", default=None, source=OWN)
+    release: str | None = described("Release", "Release of VSS, if the tree states it.", default=None, source=OWN)
     layers: tuple[CatalogueLayer, ...] = described(
         "Layers", "The tree and its overlays, in the order in which they apply.", source=OWN, strict=False
     )

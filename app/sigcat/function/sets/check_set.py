@@ -32,7 +32,7 @@ def check_functions(
 ) -> tuple[Finding, ...]:
     """Everything that is wrong with function files, alone and together. What one defines, the others may use.
 
-    `is_whole`: there are no further functions, so that what nobody here provides, nobody provides.
+    `is_whole`: there are no further functions, so that what none of these provides is not provided.
     """
     members, over = read_set(files, catalogue, limits)
     alone = [finding for member in members for finding in member.findings]
@@ -49,7 +49,7 @@ def read_set(
 def check_set(
     members: Sequence[CheckedFunction], catalogue: Catalogue | None = None, *, is_whole: bool = True
 ) -> tuple[Finding, ...]:
-    """What does not fit together. Without a catalogue nobody knows which signals the vehicle itself provides."""
+    """What does not fit together. Without a catalogue it is not known which signals the vehicle itself provides."""
     chosen = _each_once(members)
     functions = [member.resolved for member in chosen.values() if member.resolved is not None]
     by_name = {function.name: function for function in functions}

@@ -16,7 +16,6 @@ from sigcat.integration.reserved_words import C_MACROS, CPP_KEYWORDS, IDL_KEYWOR
 from sigcat.names import camel_case, screaming_snake_case, snake_case
 
 FIELD = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
-PACKAGE = FIELD
 MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*")
 CONSTANT = re.compile(r"[A-Z](?:[A-Z0-9_]?[A-Z0-9]+)*")
 LONGEST = 100

@@ -1,6 +1,6 @@
 """What the named files are: trees, overlays, struct types, parts of a tree, function files, rule files.
 
-`sigcat.file_kind` tells vspec files from others; here the files beside one decide what it is. A file that another file of
+`sigcat.file_kind` distinguishes vspec files from others; here the files beside one decide what it is. A file that another file of
 the same tree includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
 includes them.
 """
@@ -90,7 +90,9 @@ def _files_in(paths: Sequence[Path]) -> dict[Path, bool]:
     names: dict[str, Path] = {}
     for path in paths:
         if not path.is_dir() and not path.is_file():
-            raise NotFound(f"{str(path)!r} {'is not a file.' if path.exists() else 'does not exist.'}")
+            raise NotFound(
+                f"{path} must be a regular file" if path.exists() else f"{path}: there is no such file or folder"
+            )
         for file in walk(path) if path.is_dir() else (path,):
             first = names.setdefault(os.path.abspath(file), file)  # noqa: PTH100 — links stay as they are
             found[first] = found.get(first, False) or file is path
@@ -140,7 +142,7 @@ def _listed_includes(data: bytes) -> Iterator[tuple[bytes, bytes]]:
 
 
 def first_bytes(path: Path) -> bytes:
-    """The bytes of a file, as far as they are needed to tell what it is; nothing if it cannot be read.
+    """The bytes of a file, as far as they are needed to recognize it; nothing if it cannot be read.
 
     A pipe is not opened: reading would wait for it.
     """
@@ -299,7 +301,7 @@ def _is_in_overlay_folder(path: Path) -> bool:
 
 
 def _above(path: Path, parts: Mapping[Path, Path]) -> Path | None:
-    """The end of the chain of includers; None for a file that nobody includes."""
+    """The end of the chain of includers; None for a file that none includes."""
     seen = [path]
     while seen[-1] in parts and parts[seen[-1]] not in seen:
         seen.append(parts[seen[-1]])

@@ -19,7 +19,7 @@ _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sa
 
 
 def report(findings: Sequence[Finding], _sources: Mapping[str, str], rules: Sequence[Rule]) -> str:
-    """One run; results are told apart by rule and node path, so that they survive moves."""
+    """One run; results are identified by rule and node path, so that they survive moves."""
     kept = list(fingerprinted(findings))
     if len(kept) > MOST_RESULTS:
         kept = sorted(kept, key=lambda pair: _RANKS[pair[0].severity])[:MOST_RESULTS]

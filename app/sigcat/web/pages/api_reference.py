@@ -18,7 +18,7 @@ class Parameter(NamedTuple):
     """A parameter of an operation."""
 
     name: str
-    place: str
+    location: str
     type: str
     is_required: bool
     description: str

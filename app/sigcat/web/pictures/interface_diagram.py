@@ -67,7 +67,7 @@ class Diagram(NamedTuple):
     """Where the ports begin."""
     height: int
     left: int
-    """Where the picture begins: the labels on the left end in one line, and the longest tells how far out they reach."""
+    """Where the picture begins: the labels on the left end in one line, and the longest sets how far out they reach."""
     width: int
 
 
