@@ -46,8 +46,8 @@ clients: .venv/dev  ## generate a Python and a TypeScript client, and run the sa
 fuzz: .venv/dev  ## the service against its whole contract and killed at random points, for long
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/catalogue/hosting/test_killed.py
 
-slow: .venv/dev  ## what repeats itself: every export of whole trees beside that of vss-tools, axe on every variant of a page
-	SIGCAT_SLOW=1 $(BIN)/pytest -n auto tests/catalogue tests/web/in_browser/test_accessibility.py
+slow: .venv/dev  ## every test with all its repetitions: each format of whole trees, each page, each bomb at each address
+	SIGCAT_SLOW=1 $(BIN)/pytest -n auto
 
 sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom

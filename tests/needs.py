@@ -20,6 +20,10 @@ official_releases = pytest.mark.skipif(
     reason="the official releases of VSS: `sigcat pull v5.0` and `sigcat pull v6.0`, or name a folder of both in VSS_RELEASES",
 )
 
+IS_SLOW_RUN = "SIGCAT_SLOW" in os.environ
+"""Whether `make slow` runs the tests: with every repetition of what a usual run does once."""
+slow = pytest.mark.skipif(not IS_SLOW_RUN, reason="time: `make slow` runs these too")
+
 _PUBLISHED = os.environ.get("ELIV_PRESENTATION")
 _FILES = {path.name: path for path in Path(_PUBLISHED).rglob("*.*")} if _PUBLISHED else {}
 published_files = pytest.mark.skipif(

@@ -1,7 +1,6 @@
 """Official releases: the same tree as vss-tools makes of them, expanded and not, bare and with their own overlays."""
 
 import json
-import os
 from functools import cache
 from pathlib import Path
 
@@ -10,17 +9,18 @@ import pytest
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.cli import main
 from tests.catalogue.judging import Job, verdicts
-from tests.needs import OFFICIAL, official_releases
+from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
 
 pytestmark = official_releases
 
 OVERLAYS = ("", "extensions/OBD", "extensions/dual_wiper_systems", "profiles/motorbike")
+USUAL = (("v5.0", "", "--expand"), ("v6.0", "extensions/OBD", "--expand"), ("v6.0", "", "--no-expand"))
 CASES = [
     (release, overlay, expand)
     for release in ("v5.0", "v6.0")
     for overlay in OVERLAYS
     for expand in ("--expand", "--no-expand")
-    if not overlay or expand == "--expand" or "SIGCAT_SLOW" in os.environ
+    if IS_SLOW_RUN or (release, overlay, expand) in USUAL
 ]
 
 

@@ -11,7 +11,7 @@ from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data
 from sigcat.data import ROOT_FILE, VSPEC
 from tests.catalogue.judging import Job, verdicts
-from tests.needs import OFFICIAL, official_releases
+from tests.needs import OFFICIAL, official_releases, slow
 
 TEXTS = ("description", "comment")
 
@@ -89,6 +89,7 @@ def test_every_unit_and_quantity_is_that_of_the_official_release(file):
     assert entries(VSPEC) == official
 
 
+@slow
 @official_releases
 def test_the_static_ids_are_those_of_the_official_release():
     spec = OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec"

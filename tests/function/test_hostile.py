@@ -15,12 +15,13 @@ from sigcat.function.function_json.model import to_json
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.growth import LINEAR, growth, ratio
+from tests.needs import IS_SLOW_RUN
 
 LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)
 ANYTHING = st.recursive(
     LEAVES, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3)
 )
-QUICKLY = settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+QUICKLY = settings(max_examples=600 if IS_SLOW_RUN else 60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 DECLARATION = FUNCTIONS[0].read_bytes()
 FUNCTION = json.loads(to_json(build_function(DECLARATION, "f.yaml", interfaces())[0]))
 
@@ -94,7 +95,7 @@ def test_ten_times_the_signals_are_validated_in_about_ten_times_the_time():
 
     found = check_function_json(written(1_000), "f.json", interfaces()).findings
     assert sum(finding.rule == "F090" for finding in found) == 1_000
-    assert growth(lambda count: partial(check_function_json, written(count), "f.json", interfaces()), 200) < LINEAR
+    assert growth(lambda count: partial(check_function_json, written(count), "f.json", interfaces()), 100) < LINEAR
 
 
 def test_ten_times_the_wrong_signals_are_told_in_about_ten_times_the_time():
@@ -122,7 +123,7 @@ def calls_after(previous: str, count: int) -> bytes:
 def test_ten_times_the_calls_are_put_in_order_in_about_ten_times_the_time(previous, rule, count):
     found = check_function_json(calls_after(previous, 1_000), "f.json").findings
     assert sum(finding.rule == rule for finding in found) == count
-    assert growth(lambda calls: partial(check_function_json, calls_after(previous, calls), "f.json"), 200) < LINEAR
+    assert growth(lambda calls: partial(check_function_json, calls_after(previous, calls), "f.json"), 100) < LINEAR
 
 
 @pytest.mark.parametrize("text", ["*/ #include <x>", '"><script>', "\\u0000", "a" * 100_000])
@@ -154,8 +155,8 @@ def test_ten_times_the_bytes_of_anything_take_about_ten_times_as_long(kind):
     name = "f.json" if kind.startswith("json") else "f.yaml"
     interfaces()
     limits = Limits(file_bytes=1_000_000) if kind == "beyond the limit" else DEFAULT_LIMITS
-    assert check_function(FILES[kind](2_000_000), name, interfaces(), limits)
-    assert growth(lambda size: partial(check_function, FILES[kind](size), name, interfaces(), limits), 100_000) < LINEAR
+    assert check_function(FILES[kind](1_100_000), name, interfaces(), limits)
+    assert growth(lambda size: partial(check_function, FILES[kind](size), name, interfaces(), limits), 50_000) < LINEAR
 
 
 def test_aliases_that_multiply_cost_no_more_than_a_megabyte_of_text():

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterator, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,7 @@ from sigcat.catalogue.model.interfaces import category_of
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from tests.catalogue.judging import Job, verdicts
 from tests.function.shipped import interfaces
-from tests.needs import published, published_files
+from tests.needs import published, published_files, slow
 
 NAMES = ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
 UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
@@ -49,12 +48,6 @@ def strict_export(overlays: Sequence[str]) -> Job:
     return Job("json", OVERLAYS, ["-s", str(ROOT_FILE), "--strict", *given])
 
 
-@cache
-def judged() -> dict[str, str | None]:
-    """What vss-tools makes of each overlay alone, and of all of them."""
-    return verdicts({"all": strict_export(NAMES), **{name: strict_export([name]) for name in NAMES}})
-
-
 def paths_of(prefix: str, nodes: Any) -> Iterator[str]:
     for name, node in nodes.items():
         yield prefix + name
@@ -71,14 +64,15 @@ def test_each_of_them_composes_alone(name):
 
 
 def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes():
-    verdict = judged()["all"]
+    verdict = verdicts({"all": strict_export(NAMES)})["all"]
     assert verdict is not None
     assert set(paths_of("", json.loads(verdict))) == set(interfaces().nodes)
 
 
+@slow
 @pytest.mark.parametrize("name", NAMES)
 def test_vss_tools_takes_each_of_them_alone(name):
-    verdict = judged()[name]
+    verdict = verdicts({name: strict_export([name])})[name]
     assert verdict is not None
     assert "Vehicle" in json.loads(verdict)
 

@@ -22,7 +22,7 @@ from sigcat.errors import InputRefused, UsageError
 from sigcat.file_kind import ROOT_NAME
 from tests.catalogue.exporting.test_same_bytes import TREE
 from tests.catalogue.trees import ROOT, catalogue_of
-from tests.needs import OFFICIAL, official_releases
+from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases, slow
 
 SPEED = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
 DOORS = (
@@ -204,13 +204,13 @@ def test_units_that_share_a_name_get_names_of_their_own(tmp_path):
 
 
 @official_releases
-@pytest.mark.parametrize("name", ["csv", "id", "vhal"])
+@pytest.mark.parametrize("name", ["csv", pytest.param("id", marks=slow), pytest.param("vhal", marks=slow)])
 def test_the_release_that_vss_tools_refuses_is_exported(name):
     catalogue = read_catalogue(OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec")
     assert len(export(catalogue, name)[0].data) > 100_000
 
 
-@pytest.mark.parametrize("case", sorted(folder.name for folder in OLDER.iterdir()))
+@pytest.mark.parametrize("case", sorted(folder.name for folder in OLDER.iterdir()) if IS_SLOW_RUN else LEFT_OUT)
 def test_trees_of_older_releases_are_exported(case):
     catalogue = load(Source("old", "Old", OLDER / case / ROOT_NAME))
     export_ = exported(catalogue, "csv")

@@ -1,6 +1,5 @@
 """Every export has the same bytes as that of `vspec export` on the original files."""
 
-import os
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -15,7 +14,7 @@ from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
 from tests.catalogue.exporting.judging import judged
-from tests.needs import OFFICIAL, official_releases
+from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
 
 TREE = Path(__file__).parent / "tree"
 V5 = OFFICIAL / "v5.0" / "spec" / "VehicleSignalSpecification.vspec"
@@ -116,14 +115,14 @@ USUAL = ("json", "csv", "ros2interface")
 """Formats of whole trees in every run; `make slow` takes them all."""
 
 
-@pytest.mark.parametrize("name", WHOLE if "SIGCAT_SLOW" in os.environ else USUAL)
+@pytest.mark.parametrize("name", WHOLE if IS_SLOW_RUN else USUAL)
 def test_the_shipped_tree(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
 
 
 @official_releases
-@pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW] if "SIGCAT_SLOW" in os.environ else USUAL)
+@pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW] if IS_SLOW_RUN else USUAL)
 def test_an_official_release_with_its_overlay(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
     assert {file.name: file.data for file in export(official(), name)} == expected

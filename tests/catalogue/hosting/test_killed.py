@@ -25,7 +25,7 @@ from sigcat.catalogue.hosting.releases import pull, pulled_releases, releases_fo
 from tests.catalogue.hosting.archives import FILES, everything_in
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the SIGKILL of POSIX")
-TIMES = 50 if "SIGCAT_FUZZ" in os.environ else 5
+TIMES = 50 if "SIGCAT_FUZZ" in os.environ else 2
 SECRET, TOKEN = new_token("ci", ["reload"])
 WHOLE = sorted([*(name for name in FILES if not name.startswith("docs")), "release.json"])
 SIGCAT = (sys.executable, "-m", "sigcat.cli")

@@ -13,6 +13,7 @@ from sigcat.rules.engine import found_in
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
+from tests.needs import IS_SLOW_RUN
 
 EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
 
@@ -63,7 +64,7 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
 
 
 @given(NODES, NODES, NODES)
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=600 if IS_SLOW_RUN else 60, deadline=None)
 def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, other, overlay):
     named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [

@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Error, Locator, Page, expect, sync_playwright
 
 from scripts.browser import find_browser
+from tests.needs import slow
 from tests.waiting import DEADLINE
 
 ROOT = Path(__file__).parents[3]
@@ -95,9 +96,9 @@ def by_keyboard(what: Locator) -> None:
     what.press("Space" if what.get_attribute("type") == "checkbox" else "Enter")
 
 
-@pytest.fixture(params=[by_mouse, by_keyboard])
+@pytest.fixture(params=[pytest.param(by_mouse, marks=slow), by_keyboard])
 def use(request: pytest.FixtureRequest) -> Use:
-    """Works a control, by mouse in one run of the test and by keyboard in the other."""
+    """Works a control by keyboard, and in a slow run by mouse as well."""
     chosen: Use = request.param
     return chosen
 

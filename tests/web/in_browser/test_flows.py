@@ -1,4 +1,4 @@
-"""What people do on the pages, each by mouse and by keyboard."""
+"""What people do on the pages, each by keyboard; `make slow` does it by mouse as well."""
 
 from pathlib import Path
 

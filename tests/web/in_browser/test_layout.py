@@ -1,9 +1,10 @@
 """Pages fit on a phone, a laptop and a wall, and on paper."""
 
 import re
+from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import FloatRect, Locator, expect
+from playwright.sync_api import Browser, FloatRect, Locator, Page, expect
 
 from tests.web.in_browser.conftest import Opener
 
@@ -16,12 +17,19 @@ PAGES = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("address", PAGES)
-def test_nothing_sticks_out_sideways(open_page: Opener, address: str) -> None:
-    page = open_page(address)
+@pytest.fixture(scope="module", params=PAGES)
+def shown(browser: Browser, service: str, request: pytest.FixtureRequest) -> Iterator[Page]:
+    """Each page, once for all that is asked of it."""
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.goto(service + request.param)
+    yield page
+    page.close()
+
+
+def test_nothing_sticks_out_sideways(shown: Page) -> None:
     for width in (320, 360, 768, 1280, 2560):
-        page.set_viewport_size({"width": width, "height": 800})
-        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        shown.set_viewport_size({"width": width, "height": 800})
+        assert shown.evaluate("document.documentElement.scrollWidth") <= width
 
 
 def test_the_content_of_every_page_begins_at_the_same_place(open_page: Opener, service: str) -> None:
@@ -62,16 +70,13 @@ def test_nothing_moves_for_those_who_ask_for_it(open_page: Opener) -> None:
     assert page.evaluate(moving) == "none"
 
 
-@pytest.mark.parametrize("address", PAGES)
-def test_paper_has_the_content_and_not_the_controls(open_page: Opener, address: str) -> None:
-    page = open_page(address)
-    page.emulate_media(media="print")
-    expect(page.locator("h1").first).to_be_attached()
-    for control in (".bar", ".tree", ".copy", ".side", ".editor", ".choose", ".tabs", ".own"):
-        for each in page.locator(control).all():
-            expect(each).to_be_hidden()
-    page.set_viewport_size({"width": 700, "height": 1000})
-    assert page.evaluate("document.documentElement.scrollWidth") <= 700
+def test_paper_has_the_content_and_not_the_controls(shown: Page) -> None:
+    shown.emulate_media(media="print")
+    expect(shown.locator("h1").first).to_be_attached()
+    seen = ".bar, .tree, .copy, .side, .editor, .choose, .tabs, .own"
+    assert not shown.locator(seen).filter(visible=True).all()
+    shown.set_viewport_size({"width": 700, "height": 1000})
+    assert shown.evaluate("document.documentElement.scrollWidth") <= 700
 
 
 def test_each_sheet_names_the_catalogue_and_its_content(open_page: Opener) -> None:
