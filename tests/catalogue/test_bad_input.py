@@ -125,3 +125,42 @@ def test_unreadable_units_are_a_finding(tmp_path):
     vocabulary = read_vocabulary([tmp_path / "none.yaml"], [])
     assert [finding.rule for finding in vocabulary.findings] == ["R012"]
     assert compose([layer_from_text(ROOT.encode(), "tree", is_overlay=False)], vocabulary).get("Vehicle") is not None
+
+
+@pytest.mark.parametrize(
+    ("attributes", "told"),
+    [
+        ("datatype: int16, max: 0.0", [("warning", "V027")]),
+        ("datatype: 'int8[]', default: [1.0, 2]", [("warning", "V027")]),
+        ("datatype: int8, max: 0.5", [("error", "V008")]),
+        ("datatype: int8, min: '0'", [("warning", "V027")]),
+        ("datatype: int8, default: true", [("warning", "V027")]),
+        ("datatype: string, delete: 'yes'", [("warning", "V027")]),
+        ("datatype: float, default: .nan", [("error", "V004")]),
+        ("datatype: float, acme: {least: -.inf}", [("error", "V004")]),
+        ("datatype: uint8, max: 0100", [("warning", "R018")]),
+        ("datatype: uint8, max: 1:30", [("warning", "R018")]),
+        ("datatype: uint8, max: 0x1F", []),
+        ("datatype: string, pattern: '[a'", [("warning", "V028")]),
+        ("datatype: string, pattern: '[a', default: a", [("error", "V016")]),
+        ("datatype: float, unit: km/h", [("error", "U007")]),
+    ],
+)
+def test_a_value_that_is_clear_is_taken_with_a_warning_and_one_that_is_not_is_an_error(attributes, told):
+    text = f"{ROOT}Vehicle.A: {{type: sensor, description: A., {attributes}}}\n"
+    findings = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).findings
+    assert [(finding.severity, finding.rule) for finding in findings] == told
+
+
+def test_a_whole_number_with_a_point_is_exported_as_the_number_that_it_is():
+    text = f"{ROOT}Vehicle.A: {{type: sensor, datatype: int16, max: 10.0, description: A.}}\n"
+    node = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).get("Vehicle.A")
+    assert node is not None
+    assert repr(node.values["max"]) == "10"
+
+
+@pytest.mark.parametrize("line", ["#inlcude A.vspec", "# include A.vspec Vehicle", "#Include A.vspec"])
+def test_a_misspelled_include_is_told(line):
+    text = f"{ROOT}{line}\n# Includes are explained elsewhere; see the include of Body.vspec.\n##include B.vspec\n"
+    findings = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).findings
+    assert [(f.rule, f.line) for f in findings] == [("R017", text.splitlines().index(line) + 1)]

@@ -130,7 +130,7 @@ def test_an_overlay_of_ones_own_stays_under_todays_checks():
 def test_a_tree_of_ones_own_without_units_is_an_error_as_ever(tmp_path):
     tree = tmp_path / "tree.vspec"
     tree.write_text("Vehicle:\n  type: branch\nVehicle.Speed:\n  type: sensor\n  datatype: float\n  unit: km/h\n")
-    assert [f.rule for f in load(Source("own", "Own", tree)).findings if f.severity == "error"] == ["V006"]
+    assert [f.rule for f in load(Source("own", "Own", tree)).findings if f.severity == "error"] == ["U007"]
 
 
 def test_errors_of_an_official_release_are_warnings_and_those_of_a_tree_of_ones_own_are_errors(tmp_path):

@@ -1,7 +1,10 @@
 """Values of VSS attributes as vss-tools holds them: numbers as numbers, switches as true or false."""
 
 from collections.abc import Callable, Mapping
+from math import isfinite
 from typing import Any
+
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 
 NO_VALUE: Any = object()
 """What a conversion returns for a value that the attribute cannot have."""
@@ -79,3 +82,39 @@ EXPECTED: Mapping[str, str] = {
     "instances_relation": "'child' or 'sibling'",
 }  # fmt: skip
 """What the value of each attribute must be, by its name, in words."""
+
+
+def is_finite(value: Any) -> bool:
+    """Whether a value has no number that JSON cannot write: `.nan` and `.inf` are numbers of YAML alone."""
+    if type(value) is float:
+        return isfinite(value)
+    if isinstance(value, dict):
+        return all(map(is_finite, value.values()))
+    return not isinstance(value, list) or all(map(is_finite, value))
+
+
+def is_misspelled(written: Any, meant: Any) -> bool:
+    """Whether a value counts as another one that YAML has a spelling for: `'0'` as 0, `'yes'` and 1 as true."""
+    return isinstance(written, str | bool | int) and type(written) is not type(meant)
+
+
+def whole_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of a whole-number datatype that are written as fractions without being any: `max: 0.0` is 0."""
+    datatype = values.get("datatype")
+    if not isinstance(datatype, str) or element_of(datatype) not in _WHOLE:
+        return {}
+    given = {name: values[name] for name in _OF_DATATYPE if name in values}
+    return {name: whole for name, value in given.items() if (whole := _as_whole(value)) is not value}
+
+
+_WHOLE = frozenset((*INTEGER_RANGES, "int"))
+_OF_DATATYPE = ("min", "max", "default", "allowed")
+
+
+def _as_whole(value: Any) -> Any:
+    """A number without a fraction as a whole number, and a list with such ones; anything else, itself."""
+    if type(value) is float:
+        return int(value) if value.is_integer() else value
+    if isinstance(value, list) and any(type(item) is float and item.is_integer() for item in value):
+        return [_as_whole(item) for item in value]
+    return value

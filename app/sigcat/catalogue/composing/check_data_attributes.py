@@ -1,11 +1,19 @@
 """Check the attributes of sensors, actuators, attributes and properties: units, ranges, defaults, patterns."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import DATATYPES, belongs_to, element_of, holds, is_array, values_in_words
+from sigcat.catalogue.model.datatypes import (
+    DATATYPES,
+    belongs_to,
+    element_of,
+    holds,
+    is_array,
+    is_numeric,
+    values_in_words,
+)
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
 from sigcat.findings import RuleCode
 from sigcat.names import did_you_mean, screaming_snake_case
@@ -22,9 +30,9 @@ def data_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Ite
 
 
 def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
-    """The unit is not known. Needs no datatype."""
+    """The unit is not known. Needs no datatype. Where no unit is known, that is told once, of the tree."""
     name = values.get("unit")
-    if name is not None and scope.vocabulary.unit(name) is None:
+    if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
         known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
         yield Problem(codes.UNIT_UNKNOWN, "unit", f"{name!r} is not a unit.", did_you_mean(name, known))
 
@@ -123,6 +131,7 @@ def _check_allowed(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if datatype not in DATATYPES:
         yield _not_for_structs(codes.ALLOWED_OF_WRONG_DATATYPE, "allowed", datatype)
         return
+    yield from _booleans("allowed", allowed, datatype)
     for i, value in enumerate(allowed):
         if not holds(datatype, value):
             fix = _QUOTE if isinstance(value, bool) else ""
@@ -149,9 +158,19 @@ def _check_default(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
         message = _does_not_fit(f"Default {shown(wrong)}", datatype)
         yield Problem(codes.DEFAULT_OF_WRONG_DATATYPE, "default", message, _number_instead(wrong, values))
         return
+    yield from _booleans("default", items, datatype)
     for item in items:
         yield from _check_default_range(values, item)
         yield from _check_default_among(values, item)
+
+
+def _booleans(attribute: str, items: Iterable[Any], datatype: str) -> Iterator[Problem]:
+    """True and false in place of numbers: vss-tools takes them for 1 and 0."""
+    first = next((item for item in items if isinstance(item, bool)), None)
+    if first is not None and is_numeric(datatype):
+        message = f"`{attribute}` of {datatype} must be a number, not {str(first).lower()}."
+        fix = f"Write {int(first)}, or use boolean as the datatype."
+        yield Problem(codes.VALUE_MISSPELLED, attribute, message, fix)
 
 
 def _check_default_range(values: Mapping[str, Any], item: Any) -> Iterator[Problem]:
@@ -226,6 +245,17 @@ def _check_pattern(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
             if mismatch:
                 message = f"{shown(item)} {mismatch} `pattern` {pattern!r}."
                 yield Problem(codes.PATTERN_NOT_MET, name, message, "Change one of the two.")
+    if not values.get("default") and not values.get("allowed"):
+        yield from _check_pattern_alone(pattern)
+
+
+def _check_pattern_alone(pattern: str) -> Iterator[Problem]:
+    """A pattern that nothing is matched with is compiled all the same."""
+    try:
+        re.compile(pattern)
+    except (re.error, OverflowError, RecursionError) as error:
+        message = f"`pattern` must be a regular expression, not {shown(pattern)}: {error}."
+        yield Problem(codes.PATTERN_INVALID, "pattern", message)
 
 
 _CHECKS = (

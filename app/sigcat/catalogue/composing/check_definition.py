@@ -9,7 +9,15 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sigcat import codes
-from sigcat.catalogue.composing.attribute_values import CONVERSIONS, EXPECTED, NO_VALUE, text
+from sigcat.catalogue.composing.attribute_values import (
+    CONVERSIONS,
+    EXPECTED,
+    NO_VALUE,
+    is_finite,
+    is_misspelled,
+    text,
+    whole_numbers,
+)
 from sigcat.catalogue.composing.check_data_attributes import data_problems, shown, unit_problems
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
 from sigcat.catalogue.model.definition import (
@@ -65,6 +73,12 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
     """The values as vss-tools holds them: units by canonical key, datatypes by full path, numbers as numbers."""
     changed: dict[str, Any] = {}
     for name, value in values.items():
+        if type(value) in _MAY_BE_INFINITE and not is_finite(value):
+            message = f"`{name}` must be a finite number, not {shown(value)}."
+            problems.append(
+                Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, "Remove it: JSON has no such number.")
+            )
+            continue
         convert = CONVERSIONS.get(name)
         if convert is None or value is None or (convert is text and type(value) is str):
             continue
@@ -74,8 +88,31 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
             problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message))
         elif converted is not value:
             changed[name] = converted
+            problems.extend(_misspelled(name, value, converted))
+    for name, whole in whole_numbers({**values, **changed}).items():
+        changed[name] = whole
+        message = f"`{name}` must be a whole number, not {shown(values[name])}."
+        fix = f"Write {shown(whole)}: vss-tools refuses fractions."
+        problems.append(Problem(codes.VALUE_MISSPELLED, name, message, fix))
     changed.update(_references_in_full(path, values, scope))
     return {**values, **changed} if changed else values
+
+
+_MAY_BE_INFINITE = (float, list, dict)
+
+
+def _misspelled(name: str, written: Any, meant: Any) -> Iterator[Problem]:
+    """A value that vss-tools takes for another: `'0'` for 0, `'yes'` for true."""
+    if is_misspelled(written, meant):
+        wrong = f"the text {shown(written)}" if isinstance(written, str) else _yaml_word(written)
+        message = f"`{name}` must be {EXPECTED[name]}, not {wrong}."
+        fix = f"Write `{name}: {_yaml_word(meant)}`{', without quotes' if isinstance(written, str) else ''}."
+        yield Problem(codes.VALUE_MISSPELLED, name, message, fix)
+
+
+def _yaml_word(value: Any) -> str:
+    """A single value as YAML writes it: `true`, not `True`."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def _references_in_full(path: str, values: Mapping[str, Any], scope: Scope) -> Iterator[tuple[str, str]]:

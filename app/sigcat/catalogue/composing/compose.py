@@ -4,7 +4,7 @@ The steps, each in the file of its name: `merge_layers` (which checks each node 
 `expand_instances`, and `build_tree` again to freeze the result.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -113,12 +113,26 @@ def _compose(
     known = earlier.definitions if earlier is not None and same_scope else None
     merged = merge_layers(layers, scope, known, limits)
     findings.extend(merged.findings)
+    findings.extend(missing_units(merged.definitions, vocabulary))
     root = draft_tree(merged.definitions, limits, findings)
     if root is not None and expanded:
         root = _expand(root, scope, limits, findings)
     roots = tuple(frozen_tree(draft, findings) for draft in (root, type_root) if draft is not None)
     every_layer = (*layers, *types)
     return Catalogue(name, roots, vocabulary, every_layer, in_order(findings), merged.definitions, expanded)
+
+
+def missing_units(definitions: Mapping[str, Definition], vocabulary: Vocabulary) -> Iterator[Finding]:
+    """That no units were read, once for all signals that have one."""
+    if vocabulary.units or vocabulary.findings:
+        return
+    using = [definition for definition in definitions.values() if isinstance(definition.values.get("unit"), str)]
+    if using:
+        message = (
+            f"There is no file of units, and {len(using)} {'signal has' if len(using) == 1 else 'signals have'} one."
+        )
+        fix = "Put units.yaml and quantities.yaml beside the tree, or name them with -u and -q."
+        yield codes.UNITS_MISSING.finding(message, *using[0].origin("unit").position, using[0].path, fix=fix)
 
 
 def _expand(root: Draft, scope: Scope, limits: Limits, findings: list[Finding]) -> Draft:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from sigcat import codes
 from sigcat.catalogue.composing.build_tree import draft_tree, frozen_tree
-from sigcat.catalogue.composing.compose import scope_of
+from sigcat.catalogue.composing.compose import missing_units, scope_of
 from sigcat.catalogue.composing.merge_layers import merge_over
 from sigcat.catalogue.model.catalogue import Catalogue, CataloguePart
 from sigcat.catalogue.model.definition import Definition
@@ -25,6 +25,8 @@ def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMIT
         changed = merge_over(base.definitions, overlay, scope_of(base, limits), limits)
         reached = _near(base, changed.definitions)
         findings = [*overlay.findings, *changed.findings]
+        if not base.vocabulary.units:
+            findings.extend(missing_units({**base.definitions, **changed.definitions}, base.vocabulary))
         root = draft_tree(reached, DEFAULT_LIMITS, findings)
         roots = (frozen_tree(root, findings),) if root is not None else ()
     return CataloguePart(base, overlay, roots, in_order(findings), changed.definitions)

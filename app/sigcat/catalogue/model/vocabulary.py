@@ -89,7 +89,16 @@ def read_vocabulary(
             names[unit.name] = unit
             units[unit.name] = unit
         units[key] = unit
+    if units and not quantity_files:
+        findings.append(_quantities_missing(unit_files[0]))
     return Vocabulary(units, quantities, tuple(sources), tuple(findings))
+
+
+def _quantities_missing(units: Path) -> Finding:
+    """Told once, not of every unit."""
+    message = f"There is no file of quantities for the units of {str(units)!r}."
+    fix = "Put quantities.yaml beside the tree, or name it with -q."
+    return codes.QUANTITIES_MISSING.finding(message, str(units), fix=fix)
 
 
 def default_files(spec: Path, given: Sequence[Path], name: str) -> tuple[Path, ...]:
@@ -135,7 +144,7 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
         return None
     findings.extend(_unknown_fields(entry))
     quantity = _quantity_of(values)
-    if quantity.lower() not in quantities:
+    if quantities and quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
         message = f"Unit {entry.path!r} has the unknown quantity {quantity!r}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))

@@ -80,7 +80,7 @@ def read_layer(
     file = _read_file(path, reading, Origin(str(path), 0, 0))
     if file is not None:
         if not (file.statements or file.includes or file.findings):
-            rule = codes.FILE_EMPTY if is_overlay else codes.FILE_EMPTY.graded("error")  # nothing is left of the tree
+            rule = codes.OVERLAY_EMPTY if is_overlay else codes.TREE_EMPTY
             reading.findings.append(rule.finding("The file has no nodes.", str(path)))
         _apply(file, path, "", reading, (path.resolve(),))
     return reading.finished()

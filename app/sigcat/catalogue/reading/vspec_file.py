@@ -32,8 +32,11 @@ from sigcat.catalogue.reading.yaml_document import (
 )
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import nearest
 
 _INCLUDE_LINE = re.compile(r"^[ \t]*#include.*$", re.MULTILINE)
+_NEARLY_INCLUDE = re.compile(r"^[ \t]*#[ \t]*([A-Za-z]{5,10})[ \t]+\S+\.vspec\b", re.MULTILINE)
+"""A comment that names a file as an include does."""
 
 
 class Include(NamedTuple):
@@ -61,12 +64,15 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     statements: list[Statement] = []
     includes: list[Include] = []
     if isinstance(document.root, MappingNode):
-        _read_statements(document.root, source, Builder(limits, len(document.text)), statements, includes, findings)
+        builder = Builder(limits, len(document.text))
+        _read_statements(document.root, source, builder, statements, includes, findings)
+        findings.extend(_misread(*each, source.name) for each in builder.misread)
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
         message = f"The file must be a mapping of node paths to attributes, not {_kind(document.root)}."
         findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column))
     includes.extend(_include_lines(document.text, source.name, findings))
+    findings.extend(_misspelled_includes(document.text, source.name))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
 
 
@@ -164,6 +170,13 @@ def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
     return error.rule.finding(str(error), file, line, column, path)
 
 
+def _misread(node: ScalarNode, value: int, file: str) -> Finding:
+    base = "octal" if ":" not in node.value else "base 60"
+    message = f"{node.value} is {value} in YAML, as {base}."
+    fix = f"Write {value}, or quote the text."
+    return codes.NUMBER_IN_ANOTHER_BASE.finding(message, file, *position(node), fix=fix)
+
+
 def _include_list(statement: Statement, listed: Any, mark: int, findings: list[Finding]) -> Iterator[Include]:
     line, _, lines_between, column = unpacked_mark(mark)
     origin = Origin(statement.file.name, line + lines_between + 1, column + 1)
@@ -194,6 +207,19 @@ def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[In
             ignored = codes.INCLUDE_MALFORMED.graded("warning")  # the file is read all the same
             findings.append(ignored.finding(message, file, line, column))
         yield Include(parts[0], parts[1] if len(parts) == 2 else "", line, column)
+
+
+def _misspelled_includes(text: str, file: str) -> Iterator[Finding]:
+    """Comments that were probably meant as includes: `#inlcude A.vspec`, `# include A.vspec`."""
+    if ".vspec" not in text:
+        return
+    for match in _NEARLY_INCLUDE.finditer(text):
+        if match.group().lstrip().startswith("#include") or not nearest(match[1], ["include"]):
+            continue
+        line, column = text.count("\n", 0, match.start()) + 1, match.group().index("#") + 1
+        message = f"{match.group().strip()!r} is a comment, not an include."
+        fix = "Write `#include`, in lower case and without a space, or reword the comment."
+        yield codes.INCLUDE_MISSPELLED.finding(message, file, line, column, fix=fix)
 
 
 def _kind(node: Node) -> str:

@@ -166,6 +166,8 @@ class Builder:
         self._left = limits.values if characters is None else min(limits.values, 10_000 + 4 * characters)
         self._nesting = limits.nesting
         self._above: set[int] = set()
+        self.misread: list[tuple[ScalarNode, int]] = []
+        """Numbers that YAML 1.1 reads in another base than people do, with their values: `0100` and `1:30`."""
 
     def value(self, node: Node) -> Any:
         """The value of `node` as `yaml.safe_load` would give it. Raises Unbuildable."""
@@ -197,10 +199,13 @@ class Builder:
             return sys.intern(text) if len(text) < _SHORT else text
         build = _SCALARS.get(tag, _any_scalar)
         try:
-            return build(node)
+            value = build(node)
         except (ConstructorError, ValueError, KeyError, OverflowError) as error:
             problem = getattr(error, "problem", None) or str(error)
             raise Unbuildable(f"{node.value[:40]!r} is not a valid value: {problem}.", node) from None
+        if tag == _INTEGER and re.match(_OTHER_BASE, node.value):
+            self.misread.append((node, value))
+        return value
 
     def key(self, node: Node) -> Any:
         """The value of a mapping key, which has to be a scalar. Raises Unbuildable."""
@@ -255,8 +260,10 @@ def _readable(node: ScalarNode) -> str:
     return text
 
 
+_INTEGER = _STANDARD + "int"
+_OTHER_BASE = r"[-+]?(?:0[0-7_]|[^:]*:)"
 _SCALARS: dict[str, Callable[[ScalarNode], Any]] = {
-    _STANDARD + "int": _integer,
+    _INTEGER: _integer,
     _STANDARD + "float": _number,
     _STANDARD + "bool": lambda node: _BOOLEANS[node.value.lower()],
     _STANDARD + "null": lambda _: None,

@@ -36,6 +36,10 @@ CHECKS: Mapping[str, Check] = {
     ),
     "ordered": NodeCheck(attributes.ordered, {"attributes": list}, ("attributes",)),
     "default-first": NodeCheck(attributes.default_first, {}, (), "=default"),
+    "distinct-items": NodeCheck(attributes.distinct_items, {"attribute": str}, ("attribute",), "attribute"),
+    "distinct-from-siblings": NodeCheck(
+        attributes.distinct_from_siblings, {"attribute": str}, ("attribute",), "attribute"
+    ),
     "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": list}),
     "required-fields": NodeCheck(fields.required_fields, {"fields": dict}, ("fields",)),
     "field-values": NodeCheck(fields.field_values, {"fields": dict}, ("fields",)),

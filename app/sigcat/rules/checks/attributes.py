@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
-from sigcat.names import did_you_mean, nearest
+from sigcat.names import did_you_mean, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested, shown
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
@@ -131,6 +131,46 @@ def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
             message = f"The first item of `allowed` must be the default {shown(default)}, not {shown(allowed[0])}."
             fix = "Move the default to the front: generated enumerations begin with it."
             yield Problem(definition, message, definition.last_written(("default", "allowed")), fix)
+
+    return test
+
+
+def distinct_items(rule: Rule, _tree: Tree) -> NodeTest:
+    """The list in `attribute` has at least one item, and each once."""
+    attribute = rule.options["attribute"]
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        items = definition.values[attribute]
+        if not isinstance(items, list):
+            return
+        if not items:
+            yield Problem(
+                definition, f"`{attribute}` must have at least one value.", attribute, "Add values, or remove it."
+            )
+        for i, item in enumerate(items):
+            if item in items[:i]:
+                message = f"{shown(item)} is listed twice in `{attribute}`."
+                yield Problem(definition, message, attribute, "Remove or correct one of the two.", within=(i,))
+
+    return test
+
+
+def distinct_from_siblings(rule: Rule, tree: Tree) -> NodeTest:
+    """The text of `attribute` is not that of an earlier signal of the same branch; overlays are later than the tree."""
+    attribute = rule.options["attribute"]
+    first: dict[tuple[str, str], str] = {}
+    gathered: set[str] = set()
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        above, text = parent_path(definition.path), definition.values[attribute]
+        if above not in gathered:
+            gathered.add(above)
+            for child in sorted(tree.children.get(above, ()), key=lambda child: bool(child.origin(attribute).overlay)):
+                first.setdefault((above, str(child.values.get(attribute))), child.path)
+        other = first.get((above, str(text)), definition.path)
+        if other != definition.path:
+            message = f"The {attribute} is that of {other!r}, word for word."
+            yield Problem(definition, message, attribute, "Say what sets the two apart.")
 
     return test
 
