@@ -6,7 +6,8 @@ beside them: that is `sigcat.rules.linting.discovery`.
 
 import os
 import re
-from typing import Literal
+from collections.abc import Collection
+from typing import Literal, NamedTuple
 
 FileKind = Literal["vspec", "units", "quantities", "function", "function json", "integration json", "rules", "unknown"]
 """`vspec` is a tree, an overlay, struct types, or a part of one; `function` is a function.yaml."""
@@ -24,11 +25,52 @@ TREE_ENDINGS = (".vspec", ".yaml", ".yml")
 """How the names of trees and overlays end; an include that names none of them means the first."""
 ENDINGS = (*TREE_ENDINGS, ".json")
 
-_FUNCTION_KEYS = (b'"FunctionInfo"', b'"InterfaceData"', b'"SchedulingInfo"')
-_INTEGRATION_KEYS = (b'"FunctionInformation"', b'"CommunicationList"')
-"""What the Integration JSON of AUTOSAR adaptive has in place of the keys of Function JSON, and that of ROS 2 beside them."""
+
+class DocumentKind(NamedTuple):
+    """One kind of the documents that are made for functions, or of functions."""
+
+    kind: FileKind
+    keys: frozenset[str]
+    """Keys that each such document has, outermost."""
+    title: str
+    """In sentences: `a function.yaml`."""
+    use: str
+    """What takes it, as an instruction."""
+
+
+FUNCTION_JSON = DocumentKind(
+    "function json",
+    frozenset(("FunctionInfo",)),
+    "Function JSON",
+    "Run `sigcat function validate` or `sigcat integrate` on it.",
+)
+FUNCTION_YAML = DocumentKind(
+    "function",
+    frozenset(("function", "components")),
+    "a function.yaml",
+    "Run `sigcat function build` or `sigcat integrate` on it.",
+)
+INTEGRATION_JSON = (
+    DocumentKind(
+        "integration json",
+        frozenset(("FunctionInformation",)),
+        "Integration JSON for AUTOSAR adaptive",
+        "Run `sigcat generate arxml` on it.",
+    ),
+    DocumentKind(
+        "integration json",
+        FUNCTION_JSON.keys | {"CommunicationList"},
+        "Integration JSON for ROS 2",
+        "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",
+    ),
+)
+DOCUMENT_KINDS = (*INTEGRATION_JSON, FUNCTION_JSON, FUNCTION_YAML)
+"""The more special first: Integration JSON for ROS 2 has the keys of Function JSON too."""
+
+_FUNCTION_KEYS = (*(f'"{key}"'.encode() for key in FUNCTION_JSON.keys), b'"InterfaceData"', b'"SchedulingInfo"')
+_INTEGRATION_KEYS = tuple(f'"{key}"'.encode() for each in INTEGRATION_JSON for key in each.keys - FUNCTION_JSON.keys)
 _FUNCTION_NAME = rb"""^["']?[Ff]unction["']?:[ \t]+[^\s#{&!]"""
-_FUNCTION_PARTS = (rb"^function:", rb"^components:")
+_FUNCTION_PARTS = tuple(f"^{key}:".encode() for key in FUNCTION_YAML.keys)
 _RULE_WORD = b"check:"
 _RULE = (rb"^[A-Z]+[0-9]{3}:[ \t]*\r?$", rb"^[ \t]+check:[ \t]*\S")
 _TYPE = rb"""(?:^[ \t]+|[{,][ \t]*)["']?type["']?[ \t]*:[ \t]*["']?"""
@@ -50,6 +92,11 @@ def file_kind(data: bytes, name: str = "") -> FileKind:
         if kind != "unknown" or ending == ".json":
             return kind
     return _kind_of_yaml(data, os.path.basename(name))  # noqa: PTH119 — of every file of a folder
+
+
+def document_kind(keys: Collection[str]) -> DocumentKind | None:
+    """The kind of a document with these keys, if it has to do with functions."""
+    return next((each for each in DOCUMENT_KINDS if each.keys.issubset(keys)), None)
 
 
 def holds_function(data: bytes) -> bool:

@@ -7,6 +7,7 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.file_kind import document_kind
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.function.declaration.declaration import Declared
 from sigcat.function.document.document import Document
@@ -62,9 +63,10 @@ def _checked(files: Sequence[FunctionFile], catalogue: Callable[[], Catalogue]) 
 def _of_json(document: Document) -> CheckedFunction:
     """Integration JSON for ROS 2 is Function JSON with more, and would be taken for a function."""
     checked = check_document(document, None)
-    if checked.function is None or "CommunicationList" not in (checked.function.model_extra or {}):
+    kind = document_kind(document.value) if checked.function else None
+    if kind is None or kind.kind != "integration json":
         return checked
-    message = "The document must be Function JSON, not Integration JSON, which is integrated already."
+    message = f"The document must be Function JSON, not {kind.title}, which is integrated already."
     fix = "Give the Function JSON or the function.yaml that it was made from."
-    finding = document.finding(codes.FIELD_UNKNOWN, ("CommunicationList",), message, fix)
+    finding = document.finding(codes.FIELD_UNKNOWN, (), message, fix)
     return checked._replace(findings=(*checked.findings, finding))

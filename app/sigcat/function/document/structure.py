@@ -10,6 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from sigcat import codes
 from sigcat.catalogue.model.definition import TYPES
+from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.yaml_words import in_yaml
@@ -42,25 +43,6 @@ _BOUNDS = {
     "less_than_equal": ("le", "{} or less"),
     "less_than": ("lt", "less than {}"),
 }
-_KINDS = (
-    (
-        frozenset(("FunctionInformation",)),
-        "Integration JSON for AUTOSAR adaptive",
-        "Run `sigcat generate arxml` on it.",
-    ),
-    (
-        frozenset(("FunctionInfo", "CommunicationList")),
-        "Integration JSON for ROS 2",
-        "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",
-    ),
-    (frozenset(("FunctionInfo",)), "Function JSON", "Run `sigcat function validate` or `sigcat integrate` on it."),
-    (
-        frozenset(("function", "components")),
-        "a function.yaml",
-        "Run `sigcat function build` or `sigcat integrate` on it.",
-    ),
-)
-"""Keys by which documents of other kinds are known, the more special first; what they are, and what takes them."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
@@ -91,9 +73,9 @@ def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | No
     if not isinstance(value, dict):
         return None
     known = fields_of(model)
-    for signs, title, fix in _KINDS:
-        if signs <= value.keys() and not signs <= known.keys():
-            return title, fix
+    for kind in DOCUMENT_KINDS:
+        if kind.keys <= value.keys() and not kind.keys <= known.keys():
+            return kind.title, kind.use
     is_node = any(
         isinstance(item, dict) and item.get("type") in TYPES for key, item in value.items() if key not in known
     )
@@ -102,8 +84,8 @@ def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | No
 
 def _title(model: type[BaseModel]) -> str:
     """What a document of a model is called."""
-    known = fields_of(model).keys()
-    return next((title for signs, title, _ in _KINDS if signs <= known), f"a {model.__name__.lower()}")
+    kind = document_kind(fields_of(model))
+    return kind.title if kind else f"a {model.__name__.lower()}"
 
 
 def _meant(errors: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:

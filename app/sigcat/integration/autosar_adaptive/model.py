@@ -228,12 +228,12 @@ class Method(WireModel):
 
 
 class ServiceField(WireModel):
-    """A status that a service keeps, sends when it changes, and tells when asked: error, safety reaction or mode."""
+    """A status that a service keeps, sends when it changes and returns on request: error, safety reaction or mode."""
 
     name: str = published("Name", "Name of the interface.")
     description: str | None = own("Description", "What the status means.")
     datatype: str | None = own("DataType", "Word for a primitive, or the name of a datatype of the document.")
-    notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that tells a change.")
+    notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that notifies of a change.")
     getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
     event_group: str | None = own("EventGroup", "Name of the event group of the notifier.")
     calls: tuple[str, ...] | None = own("Calls", "Calls that report or read it.", strict=False)

@@ -106,7 +106,7 @@ class TypeTable:
         return TypeEntry(**common, dimension=dimension, reference=datatype.reference, **shape)  # type: ignore[arg-type]
 
     def _opaque(self, function: FunctionJson, reference: str, datatype: Datatype | None) -> str:
-        """A datatype whose content the function does not tell: an empty structure, so that it has a place."""
+        """A datatype whose content the function does not define: an empty structure, so that it has a place."""
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} must have content: it has {what}, and is written as an empty structure."
         fix = "Give it a `Kind` with members, symbols or elements."

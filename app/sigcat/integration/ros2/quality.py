@@ -18,7 +18,7 @@ from sigcat.integration.ros2.signal_uses import SignalUse
 
 MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
-    reasons=("A mode is told once and holds until the next one.",),
+    reasons=("A mode is sent once and holds until the next one.",),
 )  # fmt: skip
 
 
@@ -60,7 +60,7 @@ def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -
 
 def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> str:
     if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
-        reasons.append("transient local: whoever starts late needs the last value")
+        reasons.append("transient local: late subscribers need the last value")
         return "transient_local"
     return "volatile"
 
