@@ -276,9 +276,9 @@ def test_ids_are_unique_and_in_range():
 def test_ids_that_depend_on_each_other_are_told_with_what_keeps_them():
     paths = [f"Vehicle.Branch.Signal{i}" for i in range(600)]
     derived = derive([function(signals=[at(path) for path in paths])])
-    told = [finding for finding in derived.findings if finding.rule == "A008"]
-    assert told
-    assert told[0].fix.startswith("To keep it, fix it in the deployment file: identifiers: {VehicleBranchService.")
+    reported = [finding for finding in derived.findings if finding.rule == "A008"]
+    assert reported
+    assert reported[0].fix.startswith("To keep it, fix it in the deployment file: identifiers: {VehicleBranchService.")
 
 
 def test_ids_that_a_deployment_keeps_stay_whatever_is_added():
@@ -323,9 +323,9 @@ def test_every_field_of_a_call_and_of_a_parameter_has_a_place():
 def test_the_report_has_every_field_that_has_a_value():
     derived = derive(examples())
     assert NOT_CARRIED not in {entry.target for entry in derived.report}
-    told = {(entry.interface, entry.field): entry.target for entry in derived.report}
-    assert told["BrkCylP", "Timeout"] == "CoreAcc/VehicleChassisService/Chassis_Brake_CylP/Uses/Signal/Timeout"
-    assert told["WheelSpeedCalculation_Step", "StackSize"].endswith(
+    targets = {(entry.interface, entry.field): entry.target for entry in derived.report}
+    assert targets["BrkCylP", "Timeout"] == "CoreAcc/VehicleChassisService/Chassis_Brake_CylP/Uses/Signal/Timeout"
+    assert targets["WheelSpeedCalculation_Step", "StackSize"].endswith(
         "/FunctionList/WheelSpeedCalculation_Step/StackSize"
     )
 
@@ -363,7 +363,7 @@ def test_the_report_escapes_what_documents_contain():
     assert "a\\|b" in text
 
 
-# -- input that nobody wants --------------------------------------------------------------------------------------
+# -- input that cannot be used --------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

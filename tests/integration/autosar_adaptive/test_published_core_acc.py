@@ -24,7 +24,7 @@ CONSUMED = (
     "The Function JSON says Consumer, and so does the code, which reads it as an input. The example offers it as the "
     "provider: a slip, or a set of functions in which another one provides it."
 )
-PROVIDER = "Follows from the role: whoever consumes a service is told who provides it."
+PROVIDER = "Follows from the role: each consumer of a service has its provider."
 RULE = "The authors left the instance open; here it is a number by rule, so that provider and consumer agree."
 
 DIFFERENCES = (

@@ -16,7 +16,7 @@ from tests.published.schemas import schema
 
 _META = "who made the document, and when: their two files differ, ours takes it from the Function JSON"
 _SIGNAL = "their integration file has lost what their Function JSON says of the signal; ours keeps it"
-_TOPIC = "theirs follow the structures of the C code, which nobody else knows; ours are in or out of the function"
+_TOPIC = "theirs follow the structures of the C code, which are not published; ours are in or out of the function"
 _FIELD = "rosidl refuses capitals in the names of fields"
 _TYPE = "messages have float32, float64 and bool, not float and boolean; the code has double, as its C definition says"
 _VARIABLE = "their Function JSON names no variables; function.yaml and ours do, and here the signal's name stands in"

@@ -200,8 +200,8 @@ def test_methods_become_services_that_provider_and_user_share():
 def test_a_path_can_be_told_by_the_deployment():
     bare = function(signal("Speed", ""))
     assert ("N211", "Acc.Speed") in rules([bare])
-    told = DEPLOYMENT_FILE.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
-    assert ("Subscription", "/vehicle/speed") in topics([bare], told)
+    deployment = DEPLOYMENT_FILE.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
+    assert ("Subscription", "/vehicle/speed") in topics([bare], deployment)
 
 
 # -- quality of service -------------------------------------------------------------------------------------------
@@ -453,11 +453,11 @@ def test_the_report_knows_every_field_of_every_interface(kind):
 
 
 def test_the_report_tells_where_each_field_went():
-    told = {(entry.interface, entry.field): entry for entry in derived(examples()).report}
-    brake = told["Vehicle.Chassis.Brake.CylP", "Variable"]
+    entries = {(entry.interface, entry.field): entry for entry in derived(examples()).report}
+    brake = entries["Vehicle.Chassis.Brake.CylP", "Variable"]
     assert brake.target == "topic /vehicle/chassis/brake/cyl_p, field cyl_p: Variable"
-    assert told["CoreAcc_Step", "StackSize"].target == NOT_CARRIED
-    assert not any("{" in entry.target for entry in told.values())
+    assert entries["CoreAcc_Step", "StackSize"].target == NOT_CARRIED
+    assert not any("{" in entry.target for entry in entries.values())
 
 
 def test_what_is_not_carried_has_a_reason():
