@@ -3,23 +3,13 @@
 import pytest
 
 from sigcat.cli import main
-
-OWN = """\
-ACME001:
-  name: short-path
-  title: Paths are short.
-  severity: warning
-  why: Long paths do not fit our displays.
-  check: path-depth
-  options: {most: 3}
-  source: ACME
-"""
+from tests.rules.own_rule import OWN_RULE
 
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "our-rules.yaml").write_text(OWN)
+    (tmp_path / "our-rules.yaml").write_text(OWN_RULE)
     return tmp_path
 
 
@@ -63,7 +53,7 @@ def test_a_configuration_may_be_named(folder, capsys):
 
 @pytest.mark.usefixtures("configured")
 def test_a_rule_that_cannot_be_used_is_reported_at_its_line(folder, capsys):
-    (folder / "our-rules.yaml").write_text(OWN.replace("severity: warning", "severity: grave"))
+    (folder / "our-rules.yaml").write_text(OWN_RULE.replace("severity: warning", "severity: grave"))
     assert main(["rule", "ACME001"]) == 2
     error = capsys.readouterr().err
     assert "our-rules.yaml:4:3: error L010 `severity` must be one of error, warning, info, not 'grave'." in error

@@ -3,17 +3,8 @@
 import pytest
 
 from sigcat.rules.record import parse_rules
+from tests.rules.own_rule import OWN_RULE
 
-RECORD = """\
-ACME001:
-  name: short-path
-  title: Paths are short.
-  severity: warning
-  why: Long paths do not fit our displays.
-  check: path-depth
-  options: {most: 3}
-  source: ACME
-"""
 EXAMPLES = "  good: 'A: {}'\n  bad: 'A.B.C.D: {}'\n"
 
 
@@ -22,16 +13,16 @@ def messages(text: str, *, trusted: bool = False) -> list[str]:
 
 
 def test_a_rule_of_a_company_needs_no_examples():
-    assert messages(RECORD) == []
+    assert messages(OWN_RULE) == []
 
 
 @pytest.mark.parametrize(
     ("text", "is_accepted"),
     [
-        (RECORD, False),
-        (RECORD + "  good: 'A: {}'\n", False),
-        (RECORD + EXAMPLES, True),
-        (RECORD + "  example: false\n", True),
+        (OWN_RULE, False),
+        (OWN_RULE + "  good: 'A: {}'\n", False),
+        (OWN_RULE + EXAMPLES, True),
+        (OWN_RULE + "  example: false\n", True),
     ],
 )
 def test_a_shipped_rule_has_examples_or_says_that_none_is_a_text(text, is_accepted):
@@ -41,7 +32,7 @@ def test_a_shipped_rule_has_examples_or_says_that_none_is_a_text(text, is_accept
 
 @pytest.mark.parametrize("key", ["name", "title", "severity", "why", "check", "source"])
 def test_every_rule_says_what_it_is(key):
-    lines = [line for line in RECORD.splitlines(keepends=True) if not line.startswith(f"  {key}:")]
+    lines = [line for line in OWN_RULE.splitlines(keepends=True) if not line.startswith(f"  {key}:")]
     assert messages("".join(lines)) == [f"Rule ACME001 must have a text as `{key}`."]
 
 
@@ -56,10 +47,10 @@ def test_every_rule_says_what_it_is(key):
     ],
 )
 def test_a_field_that_does_not_fit_says_what_it_must_be(line, message):
-    assert messages(f"{RECORD}  {line}\n") == [message]
+    assert messages(f"{OWN_RULE}  {line}\n") == [message]
 
 
 @pytest.mark.parametrize(("line", "scope"), [("", "node"), ("  scope: tree\n", "tree")])
 def test_a_rule_may_need_the_whole_tree(line, scope):
-    (rule,) = parse_rules((RECORD + line).encode(), "rules.yaml", trusted=False).rules
+    (rule,) = parse_rules((OWN_RULE + line).encode(), "rules.yaml", trusted=False).rules
     assert rule.scope == scope

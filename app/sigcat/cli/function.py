@@ -48,8 +48,7 @@ def _add_build(actions: Actions) -> None:
         help="Function JSON of a function.yaml",
         description="Resolve a function.yaml against a catalogue and write its Function JSON.",
     )
-    building.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
-    building.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    _add_file_and_output(building)
     add_tree_options(building)
     building.set_defaults(run=build)
 
@@ -60,11 +59,15 @@ def _add_overlay(actions: Actions) -> None:
         help="the overlay of the interfaces that a function.yaml defines",
         description="Write what a function.yaml has under `define` as an overlay, so that others can refer to it.",
     )
-    making.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
-    making.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    _add_file_and_output(making)
     making.add_argument("--types-output", type=Path, metavar="FILE", help="write the struct types here (for -t)")
     add_tree_options(making)
     making.set_defaults(run=overlay)
+
+
+def _add_file_and_output(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
 
 
 def _add_validate(actions: Actions) -> None:
