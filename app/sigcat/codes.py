@@ -173,6 +173,7 @@ INCLUDES_MULTIPLY = RuleCode("R015", "error")
 TREE_EMPTY = RuleCode("R016", "error")
 INCLUDE_MISSPELLED = RuleCode("R017", "warning")
 NUMBER_IN_ANOTHER_BASE = RuleCode("R018", "warning")
+NODES_NESTED = RuleCode("R019", "error")
 
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")
@@ -217,3 +218,4 @@ INSTANCES_MULTIPLY = RuleCode("V025", "error")
 SPELLING_OF_OLDER_RELEASE = RuleCode("V026", "warning")
 VALUE_MISSPELLED = RuleCode("V027", "warning")
 PATTERN_INVALID = RuleCode("V028", "warning")
+RANGE_WITH_SPACE = RuleCode("V029", "error")

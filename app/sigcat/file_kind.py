@@ -9,6 +9,8 @@ import re
 from collections.abc import Collection
 from typing import Literal, NamedTuple
 
+from sigcat.limits import RECOGNITION_BYTES
+
 FileKind = Literal["vspec", "units", "quantities", "function", "function json", "integration json", "rules", "unknown"]
 """`vspec` is a tree, an overlay, struct types, or a part of one; `function` is a function.yaml."""
 
@@ -87,6 +89,7 @@ def file_kind(data: bytes, name: str = "") -> FileKind:
     ending = ending_of(name)
     if ending == ".vspec":
         return "vspec"
+    data = data[:RECOGNITION_BYTES]
     if ending == ".json" or _is_json_text(data):
         kind = _kind_of_json(data)
         if kind != "unknown" or ending == ".json":
@@ -101,6 +104,7 @@ def document_kind(keys: Collection[str]) -> DocumentKind | None:
 
 def holds_function(data: bytes) -> bool:
     """Whether a text is a function or what was derived from one, whatever it is called: quick for any text."""
+    data = data[:RECOGNITION_BYTES]
     return _declares_function(data) or (_is_json_text(data) and _kind_of_json(data) != "unknown")
 
 
@@ -133,6 +137,11 @@ def root_name(data: bytes) -> str:
     """The name that the first path of a vspec file begins with: of a tree that of its root, of an overlay that of its tree's."""
     match = re.search(_FIRST_NAME, data, re.MULTILINE)
     return match[1].decode() if match else ""
+
+
+def first_names(data: bytes) -> frozenset[bytes]:
+    """The names that the paths of a vspec file begin with: one in a whole tree, several in a part of one."""
+    return frozenset(re.findall(_FIRST_NAME, data, re.MULTILINE))
 
 
 def root_branch(data: bytes) -> str:

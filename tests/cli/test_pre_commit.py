@@ -116,6 +116,7 @@ def test_a_good_overlay_is_committed(repository, home):
 
 def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, home):
     (repository / "overlays" / "one.vspec").write_text("Vehicle.Speed:\n  unit: m/s\n")
+    (repository / "sigcat.toml").write_text('[lint]\noverlays = ["overlays/*.vspec"]\n')
     committed(repository)
     done = staged(repository, home, two="Vehicle.Speed:\n  unit: km/h\n")
     assert done.returncode == 1

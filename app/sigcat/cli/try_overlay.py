@@ -55,7 +55,8 @@ def _print_text(trial: "Trial") -> None:
 
     for finding in trial.findings:
         print(finding.line_of_text)
-    print(text_report(trial.changes, is_coloured=is_coloured()), end="")
+    if trial.changes or not has_errors(trial.findings):  # what could not be read shows no differences
+        print(text_report(trial.changes, is_coloured=is_coloured()), end="")
     for node in trial.nodes:
         print(f"\n{printable(node.path)}")
         for name, value in node.values.items():

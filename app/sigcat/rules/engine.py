@@ -155,7 +155,9 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
     """What composing found, less what follows from something else that is reported."""
     changes_are_reported = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
     for finding in catalogue.findings:
-        if finding.rule == codes.BRANCH_UNDEFINED.id and _need_not_be_written(finding.path, tree):
+        if finding.rule == codes.BRANCH_UNDEFINED.id and _need_not_be_written(
+            finding.path, tree, changes_are_reported=changes_are_reported
+        ):
             continue
         definition = tree.definitions.get(finding.path)
         if definition is not None and _is_deleted_in_vain(definition):
@@ -170,10 +172,13 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
 
 
-def _need_not_be_written(branch: str, tree: Tree) -> bool:
-    """Whether a branch is an instance, which `instances` defines, or has nothing below it but nodes deleted in vain."""
-    children = tree.children.get(branch, ())
-    return tree.is_instance(branch) or (bool(children) and all(map(_is_deleted_in_vain, children)))
+def _need_not_be_written(branch: str, tree: Tree, *, changes_are_reported: bool) -> bool:
+    """Whether a branch is an instance, which `instances` defines, or has nothing below it but what is told already."""
+    if tree.is_instance(branch):
+        return True
+    below = [definition for path, definition in tree.definitions.items() if path.startswith(f"{branch}.")]
+    is_told = all(_is_deleted_in_vain(each) or (changes_are_reported and _is_changed_in_vain(each)) for each in below)
+    return bool(below) and is_told
 
 
 def _is_deleted_in_vain(definition: Definition) -> bool:

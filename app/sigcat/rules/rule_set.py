@@ -128,7 +128,8 @@ def _no_tree() -> Tree:
 def _check_of(rule: Rule) -> Check:
     check = CHECKS.get(rule.check)
     if check is None:
-        raise BadOption(f"Unknown check {rule.check!r} of rule {rule.id}.", did_you_mean(rule.check, CHECKS))
+        fix = f"{did_you_mean(rule.check, CHECKS)} The checks are {', '.join(sorted(CHECKS))}.".lstrip()
+        raise BadOption(f"Unknown check {rule.check!r} of rule {rule.id}.", fix)
     if not rule.trusted:
         check_options(rule, check)
     return check

@@ -50,7 +50,7 @@ def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, s
         spec = "tree.vspec"
         overlays = ["overlays/second.vspec", "overlays/first.vspec"]
         units = ["units.yaml"]
-        include_dirs = ["overlays"]
+        include-dirs = ["overlays"]
         [[catalogue]]
         id = "official"
         release = "5.0"

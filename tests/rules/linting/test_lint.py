@@ -269,3 +269,42 @@ def test_a_shipped_overlay_is_clean_by_itself_though_it_shares_a_file_with_the_o
     result = lint_paths([overlay], LintOptions(overlays=shipped_sources()[0].overlays))
     assert str(overlay) in result.files
     assert [f.line_of_text for f in result.findings] == []
+
+
+def test_a_missing_include_makes_no_roots_of_what_it_would_have_brought(tree):
+    (tree / "vspec" / "Body.vspec").write_text(
+        "Lights: {type: branch, description: Lights.}\nDoors: {type: branch, description: doors.}\n"
+    )
+    (tree / "vspec" / "VehicleSignalSpecification.vspec").write_text(TREE + "#include Bdy.vspec Vehicle\n")
+    assert {f.rule for f in lint_paths([tree / "vspec"]).findings} == {"R008", "V105", "V106"}
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            "Vehicle.A: {type: branch, description: A., instances: 'Row[1, 2]'}\nVehicle.A.Row1: {comment: One.}\n",
+            ["V029"],
+        ),
+        ("Vehicle.A: {type: branch, description: A., B: {type: branch, C: {type: sensor}}}\n", ["R019"]),
+        ("- Vehicle.A:\n  type: branch\n", ["R007"]),
+        ("Vehicle.Gone.Away.X: {comment: Gone.}\n", ["O101"]),
+        ("Vehicle.Gone.Away.X: {delete: true}\n", ["O102"]),
+    ],
+)
+def test_one_cause_has_one_finding(tree, text, told):
+    assert [f.rule for f in lint_paths([overlay(tree, "own.vspec", text)]).findings] == told
+
+
+def test_an_old_path_below_an_instance_proposes_the_new_one(tmp_path):
+    path = tmp_path / "old.vspec"
+    path.write_text("Vehicle.Cabin.Door.Row1.Left.IsOpen: {comment: Old.}\n")
+    (finding,) = lint_paths([path]).findings
+    assert "'Vehicle.Cabin.Door.Row1.DriverSide.IsOpen'" in finding.fix
+
+
+def test_a_file_that_is_no_text_is_told_so(tmp_path):
+    path = tmp_path / "picture.vspec"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\xff")
+    (finding,) = lint_paths([path]).findings
+    assert (finding.rule, finding.message) == ("R002", "The file is not a text.")

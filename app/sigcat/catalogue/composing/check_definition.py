@@ -139,7 +139,11 @@ def _wrong_type(node_type: Any) -> Problem:
 
 def _instance_problems(values: Mapping[str, Any]) -> Iterator[Problem]:
     for steps, entry in labels_of(values):
-        match = re.search(r"\[(\d+),(\d+)\](?!.*\[\d+,\d+\])", str(entry))
+        match = re.search(r"\[ *(\d+) *, *(\d+) *\](?!.*\[\d+,\d+\])", str(entry))
+        if match and " " in match[0]:
+            message = f"A space keeps {match[0]} of {str(entry)!r} from being a range."
+            fix = f"Write {match[0].replace(' ', '')}."
+            yield Problem(codes.RANGE_WITH_SPACE, "instances", message, fix, within=steps)
         if match and int(match[1]) > int(match[2]):
             message = f"Range {match[0]} of {entry!r} runs backwards."
             fix = f"Write [{match[2]},{match[1]}]."

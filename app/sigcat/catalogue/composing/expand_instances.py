@@ -17,7 +17,8 @@ from sigcat.catalogue.composing.check_definition import checked_definition
 from sigcat.catalogue.model.definition import BRANCH, Definition, Scope, instances_of, merged_values
 from sigcat.limits import Limits
 
-_LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")
+_LAST_RANGE = re.compile(r".*(\[ *(\d+) *, *(\d+) *\]).*")
+"""With spaces it is a finding, and read as it was meant: nothing that follows from it has to be told."""
 _FILLED_IN: Mapping[str, Any] = {"delete": False, "instantiate": True}
 _FILLED_IN_BRANCH: Mapping[str, Any] = {"instances_relation": "child", "aggregate": False}
 

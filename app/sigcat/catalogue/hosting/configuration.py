@@ -115,11 +115,12 @@ class _Reading:
     def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
         """Report unknown keys, and values of the wrong kind."""
         for key, value in values.items():
-            if key not in known:
+            kind = known.get(key) or known.get(key.replace("-", "_"))
+            if kind is None:
                 fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
                 self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
-            elif not isinstance(value, known[key]):
-                message = f"`{key}` must be {_KINDS.get(known[key], 'a table')}, not {repr(value)[:60]}."
+            elif not isinstance(value, kind):
+                message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
                 self.report(codes.SETTING_UNFIT, message, table, number, key)
 
     def path(self, text: str) -> Path:
@@ -223,7 +224,7 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
 
 
 def _paths(values: Mapping[str, Any], name: str, number: int, reading: _Reading) -> tuple[Path, ...]:
-    listed = values.get(name, [])
+    listed = values.get(name.replace("_", "-"), values.get(name, []))
     if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
         if isinstance(listed, list):
             reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", "catalogue", number, name)

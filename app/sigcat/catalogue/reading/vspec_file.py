@@ -39,6 +39,9 @@ _NEARLY_INCLUDE = re.compile(r"^[ \t]*#[ \t]*([A-Za-z]{5,10})[ \t]+\S+\.vspec\b"
 """A comment that names a file as an include does."""
 
 
+_NODE_TYPES = frozenset(("branch", "sensor", "actuator", "attribute", "struct", "property"))
+
+
 class Include(NamedTuple):
     """A request to read another file, its keys placed below `prefix`."""
 
@@ -70,7 +73,12 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
         message = f"The file must be a mapping of node paths to attributes, not {_kind(document.root)}."
-        findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column))
+        fix = (
+            "Write `Vehicle.Speed:` in place of `- Vehicle.Speed:`, as since VSS 3.0."
+            if _is_list_of_nodes(document.root)
+            else ""
+        )
+        findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column, fix=fix))
     includes.extend(_include_lines(document.text, source.name, findings))
     findings.extend(_misspelled_includes(document.text, source.name))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
@@ -124,12 +132,40 @@ def _read_statement(
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
     mark = mark_of(key.start_mark, key.start_mark)
+    if nested := [name for name in collections if _is_nested_node(values.get(name))]:
+        _take_out(nested, path, node, source.name, values, marks, findings)
     for name in filter(collections.__contains__, values):
         marks.extend(marks_of_items(collections[name], values[name]))
     statement = Statement(path, source, values, mark, array("Q", marks))
     if includes_at is not None:
         includes.extend(_include_list(statement, *includes_at, findings))
     return statement
+
+
+def _is_nested_node(value: Any) -> bool:
+    return isinstance(value, dict) and isinstance(value.get("type"), str) and value["type"] in _NODE_TYPES
+
+
+def _take_out(
+    names: list[str], path: str, node: MappingNode, file: str, values: dict[str, Any], marks: list[int],
+    findings: list[Finding],
+) -> None:  # fmt: skip
+    """Take nodes that are written inside another out of its attributes; told once of each node that holds some."""
+    message = f"{names[0]!r} is written inside {path!r}, and nodes do not nest: it is taken for an attribute."
+    key = next(key for key, _ in node.value if key.value == names[0])
+    fix = f"Write `{path}.{names[0]}:` at the beginning of a line, and so for each node below."
+    findings.append(codes.NODES_NESTED.finding(message, file, *position(key), path, fix=fix))
+    for name in names:
+        marks.pop(list(values).index(name))
+        del values[name]
+
+
+def _is_list_of_nodes(root: Node) -> bool:
+    """Whether a document has the form of VSS 2: a list of mappings, each with a path as its first key."""
+    items = root.value if isinstance(root, SequenceNode) else []
+    return bool(items) and all(
+        isinstance(item, MappingNode) and item.value and not item.value[0][1].value for item in items
+    )
 
 
 def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int], dict[str, Node]]:

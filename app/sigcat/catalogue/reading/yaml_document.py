@@ -121,10 +121,7 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        column = error.start - data.rfind(b"\n", 0, error.start)
-        message = f"Byte 0x{data[error.start]:02X} is not UTF-8."
-        return _refused("", name, codes.NOT_UTF_8, message, line, column, "Save the file as UTF-8.")
+        return _undecodable(data, name, error.start)
     try:
         _refuse_deep_nesting(text, limits)
         with collector_paused():
@@ -138,6 +135,24 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
         message = f"Character U+{_code_point(error):04X} is not allowed in YAML."
         return _refused(text, name, codes.NOT_YAML, message, line, 1, "Remove the character.")
     return Document(text, root, ())
+
+
+def _undecodable(data: bytes, name: str, at: int) -> Document:
+    if _is_binary(data):
+        return _refused("", name, codes.NOT_UTF_8, "The file is not a text.", fix="Name another file, or exclude it.")
+    line, column = data.count(b"\n", 0, at) + 1, at - data.rfind(b"\n", 0, at)
+    message = f"Byte 0x{data[at]:02X} is not UTF-8."
+    return _refused("", name, codes.NOT_UTF_8, message, line, column, "Save the file as UTF-8.")
+
+
+def _is_binary(data: bytes) -> bool:
+    """Whether bytes are no text in any encoding that an editor writes: control characters are in each line of theirs."""
+    start = data[:8_000]
+    return not start.startswith(_MARKS_OF_UTF_16) and len(start.translate(None, _CONTROLS)) < len(start)
+
+
+_MARKS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+_CONTROLS = bytes({*range(32)} - {*b"\t\n\r\f\x1b"})
 
 
 def position(node: Node) -> tuple[int, int]:

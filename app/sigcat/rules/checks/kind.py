@@ -68,7 +68,9 @@ def check_options(rule: Rule, check: Check) -> None:
     for name, value in rule.options.items():
         kind = check.options.get(name)
         if kind is None:
-            raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", did_you_mean(str(name), check.options))
+            options = f"Its options are {', '.join(check.options)}." if check.options else "It has none."
+            fix = f"{did_you_mean(str(name), check.options)} {options}".lstrip()
+            raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", fix)
         if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
             raise BadOption(f"Option {name!r} of rule {rule.id} must be {_TYPES[kind]}, not {shown(value)}.")
         if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):

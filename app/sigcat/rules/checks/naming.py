@@ -11,7 +11,7 @@ from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
-_RANGE = r"\[\d+,\d+\]$"
+_RANGE = r"\[ *\d+ *, *\d+ *\]$"
 
 
 def name(rule: Rule, _tree: Tree) -> NodeTest:

@@ -15,6 +15,8 @@ from sigcat.rules.tree import Tree
 
 def _near(path: str, tree: Tree) -> str:
     """What was probably meant: a child of the same branch, or else a node of that name, or one with a similar path."""
+    if _leads_below_instances(path, tree):
+        return did_you_mean(path, [other for other, known in tree.expanded.items() if known.type])
     own = last_name(path)
     beside = {name: other for name, other in tree.typed.get(parent_path(path), {}).items() if other != path}
     near = nearest(own, beside)
@@ -24,6 +26,14 @@ def _near(path: str, tree: Tree) -> str:
         return did_you_mean(path, [c[own] for c in tree.typed.values() if c.get(own, path) != path])
     others = (other for children in tree.typed.values() for other in children.values())
     return did_you_mean(path, [other for other in others if other != path])
+
+
+def _leads_below_instances(path: str, tree: Tree) -> bool:
+    """Whether a part of a path names an instance: what was meant is then below one too."""
+    above = parent_path(path)
+    while above and not tree.is_instance(above):
+        above = parent_path(above)
+    return bool(above)
 
 
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
@@ -102,7 +112,7 @@ def conflict(rule: Rule, _tree: Tree) -> NodeTest:
             if len({s.file.overlay for s in setting}) > 1 and _differs(
                 setting[-1].values[attribute], setting[0].values[attribute]
             ):
-                steps = [f"{s.file.overlay} sets {shown(s.values[attribute])}" for s in setting]
+                steps = [f"{_name(s.file.overlay)} sets {shown(s.values[attribute])}" for s in setting]
                 message = f"Overlays disagree on `{attribute}`: {', then '.join(steps)}; the last one applies."
                 yield Problem(setting[-1], message, attribute, "Set it in one of them.")
 
@@ -127,9 +137,14 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
                 before = after
         for overlay, statement in first.items():
             if overlay not in effective:
-                yield Problem(statement, f"Overlay {overlay!r} changes nothing.", fix="Remove it.")
+                yield Problem(statement, f"Overlay {_name(overlay)!r} changes nothing.", fix="Remove it.")
 
     return test
+
+
+def _name(overlay: str) -> str:
+    """The name of an overlay's file: where that stands on a server is nobody's concern, and of one's own the finding has it."""
+    return overlay.rpartition("/")[2]
 
 
 def _in_base(definition: Definition) -> bool:

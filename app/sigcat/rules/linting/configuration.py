@@ -54,9 +54,10 @@ def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
     findings = []
     for key, value in table.items():
         try:
-            if key not in _FIELDS:
+            known = _FIELDS.get(key.replace("_", "-"))
+            if known is None:
                 raise UsageError(f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}".strip())
-            field, convert = _FIELDS[key]
+            field, convert = known
             read[field] = convert(key, value, path.parent)
         except UsageError as error:
             findings.append(codes.CONFIGURATION_UNUSABLE.finding(str(error), str(path), path=key))

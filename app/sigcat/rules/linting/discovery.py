@@ -22,6 +22,7 @@ from sigcat.file_kind import (
     FileKind,
     ending_of,
     file_kind,
+    first_names,
     holds_only_structs,
     holds_signal,
     holds_top_level_node,
@@ -265,6 +266,9 @@ def _top(path: Path, named: bool, look: _Look) -> Source:
     above = tree_of(path)
     if above is not None:
         return Source(path, "part", named, *above)
+    around = _tree_around(path)
+    if around is not None:
+        return Source(path, "part", named, *around)
     return Source(path, _kind_of_top(path, look), named)
 
 
@@ -278,6 +282,20 @@ def _kind_of_top(path: Path, look: _Look) -> Kind:
         return "overlay"
     signs = (has_units, bool(look.includes.get(path)), holds_top_level_node(first_bytes(path)))
     return "tree" if sum(signs) > 1 else "overlay"
+
+
+def _tree_around(path: Path) -> tuple[Path, str] | None:
+    """The tree in whose folder a part stands that nobody includes, since an include is missing, and the root of the tree."""
+    names = first_names(first_bytes(path))
+    if not holds_top_level_node(first_bytes(path)) or _is_in_overlay_folder(path):
+        return None
+    tree = default_tree(path)
+    if tree is None or tree.parent not in path.resolve().parents:
+        return None
+    if len(names) == 1 and path.resolve().parent == tree.parent:
+        return None  # a tree of its own, beside the other
+    root = root_branch(first_bytes(tree))
+    return (tree, root) if root and root.encode() not in names else None
 
 
 def _has_own_root(path: Path, base: Path | None) -> bool:
