@@ -172,3 +172,21 @@ def test_every_command_explains_itself(command):
     result = sigcat(command, "--help")
     assert result.returncode == 0
     assert "usage: sigcat" in result.stdout
+
+
+def test_what_vss_tools_takes_is_refused_unless_the_export_is_lenient(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("twice.vspec").write_text("Vehicle.Speed:\n  comment: One.\n  comment: Two.\n")
+    arguments = ["export", "json", "-l", "twice.vspec", "-o", "tree.json"]
+    assert main(arguments) == 1
+    assert not Path("tree.json").exists()
+    assert main([*arguments, "--lenient"]) == 0
+    assert "twice.vspec:3:3: warning R006" in capsys.readouterr().err
+    assert json.loads(Path("tree.json").read_text())["Vehicle"]["children"]["Speed"]["comment"] == "Two."
+
+
+def test_an_overlay_that_cannot_be_read_does_not_differ_from_nothing(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("broken.vspec").write_text("Vehicle.Speed: {comment: [}\n")
+    assert main(["try", "broken.vspec"]) == 1
+    assert "No differences" not in capsys.readouterr().out

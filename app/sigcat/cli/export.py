@@ -54,7 +54,7 @@ def export(arguments: argparse.Namespace) -> int:
     if output is None and exporter.is_folder:
         raise UsageError(f"{exporter.name} is a folder: name it with -o, or a file that ends in .zip")
     options = _given(arguments, exporter)
-    catalogue = read_tree(arguments, expanded=options.get(EXPAND.name, True))
+    catalogue = read_tree(arguments, expanded=options.get(EXPAND.name, True), lenient=arguments.lenient)
     name = _name(output, exporter)
     result = exported(catalogue, exporter.name, options, output_name=name, timeout=arguments.timeout)
     for finding in result.findings:
@@ -77,6 +77,9 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
     group.add_argument("-o", "--output", *exporter.output_also, dest="output", type=Path, metavar=metavar, help=where)
     for option in exporter.options:
         _add_option(group, option)
+    group.add_argument(
+        "--lenient", action="store_true", help="take what vss-tools takes, with a warning: keys that are given twice"
+    )
     group.add_argument(
         "--timeout", type=float, default=TIMEOUT, metavar="SECONDS", help="stop after this time (default: 600)"
     )

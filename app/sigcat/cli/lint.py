@@ -213,12 +213,14 @@ def _texts_of(findings: "Sequence[Finding]") -> dict[str, str]:
 
 
 def _report(result: "LintResult", options: "LintOptions", arguments: argparse.Namespace) -> None:
+    from sigcat.rules.linting.counted import counted
     from sigcat.rules.linting.selection import rules_for
     from sigcat.rules.report import report, sources_of
 
-    sources = sources_of(result.findings)
+    findings = tuple(counted(result.findings, result.counted))
+    sources = sources_of(findings)
     rules = rules_for(options) if arguments.format == "sarif" else ()
-    text = report(result.findings, arguments.format, sources, rules, colour=_is_coloured(arguments))
+    text = report(findings, arguments.format, sources, rules, colour=_is_coloured(arguments))
     write_text(text, arguments.output)
 
 

@@ -43,11 +43,16 @@ def add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, m
     )
 
 
-def read_tree(arguments: argparse.Namespace, *, expanded: bool = True) -> "Catalogue":
-    """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused."""
+def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, lenient: bool = False) -> "Catalogue":
+    """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
+
+    `lenient`: what vss-tools takes is a warning.
+    """
+    from sigcat.catalogue.composing.lenient import as_vss_tools_takes_it
     from sigcat.catalogue.hosting.source import load
 
     catalogue = load(tree_source(arguments), expanded=expanded)
+    catalogue = as_vss_tools_takes_it(catalogue) if lenient else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
     for finding in catalogue.findings:

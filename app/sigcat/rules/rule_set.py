@@ -85,6 +85,11 @@ class RuleSet:
         return RuleSet(rule for rule in self.rules if rule.id not in self.of_whole_trees)
 
     @cached_property
+    def counted(self) -> frozenset[str]:
+        """Codes of the rules that one habit of a file breaks at many places: reports count those."""
+        return frozenset(rule.id for rule in self.rules if rule.check == "known-attributes")
+
+    @cached_property
     def without_stacks(self) -> "RuleSet":
         """The rules for one overlay over its tree: those on how several act together say nothing of it."""
         return RuleSet(rule for rule in self.rules if not _is_of_stacks(rule))

@@ -7,6 +7,7 @@ import pytest
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import UsageError
+from sigcat.rules.linting.counted import counted
 from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.record import load_rules
@@ -47,3 +48,13 @@ def test_fingerprints_do_not_depend_on_lines(tree):
 def test_a_format_that_does_not_exist_is_refused():
     with pytest.raises(UsageError, match="junit"):
         report((), "junti")
+
+
+def test_an_attribute_that_a_file_writes_everywhere_is_one_finding_with_a_count(tmp_path):
+    node = "Vehicle.A{}: {{type: sensor, datatype: uint8, description: Number {}., acme: 1}}\n"
+    path = tmp_path / "own.vspec"
+    path.write_text("".join(node.format(n, n) for n in range(40)))
+    result = lint_paths([path])
+    (finding,) = counted(result.findings, result.counted)
+    assert (finding.line, finding.message) == (1, "Unknown attribute `acme`, 40 times in this file.")
+    assert len(result.findings) == 40, "a suppression, a baseline and a repair are about each place"

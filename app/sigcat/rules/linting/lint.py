@@ -246,7 +246,7 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
     findings, in_baseline = _without_baseline(findings, grading, whole)
     unused = ((graded, repair) for finding, repair in kept.unused for graded in grading.graded([finding]))
     repairs = {identity_of(f): r for f, r in (*lint.found.items(), *unused) if r is not None}
-    return LintResult(in_order(findings), tuple(lint.files), repairs, kept.suppressed + in_baseline)
+    return LintResult(in_order(findings), tuple(lint.files), repairs, kept.suppressed + in_baseline, lint.rules.counted)
 
 
 def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[list[Finding], list[Suppressions]]:

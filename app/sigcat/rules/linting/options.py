@@ -74,6 +74,8 @@ class LintResult(NamedTuple):
     files: tuple[str, ...]
     repairs: Mapping[Identity, Repair] = MappingProxyType({})
     suppressed: int = 0
+    counted: frozenset[str] = frozenset()
+    """Rules whose findings a report counts where they say the same of one file."""
 
     @property
     def fails(self) -> bool:

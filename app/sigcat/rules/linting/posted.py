@@ -13,6 +13,7 @@ from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import with_instances
+from sigcat.rules.linting.counted import counted
 from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.linting.severity import Grading
 from sigcat.rules.linting.suppression import MARK, apply_suppressions, read_suppressions
@@ -45,7 +46,8 @@ def lint_text(
     suppressions = [read_suppressions(content, name, rules.codes)] if MARK in text else []
     grading = Grading(rules.severities, frozenset(), _NO_OPTIONS)
     kept = apply_suppressions(in_order(list(grading.graded(findings))), suppressions, rules.codes)
-    return in_order((*kept.findings, *grading.graded(kept.about_comments)))
+    every = in_order((*kept.findings, *grading.graded(kept.about_comments)))
+    return tuple(counted(every, rules.counted))
 
 
 def _refused(text: bytes, name: str, *, is_tree: bool) -> Finding | None:
