@@ -85,7 +85,7 @@ def test_search_pages_by_cursor_until_the_end(ask: Ask) -> None:
         cursor = page.json()["next_cursor"]
         if cursor is None:
             break
-    assert len(paths) == len(set(paths)) == page.json()["total"] == 14
+    assert len(paths) == len(set(paths)) == page.json()["total"] == 12
 
 
 def test_a_huge_limit_is_cut_to_what_the_service_gives(ask: Ask) -> None:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from sigcat.catalogue.exporting.static_id import static_id
 from sigcat.catalogue.search import SearchIndex
 from sigcat.names import nearest
 from tests.catalogue.trees import ROOT, catalogue_of
@@ -30,15 +31,83 @@ def paths(result):
     return [node.path for node in result.nodes]
 
 
-def test_names_come_first_then_paths_then_descriptions_each_in_the_order_of_the_tree(index):
+def test_a_name_that_was_given_whole_comes_first_then_names_paths_and_descriptions(index):
     assert paths(index.search("speed")) == [
-        "Vehicle.Wheel.Left.Speed",
-        "Vehicle.Wheel.Right.Speed",
-        "Vehicle.WheelSpeedLimit",
         "Vehicle.Speed",
+        "Vehicle.Wheel.Left.Speed",
+        "Vehicle.WheelSpeedLimit",
         "Vehicle.Note",
     ]
     assert paths(index.search("wheel"))[:2] == ["Vehicle.Wheel", "Vehicle.WheelSpeedLimit"]
+
+
+def test_signals_come_before_branches_and_short_paths_before_long_ones():
+    tree = (
+        ROOT
+        + "Vehicle.Engine:\n  type: branch\n  description: E.\nVehicle.EngineRoom:\n  type: branch\n  description: R.\n"
+    )
+    tree += sensor("Vehicle.EngineRoom.Heat") + sensor("Vehicle.Engine.EngineHeat") + sensor("Vehicle.EngineCode")
+    assert paths(SearchIndex(catalogue_of(tree)).search("engine")) == [
+        "Vehicle.Engine",  # called so
+        "Vehicle.EngineCode",
+        "Vehicle.Engine.EngineHeat",
+        "Vehicle.EngineRoom.Heat",
+        "Vehicle.EngineRoom",
+    ]
+
+
+def test_instances_of_one_definition_are_one_hit_and_the_first_of_those_that_were_found(index):
+    hits = {hit.node.path: hit.instances for hit in index.search("speed").hits}
+    assert (hits["Vehicle.Wheel.Left.Speed"], hits["Vehicle.Speed"]) == (2, 1)
+    assert [(hit.node.path, hit.instances) for hit in index.search("right speed").hits] == [
+        ("Vehicle.Wheel.Right.Speed", 1)
+    ]
+    result = index.search("speed", {"type": "sensor"})
+    assert result.total == len(result.hits) == result.facets["datatype"]["float"] == 4
+
+
+def test_each_instance_can_be_asked_for(index):
+    result = index.search("speed", each_instance=True)
+    assert "Vehicle.Wheel.Right.Speed" in paths(result)
+    assert result.total == result.facets["datatype"]["float"] == 5
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 7, 8, 9, 64])
+def test_groups_of_any_size_are_counted_once_whichever_of_them_are_found(count):
+    """The sets of groups are made by adding: what one group carries must not reach the next."""
+    wheel = "Vehicle.Wheel:\n  type: branch\n  instances: Row[1,{}]\n  description: W.\n" + sensor("Vehicle.Wheel.Load")
+    both = ROOT + wheel.format(count) + wheel.format(3).replace("Wheel", "Axle")
+    index = SearchIndex(catalogue_of(both))
+    for number in range(1, count + 1):
+        hits = {hit.node.path: hit.instances for hit in index.search(f"wheel row{number} load").hits}
+        starts = [each for each in range(1, count + 1) if str(each).startswith(str(number))]
+        assert hits == {f"Vehicle.Wheel.Row{number}.Load": len(starts)}
+    assert index.search("load").total == 2
+
+
+@pytest.mark.parametrize(("text", "path"), [
+    ("Vehicle/Wheel/Left/Speed", "Vehicle.Wheel.Left.Speed"),
+    ("/vehicle/wheel/left/speed", "Vehicle.Wheel.Left.Speed"),
+    ("wheel_left_speed", "Vehicle.Wheel.Left.Speed"),
+    ("Wheel_Left_Speed", "Vehicle.Wheel.Left.Speed"),
+    ("VehicleWheelServiceProxy::Wheel_Left_Speed", "Vehicle.Wheel.Left.Speed"),
+    ("VehicleWheelService/Wheel_Left_Speed", "Vehicle.Wheel.Left.Speed"),
+    ("wheel_speed_limit_value", "Vehicle.WheelSpeedLimit"),
+    ("VehicleSpeed", "Vehicle.Speed"),
+])  # fmt: skip
+def test_a_generated_name_finds_what_it_was_made_from(index, text, path):
+    assert paths(index.search(text, each_instance=True))[0] == path
+
+
+def test_a_static_id_finds_its_node(index):
+    node = catalogue_of(TREE).nodes["Vehicle.Speed"]
+    assert paths(index.search(static_id(node))) == paths(index.search(static_id(node).lower())) == ["Vehicle.Speed"]
+    assert index.search("0x00000000").total == 0
+
+
+def test_an_abbreviation_finds_what_trees_write_out():
+    tree = ROOT + sensor("Vehicle.StateOfCharge") + sensor("Vehicle.Socket") + sensor("Vehicle.Charge")
+    assert paths(SearchIndex(catalogue_of(tree)).search("SoC")) == ["Vehicle.StateOfCharge", "Vehicle.Socket"]
 
 
 @pytest.mark.parametrize("text", ["wheel speed", "Wheel.Speed", "SPEED whe", "speed wheel"])
@@ -46,7 +115,6 @@ def test_every_word_has_to_begin_a_word_in_any_order_and_case(index, text):
     assert set(paths(index.search(text))) == {
         "Vehicle.WheelSpeedLimit",
         "Vehicle.Wheel.Left.Speed",
-        "Vehicle.Wheel.Right.Speed",
         "Vehicle.Note",
     }
 
@@ -62,9 +130,11 @@ def test_filters_narrow_and_are_counted(index):
 
 
 def test_a_page_begins_where_the_one_before_ended(index):
-    everything = paths(index.search("", limit=100))
-    assert paths(index.search("", limit=3)) + paths(index.search("", limit=100, offset=3)) == everything
+    everything = paths(index.search("", limit=100, each_instance=True))
     assert everything == list(catalogue_of(TREE).nodes)
+    for each_instance in (True, False):
+        first, rest = (index.search("", limit=m, offset=n, each_instance=each_instance) for m, n in ((3, 0), (100, 3)))
+        assert paths(first) + paths(rest) == paths(index.search("", limit=100, each_instance=each_instance))
 
 
 def test_a_word_that_is_nowhere_brings_those_near_it(index):

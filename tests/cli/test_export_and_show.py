@@ -52,17 +52,19 @@ def test_a_path_that_does_not_exist_is_answered_with_what_may_have_been_meant(tr
 def test_search_prints_a_node_in_each_line_for_pipes(capsys):
     assert main(["search", "wheel", "speed", "--type", "sensor", "--limit", "2"]) == 0
     output = capsys.readouterr()
-    assert output.out.splitlines()[0] == "Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed  sensor float km/h"
+    assert output.out.splitlines()[0] == "Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed  sensor float km/h  ×4"
     assert len(output.out.splitlines()) == 2
     assert "2 of " in output.err
     assert main(["search", "wheel", "speed", "--limit", "2", "--format", "json"]) == 0
-    assert len(json.loads(capsys.readouterr().out)) == 2
+    assert next(hit["instances"] for hit in json.loads(capsys.readouterr().out)) == 4
+    assert main(["search", "wheel", "speed", "--limit", "2", "--instances"]) == 0
+    assert capsys.readouterr().out.splitlines()[1] == "Vehicle.Chassis.Axle.Row1.Wheel.Right.Speed  sensor float km/h"
 
 
 def test_a_search_without_results_fails_and_says_what_may_have_been_meant(tree, capsys):
     assert main(["search", "Sped", "-s", "tree.vspec"]) == 1
     output = capsys.readouterr()
-    assert (output.out, "Did you mean 'speed'?" in output.err) == ("", True)
+    assert (output.out, output.err) == ("", "sigcat: no node has this word. Did you mean 'speed'?\n")
 
 
 def test_a_search_for_a_type_that_there_is_not_says_which_there_are(tree, capsys):

@@ -1,147 +1,214 @@
 """Search nodes by words, with filters and counts.
 
-Sets of nodes are integers with one bit for each node, in tree order. Union, intersection and counting of 100,000
-nodes then take microseconds, so that every key press can be answered with ranked results and the count of every filter.
+Every key press is answered with ranked results and the count of every filter. What is found are sets of numbers of
+nodes (`search_words.py`). The numbers are given so that their order is that of the results: signals before branches,
+short paths before long ones, then as in the tree; instances of one definition have numbers one after another.
 """
 
+import re
 from array import array
-from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache, reduce
+from functools import cached_property, reduce
 from itertools import islice, product
 from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
 
 from sigcat.asil import level_of
+from sigcat.catalogue.exporting.static_id import static_id
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import category_of
-from sigcat.names import nearest, parent_path, words
-
-Bits = int
-"""A set of nodes: bit n stands for the n-th node of the catalogue."""
+from sigcat.catalogue.search_words import (
+    Bits,
+    Words,
+    bits_of,
+    numbers_in,
+    words_of_names,
+    words_of_paths,
+    words_of_texts,
+)
+from sigcat.names import nearest, words
 
 FACETS = ("type", "datatype", "unit", "category", "asil", "overlay", "deprecated")
 
 
-class SearchResult(NamedTuple):
-    """Nodes that match, best first, and how many match each value of each filter."""
+class Hit(NamedTuple):
+    """A node that was found, and how many were found that share its definition. It is the first of them."""
 
-    nodes: tuple[Node, ...]
+    node: Node
+    instances: int = 1
+
+
+class SearchResult(NamedTuple):
+    """What was found, best first, and how many hits have each value of each filter."""
+
+    hits: tuple[Hit, ...]
     total: int
     facets: Mapping[str, Mapping[str, int]]
-    did_you_mean: tuple[str, ...]
+    words: tuple[str, ...] = ()
+    """What was searched for, in small letters: the words of the text, and those of generated names in it."""
+    did_you_mean: tuple[str, ...] = ()
     """Words of the catalogue near a word that is nowhere in it."""
     instead: tuple[str, ...] = ()
     """Texts near one that nothing has, which something has: words put right, taken apart or left out."""
 
-
-class _Words:
-    """Sorted words, and the nodes that have each: their numbers one after another, in the order of the words.
-
-    A prefix is a range of words, so a range of numbers. The set of every block of numbers is known beforehand, so that
-    a prefix costs a few unions and the numbers of two broken blocks, however many words and nodes it has.
-    """
-
-    def __init__(self, numbers_by_word: Mapping[str, Sequence[int]]) -> None:
-        self.words = sorted(numbers_by_word)
-        self._numbers = array("I")
-        self._starts = array("I", [0])
-        for word in self.words:
-            self._numbers.extend(numbers_by_word[word])
-            self._starts.append(len(self._numbers))
-        whole = len(self._numbers) - len(self._numbers) % _BLOCK
-        self._blocks = [_bits(self._numbers[start : start + _BLOCK]) for start in range(0, whole, _BLOCK)]
-
-    def with_prefix(self, prefix: str) -> Bits:
-        """Nodes with a word that begins with `prefix`."""
-        return self._between(bisect_left(self.words, prefix), bisect_left(self.words, prefix + _LAST))
-
-    def exactly(self, word: str) -> Bits:
-        """Nodes with exactly this word."""
-        position = bisect_left(self.words, word)
-        is_known = position < len(self.words) and self.words[position] == word
-        return self._between(position, position + 1) if is_known else 0
-
-    def _between(self, first_word: int, last_word: int) -> Bits:
-        start, end = self._starts[first_word], self._starts[last_word]
-        first, last = -(-start // _BLOCK), end // _BLOCK
-        if first >= last:
-            return _bits(self._numbers[start:end])
-        found = _bits(self._numbers[start : first * _BLOCK]) | _bits(self._numbers[last * _BLOCK : end])
-        for block in self._blocks[first:last]:
-            found |= block
-        return found
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The nodes of the hits."""
+        return tuple(hit.node for hit in self.hits)
 
 
 _MOST_MENDED, _MOST_TRIED, _MOST_LISTED, _SHORTEST_PART = 8, 12, 4, 3
-_BLOCK = 1024
-_LAST = "\U0010ffff"
-"""Sorts after every letter: what begins with a prefix sorts before the prefix and this."""
+_STATIC_ID = re.compile(r"0x[0-9a-f]{8}", re.IGNORECASE)
+_GENERATED = re.compile(r"[A-Za-z0-9_/:]+")
+"""A name that code, a topic or a service may have."""
+_SERVICE = re.compile(r".*::|[A-Za-z0-9_]+Service/(?=[^/]+$)")
+"""What stands before the name of an event: `VehicleChassisServiceProxy::`, `VehicleChassisService/`."""
+_ADDED = frozenset(("value", "message", "function"))
+"""Words that generated names have beside those of the path: `switch_value`."""
 
 
 class SearchIndex:
     """The words of one catalogue. Built once for each catalogue; answers are computed, nothing is changed."""
 
     def __init__(self, catalogue: Catalogue) -> None:
-        self._nodes = tuple(catalogue.nodes.values())
+        in_tree = tuple(catalogue.nodes.values())
+        groups = _groups(in_tree)
+        positions = [position for group in groups for position in group]
+        self._nodes = tuple(in_tree[position] for position in positions)
+        self._in_tree_order = array("I", sorted(range(len(positions)), key=positions.__getitem__))
         self._everything: Bits = (1 << len(self._nodes)) - 1
-        self._in_name = _Words(_by_word(_tokens(node.name) for node in self._nodes))
-        self._in_path = _Words(_by_word(_path_tokens(self._nodes)))
-        self._in_text = _Words(_by_word(_text_tokens(self._nodes, catalogue)))
+        self._signals: Bits = (1 << sum(node.is_leaf for node in self._nodes)) - 1
+        self._groups = _Groups([len(group) for group in groups])
+        numbered = tuple(zip(self._in_tree_order, in_tree, strict=True))
+        self._in_name = Words(words_of_names(numbered))
+        self._in_path = Words(words_of_paths(numbered))
+        self._in_text = Words(words_of_texts(numbered, catalogue))
         self._facets = {facet: _facet(self._nodes, _FACET_VALUES[facet]) for facet in FACETS}
 
     def search(
-        self, text: str = "", filters: Mapping[str, str] | None = None, *, limit: int = 50, offset: int = 0
+        self,
+        text: str = "",
+        filters: Mapping[str, str] | None = None,
+        *,
+        limit: int = 50,
+        offset: int = 0,
+        each_instance: bool = False,
     ) -> SearchResult:
         """Nodes in which every word of `text` begins a word of the path, the description or the unit.
 
-        `filters` are exact values by facet: type, datatype, unit, category, asil, overlay, deprecated (`yes`, `no`).
-        A name matches before a path, a path before a description; then tree order.
+        `text` may also be a static id, or have generated names in it. `filters` are exact values by facet: type,
+        datatype, unit, category, asil, overlay, deprecated (`yes`, `no`). A name that was given whole comes first,
+        then matches in the name, the path, the description; without words, all in the order of the tree. Instances
+        that share a definition are one hit, unless `each_instance` is wanted.
         """
-        wanted = [word.lower() for word in text.replace(".", " ").split()]
         allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
-        ranks = self._ranked(wanted, _common(allowed.values(), self._everything))
-        found = sum(ranks)  # ranks are disjoint: their sum is their union
-        total = found.bit_count()
-        nodes = tuple(self._nodes[number] for number in _first(ranks, offset, limit))
-        unfiltered = sum(self._ranked(wanted, self._everything)) if allowed else found
-        facets = {facet: self._counted(facet, allowed, found, unfiltered) for facet in self._facets}
-        if total or not wanted:
-            return SearchResult(nodes, total, facets, ())
         chosen = _common(allowed.values(), self._everything)
-        return SearchResult(nodes, total, facets, self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen))
+        wanted, ranks = self._best_reading(text, chosen)
+        found = sum(ranks)  # ranks are disjoint: their sum is their union
+        unfiltered = sum(self._ranked(wanted, self._everything)) if allowed else found
+        shown = found if each_instance else self._groups.touched(found)
+        unfiltered = unfiltered if each_instance else self._groups.touched(unfiltered)
+        facets = {facet: self._counted(facet, allowed, shown, unfiltered) for facet in self._facets}
+        if not found and wanted:
+            near, instead = self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen)
+            return SearchResult((), 0, facets, tuple(wanted), near, instead)
+        numbers = self._in_order(ranks, found, is_ranked=bool(wanted), each_instance=each_instance)
+        page = islice(numbers, offset, offset + limit)
+        hits = tuple(Hit(self._nodes[n]) if each_instance else self._hit(n, found) for n in page)
+        return SearchResult(hits, shown.bit_count(), facets, tuple(wanted))
 
     def values_of(self, facet: str) -> Iterable[str]:
         """The values by which a filter finds nodes."""
         return self._facets[facet]
+
+    # -- what is found
+
+    def _best_reading(self, text: str, chosen: Bits) -> tuple[list[str], list[Bits]]:
+        """The words that are looked for, and what has them, in ranks."""
+        if _STATIC_ID.fullmatch(text.strip()):
+            return [text.strip().lower()], [self._with_static_id.get(text.strip().lower(), 0) & chosen]
+        wanted = [word for part in text.replace(".", " ").split() for word in self._taken_apart(part)]
+        ranks = self._ranked(wanted, chosen)
+        without = [word for word in wanted if word not in _ADDED]
+        if "_" in text and 0 < len(without) < len(wanted):
+            ranks = list(_disjoint([*ranks, *self._ranked(without, chosen)]))
+        return wanted, ranks
+
+    def _taken_apart(self, word: str) -> list[str]:
+        """A word as it stands if something has it; of a name, its words."""
+        is_name = _GENERATED.fullmatch(word) and not self._in_path.knows(word.lower())
+        if not is_name or self._in_name.knows(word.lower()) or ("_" not in word and self._in_text.knows(word.lower())):
+            return [word.lower()]
+        return [part.lower() for part in words(_SERVICE.sub("", word))] or [word.lower()]
+
+    def _ranked(self, wanted: list[str], chosen: Bits) -> list[Bits]:
+        """Disjoint sets of matches, best first."""
+        in_name = in_path = anywhere = chosen
+        last_in_name = 0
+        for word in wanted:
+            name = self._in_name.beginning(word)
+            path = self._in_path.beginning(word) | name
+            in_name &= name
+            in_path &= path
+            anywhere &= path | self._in_text.beginning(word)
+            last_in_name = in_path & name
+        if not wanted:
+            return [chosen]
+        called = in_path & self._called(wanted)
+        signals = [kind & self._signals for kind in (in_name, last_in_name, in_path, anywhere)]
+        return list(_disjoint([called, *signals, in_name, last_in_name, in_path, anywhere]))
+
+    def _called(self, wanted: list[str]) -> Bits:
+        """Nodes whose whole name was given, as one word or as the last ones: `Speed`, `wheel speed`."""
+        found: Bits = 0
+        for position, word in enumerate(wanted):
+            found |= self._in_name.called(word) | self._in_name.called("".join(wanted[position:]))
+        return found
+
+    @cached_property
+    def _with_static_id(self) -> Mapping[str, Bits]:
+        """Nodes by static id: computed when somebody asks for one, since that takes long for large trees."""
+        numbers: defaultdict[str, list[int]] = defaultdict(list)
+        for number, node in enumerate(self._nodes):
+            numbers[static_id(node).lower()].append(number)
+        return {name: bits_of(found) for name, found in numbers.items()}
+
+    # -- what is shown of it
+
+    def _in_order(self, ranks: list[Bits], found: Bits, *, is_ranked: bool, each_instance: bool) -> Iterator[int]:
+        """Numbers of nodes in the order of results: of all of them, or of the last of each group of instances."""
+        if not is_ranked:
+            return self._as_in_the_tree(found, each_instance=each_instance)
+        shown = ranks if each_instance else _disjoint(self._groups.touched(rank) for rank in ranks)
+        return (number for rank in shown for number in numbers_in(rank))
+
+    def _as_in_the_tree(self, found: Bits, *, each_instance: bool) -> Iterator[int]:
+        data = found.to_bytes(len(self._nodes) // 8 + 1, "little")
+        seen: set[int] = set()
+        for number in self._in_tree_order:
+            shown = number if each_instance else self._groups.last_of(number)
+            if data[number >> 3] >> (number & 7) & 1 and shown not in seen:
+                seen.add(shown)
+                yield shown
+
+    def _hit(self, last: int, found: Bits) -> Hit:
+        first = self._groups.first_of(last)
+        if first == last:
+            return Hit(self._nodes[last])
+        instances = found >> first & ((1 << last - first + 1) - 1)
+        return Hit(self._nodes[first + next(numbers_in(instances))], instances.bit_count())
 
     def _counted(self, facet: str, allowed: Mapping[str, Bits], found: Bits, unfiltered: Bits) -> dict[str, int]:
         """Counts by value; those of a filter that is set say what each other value would give in its place."""
         others = (bits for other, bits in allowed.items() if other != facet)
         return _counts(self._facets[facet], _common(others, unfiltered) if facet in allowed else found)
 
-    def _ranked(self, wanted: list[str], chosen: Bits) -> list[Bits]:
-        """Disjoint sets of matches, best first."""
-        in_name = in_path = exact = anywhere = chosen
-        last_in_name = 0
-        for word in wanted:
-            name, path = self._in_name.with_prefix(word), self._in_path.with_prefix(word)
-            in_name &= name
-            exact &= self._in_name.exactly(word)
-            in_path &= path
-            anywhere &= path | self._in_text.with_prefix(word)
-            last_in_name = in_path & name
-        ranks: list[Bits] = []
-        taken = 0
-        for matches in (exact, in_name, last_in_name, in_path, anywhere):
-            ranks.append(matches & ~taken)
-            taken |= matches
-        return ranks
+    # -- where nothing is found
 
     def _is_known(self, word: str) -> bool:
-        return bool(self._in_path.with_prefix(word) | self._in_text.with_prefix(word))
+        return any(index.knows(word) for index in (self._in_name, self._in_path, self._in_text))
 
     def _near(self, wanted: list[str]) -> tuple[str, ...]:
         unknown = [word for word in wanted if not self._is_known(word)]
@@ -168,68 +235,54 @@ class SearchIndex:
         return nearest(word, self._in_path.words) or tuple(islice(apart, 1))
 
 
-@lru_cache(maxsize=8192)
-def _tokens(name: str) -> frozenset[str]:
-    """Lower-case words of a name, and the whole of it, so that `wheelspeed` finds as `speed` does."""
-    return frozenset((name.lower(), *(word.lower() for word in words(name))))
+class _Groups:
+    """Numbers one after another in groups, such as the instances of one definition."""
+
+    def __init__(self, sizes: Sequence[int]) -> None:
+        self._first = array("I")
+        self._last = array("I")
+        for size in sizes:
+            first = len(self._first)
+            self._first.extend([first] * size)
+            self._last.extend([first + size - 1] * size)
+        self._lasts: Bits = bits_of(sorted(set(self._last)))
+        self._others: Bits = ((1 << len(self._last)) - 1) & ~self._lasts
+
+    def first_of(self, number: int) -> int:
+        """The first number of a group."""
+        return self._first[number]
+
+    def last_of(self, number: int) -> int:
+        """The last number of a group, which stands for it."""
+        return self._last[number]
+
+    def touched(self, found: Bits) -> Bits:
+        """The last numbers of the groups of which any number was found.
+
+        Adding ones to all but the last bit of a group carries into its last bit where any of the others is set.
+        """
+        return ((found & self._others) + self._others | found) & self._lasts
 
 
-def _path_tokens(nodes: Iterable[Node]) -> Iterator[frozenset[str]]:
-    """Tokens of every name of each node's path."""
-    known: dict[str, frozenset[str]] = {"": frozenset()}
-    for node in nodes:  # parents first
-        tokens = known[parent_path(node.path)] | _tokens(node.name)
-        if node.children:
-            known[node.path] = tokens
-        yield tokens
+def _groups(nodes: Sequence[Node]) -> list[list[int]]:
+    """Positions of nodes that share a definition, signals before branches, short paths before long ones."""
+    groups: defaultdict[int, list[int]] = defaultdict(list)
+    for position, node in enumerate(nodes):
+        groups[id(node.definition)].append(position)
+    return sorted(groups.values(), key=lambda group: _place(nodes[group[0]]))
 
 
-def _text_tokens(nodes: Iterable[Node], catalogue: Catalogue) -> Iterator[set[str]]:
-    """Words of description, comment and unit. Instances share a definition: its words are found once."""
-    known: dict[int, set[str]] = {}
-    for node in nodes:
-        key = id(node.definition)
-        if key not in known:
-            known[key] = _text_words(node, catalogue)
-        yield known[key]
+def _place(node: Node) -> tuple[bool, int]:
+    return not node.is_leaf, node.path.count(".")
 
 
-def _by_word(tokens_of_nodes: Iterable[Iterable[str]]) -> Mapping[str, Sequence[int]]:
-    numbers: defaultdict[str, array[int]] = defaultdict(_no_numbers)
-    for number, tokens in enumerate(tokens_of_nodes):
-        for token in tokens:
-            numbers[token].append(number)
-    return numbers
-
-
-def _no_numbers() -> "array[int]":
-    return array("I")
-
-
-def _text_words(node: Node, catalogue: Catalogue) -> set[str]:
-    parts = [str(node.values.get(name) or "") for name in ("description", "comment", "unit", "datatype", "type")]
-    unit = catalogue.unit(node)
-    if unit is not None:
-        parts += [unit.name, "".join(filter(str.isalnum, unit.key))]  # also `kmh`
-    return {word.strip(".,;:()[]'\"").lower() for part in parts for word in part.split()} - {""}
-
-
-def _bits(numbers: Sequence[int]) -> Bits:
-    if not numbers:
-        return 0
-    mask = bytearray(max(numbers) // 8 + 1)
-    for number in numbers:
-        mask[number >> 3] |= 1 << (number & 7)
-    return int.from_bytes(mask, "little")
-
-
-def _facet(nodes: tuple[Node, ...], value_of: Callable[[Node], str]) -> dict[str, Bits]:
+def _facet(nodes: Sequence[Node], value_of: Callable[[Node], str]) -> dict[str, Bits]:
     numbers: defaultdict[str, list[int]] = defaultdict(list)
     for number, node in enumerate(nodes):
         value = value_of(node)
         if value:
             numbers[value].append(number)
-    return {value: _bits(numbers[value]) for value in sorted(numbers)}
+    return {value: bits_of(numbers[value]) for value in sorted(numbers)}
 
 
 def overlay_name(overlay: str) -> str:
@@ -263,32 +316,9 @@ def _counts(values: Mapping[str, Bits], found: Bits) -> dict[str, int]:
     return {value: count for value, count in counts.items() if count}
 
 
-def _first(ranks: list[Bits], offset: int, limit: int) -> Iterator[int]:
-    """Numbers of the nodes from `offset` on, in order of rank and then of the tree."""
-    for rank in ranks:
-        count = rank.bit_count()
-        if offset >= count:
-            offset -= count
-            continue
-        for number in _numbers(rank):
-            if offset:
-                offset -= 1
-                continue
-            if limit <= 0:
-                return
-            limit -= 1
-            yield number
-
-
-def _numbers(bits: Bits) -> Iterator[int]:
-    """Positions of the set bits, lowest first; a window at a time, so that the first cost little."""
-    window, base = 4096, 0
-    mask = (1 << window) - 1
-    while bits:
-        part = bits & mask
-        while part:
-            low = part & -part
-            yield base + low.bit_length() - 1
-            part ^= low
-        bits >>= window
-        base += window
+def _disjoint(sets: Iterable[Bits]) -> Iterator[Bits]:
+    """The sets, each without what one before it has."""
+    taken: Bits = 0
+    for bits in sets:
+        yield bits & ~taken
+        taken |= bits

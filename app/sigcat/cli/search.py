@@ -5,10 +5,10 @@ import sys
 from typing import TYPE_CHECKING
 
 from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.names import either
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.model.catalogue import Node
-    from sigcat.catalogue.search import SearchResult
+    from sigcat.catalogue.search import Hit, SearchResult
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -16,11 +16,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "search",
         help="find nodes by words of their names, descriptions and units",
-        description="Find nodes in which every word begins a word of the path, the description or the unit.",
+        description="Find nodes in which every word begins a word of the path, the description or the unit. A name that "
+        "was generated from a path (C, C++, ROS 2, SOME/IP, AUTOSAR) and a static id find their node, too. Instances of one "
+        "definition are one hit: the first of them, and how many there are.",
         epilog="Exit status: 1 if there are none.",
     )
     parser.add_argument("words", nargs="+", metavar="WORD", help="such as: wheel speed")
     parser.add_argument("--type", help="only nodes of this type, such as sensor")
+    parser.add_argument("--instances", action="store_true", help="each instance by itself")
     parser.add_argument("--limit", type=int, default=50, metavar="N", help="at most so many (default: %(default)s)")
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
     add_tree_options(parser)
@@ -35,33 +38,37 @@ def search(arguments: argparse.Namespace) -> int:
     catalogue = read_tree(arguments)
     index = SearchIndex(catalogue)
     filters = checked_filters({"type": arguments.type}, catalogue, index)
-    result = index.search(" ".join(arguments.words), filters, limit=max(arguments.limit, 0))
+    text, limit = " ".join(arguments.words), max(arguments.limit, 0)
+    result = index.search(text, filters, limit=limit, each_instance=arguments.instances)
     if arguments.format == "json":
-        print(_json(result.nodes))
+        print(_json(result.hits))
     else:
-        for node in result.nodes:
-            print(_line(node))
+        for hit in result.hits:
+            print(_line(hit))
     _say(result)
     return int(not result.total)
 
 
-def _line(node: "Node") -> str:
+def _line(hit: "Hit") -> str:
+    node = hit.node
     facts = (node.type, node.values.get("datatype"), node.values.get("unit"))
-    return f"{node.path}  {' '.join(str(fact) for fact in facts if fact)}"
+    instances = f"  ×{hit.instances}" if hit.instances > 1 else ""
+    return f"{node.path}  {' '.join(str(fact) for fact in facts if fact)}{instances}"
 
 
-def _json(nodes: "tuple[Node, ...]") -> str:
+def _json(hits: "tuple[Hit, ...]") -> str:
     import json
 
-    from sigcat.api.answers.serializers import node_summary
+    from sigcat.api.answers.serializers import found_node
 
-    return json.dumps([node_summary(node).model_dump(mode="json") for node in nodes], indent=2, ensure_ascii=False)
+    return json.dumps([found_node(hit).model_dump(mode="json") for hit in hits], indent=2, ensure_ascii=False)
 
 
 def _say(result: "SearchResult") -> None:
     if not result.total:
         meant = [repr(text) for text in result.instead or result.did_you_mean]
-        near = f" Did you mean {' or '.join(meant)}?" if meant else ""
-        print(f"sigcat: no node has all of these words.{near}", file=sys.stderr)
-    elif result.total > len(result.nodes):
-        print(f"sigcat: {len(result.nodes):,} of {result.total:,} nodes; --limit shows more", file=sys.stderr)
+        near = f" Did you mean {either(meant)}?" if meant else ""
+        what = "all of these words" if len(result.words) > 1 else "this word"
+        print(f"sigcat: no node has {what}.{near}", file=sys.stderr)
+    elif result.total > len(result.hits):
+        print(f"sigcat: {len(result.hits):,} of {result.total:,} hits; --limit shows more", file=sys.stderr)

@@ -93,11 +93,11 @@ def test_each_name_of_a_node_is_copied(open_page: Opener, where: str, name: str)
 def test_a_search_is_filtered_and_a_result_opened(open_page: Opener, use: Use) -> None:
     page = open_page("/search/small?q=vehicle")
     use(page.get_by_role("complementary", name="Filters").get_by_role("link", name="actuator"))
-    expect(page.locator("[data-tally]")).to_have_text("2\u00a0results")
+    expect(page.locator("[data-tally]")).to_have_text("1\u00a0result")
     use(page.locator("[data-hit]").first)
     expect(page.locator("h1")).to_have_text("IsOpen")
     page.go_back()
-    expect(page.locator("[data-tally]")).to_have_text("2\u00a0results")
+    expect(page.locator("[data-tally]")).to_have_text("1\u00a0result")
 
 
 def test_filters_beyond_the_most_frequent_are_shown(open_page: Opener, use: Use) -> None:

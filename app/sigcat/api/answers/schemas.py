@@ -182,11 +182,17 @@ class TreeNode(NodeSummary):
     children: "list[TreeNode] | None"
 
 
+class FoundNode(NodeSummary):
+    """A hit of a search."""
+
+    instances: int = Field(description="How many nodes that share a definition were found; this is the first of them.")
+
+
 class SearchPage(Schema):
     """One page of search results, best first."""
 
-    total: int
-    nodes: list[NodeSummary]
+    total: int = Field(description="How many hits there are.")
+    nodes: list[FoundNode]
     facets: dict[str, dict[str, int]] = Field(description="How many results have each value of each filter.")
     did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
     next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")

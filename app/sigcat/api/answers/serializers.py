@@ -20,7 +20,7 @@ from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vocabulary import Quantity, Unit
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin
-from sigcat.catalogue.search import overlay_name
+from sigcat.catalogue.search import Hit, overlay_name
 from sigcat.data import VSPEC
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import ANSWER_FINDINGS
@@ -101,6 +101,11 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
 def node_summary(node: Node) -> schemas.NodeSummary:
     """A node in a list."""
     return schemas.NodeSummary(**_node_fields(node))
+
+
+def found_node(hit: Hit) -> schemas.FoundNode:
+    """A hit of a search."""
+    return schemas.FoundNode(**_node_fields(hit.node), instances=hit.instances)
 
 
 def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:

@@ -38,7 +38,11 @@ class SearchQuery(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    q: str = Field("", description="Words, in any order, of path, description or unit.", examples=["wheel speed"])
+    q: str = Field(
+        "",
+        description="Words, in any order, of path, description or unit; a generated name; a static id.",
+        examples=["wheel speed"],
+    )
     type: str | None = Field(None, description="branch, sensor, actuator, attribute, struct or property.")
     datatype: str | None = Field(None, examples=["float"])
     unit: str | None = Field(None, description="Key of a unit.", examples=["km/h"])
@@ -46,6 +50,9 @@ class SearchQuery(BaseModel):
     asil: str | None = Field(None, description="QM, A, B, C or D.")
     overlay: str | None = Field(None, description="Name of the overlay that added or last changed the node.")
     deprecated: str | None = Field(None, description="`yes` or `no`.", pattern="^(yes|no)$")
+    instances: bool = Field(
+        False, description="Each instance by itself; else those that share a definition are one result."
+    )
     limit: int = Field(_PAGE, ge=1, description="Results in one page.")
     cursor: str | None = Field(None, max_length=200, description="`next_cursor` of the page before.")
 
@@ -59,6 +66,9 @@ class SearchQuery(BaseModel):
 class RowQuery(SearchQuery):
     """What is searched for, and which fields are wanted of it."""
 
+    instances: bool = Field(
+        True, description="Each instance by itself; else those that share a definition are one row."
+    )
     limit: int | None = Field(None, ge=1, description="Nodes in one page; without it 50, or, as CSV, all.")  # type: ignore[assignment]
     fields: str = Field(
         "path,type,datatype,unit",
@@ -119,7 +129,7 @@ async def search_nodes(
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
     result, cursor = found(hosted, settings, query)
-    nodes = [serializers.node_summary(node) for node in result.nodes]
+    nodes = [serializers.found_node(hit) for hit in result.hits]
     page = schemas.SearchPage(
         total=result.total,
         nodes=nodes,
@@ -175,16 +185,18 @@ def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[Searc
     _check(hosted, settings, query)
     offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
     limit = min(query.limit or _PAGE, settings.results)
-    result = hosted.search_index.search(query.q, query.filters, limit=limit, offset=offset)
-    following = offset + len(result.nodes)
-    if not result.nodes or following >= result.total:
+    result = hosted.search_index.search(
+        query.q, query.filters, limit=limit, offset=offset, each_instance=query.instances
+    )
+    following = offset + len(result.hits)
+    if not result.hits or following >= result.total:
         return result, None
     return result, cursor_of(following, searched_state(hosted, query))
 
 
 def searched_state(hosted: Hosted, query: SearchQuery) -> str:
     """What a cursor of a search belongs to: the state of the catalogue, the words and the filters."""
-    asked = repr((hosted.catalogue.digest, query.q, sorted(query.filters.items())))
+    asked = repr((hosted.catalogue.digest, query.q, query.instances, sorted(query.filters.items())))
     return digest_of(asked.encode("utf-8", "replace"))
 
 
@@ -196,7 +208,9 @@ def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
 
 def _all_found(hosted: Hosted, settings: Settings, query: SearchQuery) -> Iterable[Node]:
     _check(hosted, settings, query)
-    return hosted.search_index.search(query.q, query.filters, limit=len(hosted.catalogue.nodes)).nodes
+    everything = len(hosted.catalogue.nodes)
+    index = hosted.search_index
+    return index.search(query.q, query.filters, limit=everything, each_instance=query.instances).nodes
 
 
 def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:

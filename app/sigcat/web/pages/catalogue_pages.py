@@ -92,8 +92,9 @@ def show_search(
     refusal = _refusal(query, hosted)
     state = searched_state(hosted, query)
     offset = offset_of(query.cursor, state) if query.cursor else 0
-    result = hosted.search_index.search(text, query.filters, limit=min(query.limit, settings.results), offset=offset)
-    following = offset + len(result.nodes)
+    limit = min(query.limit, settings.results)
+    result = hosted.search_index.search(text, query.filters, limit=limit, offset=offset, each_instance=query.instances)
+    following = offset + len(result.hits)
     return page(
         request,
         "search.html",
@@ -102,12 +103,12 @@ def show_search(
         refusal=refusal,
         text=text,
         title=", ".join(filter(None, (text, *query.filters.values()))) or "Search",
-        sought=text.replace(".", " ").split(),
+        sought=result.words,
         filters=query.filters,
         facets=_facets(result.facets, query.filters, result.total),
         result=result,
         offset=offset,
-        cursor=cursor_of(following, state) if result.nodes and following < result.total else None,
+        cursor=cursor_of(following, state) if result.hits and following < result.total else None,
     )
 
 
