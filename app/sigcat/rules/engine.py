@@ -47,11 +47,11 @@ def found_in(
         yield from _guarded(rule, check.prepare(rule, tree)())
 
 
-def lint_lines(content: str, name: str, rules: RuleSet) -> Iterator[Finding]:
+def lint_lines(content: str, name: str, rules: RuleSet) -> Iterator[Found]:
     """Findings of the rules that look at the text of a file."""
     for rule, test in rules.line_rules:
-        for line, column, message, fix in test(content):
-            yield Finding(rule.id, rule.severity, message, name, line, column, fix=fix)
+        for line, column, message, fix, repair in test(content):
+            yield Finding(rule.id, rule.severity, message, name, line, column, fix=fix), repair
 
 
 def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:

@@ -26,7 +26,9 @@ class Repair(NamedTuple):
     `safe` means that no reader of the tree sees another meaning: texts for people, spellings.
     """
 
-    kind: Literal["replace", "capitalize", "append", "remove attribute", "rename attribute", "remove suppression"]
+    kind: Literal[
+        "replace", "capitalize", "append", "remove attribute", "rename attribute", "remove suppression", "break line"
+    ]
     text: str = ""
     safe: bool = True
 
@@ -53,3 +55,4 @@ class LineProblem(NamedTuple):
     column: int
     message: str
     fix: str = ""
+    repair: Repair | None = None

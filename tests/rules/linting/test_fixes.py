@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 
 from sigcat.rules.linting.fixes import fixed_files
 from sigcat.rules.linting.lint import lint_paths
@@ -36,3 +37,35 @@ def test_what_changes_the_meaning_is_repaired_on_demand_only(tree):
     (tree / "vspec" / "Cabin.vspec").write_text(cabin)
     assert fixed(tree) == ()
     assert [result.after for result in fixed(tree, unsafe=True)] == [cabin.replace("maxx", "max")]
+
+
+LONG = "Noise that is measured in the cabin by each of the microphones, (with the windows closed) and - when: told - again."
+
+
+@pytest.mark.parametrize(
+    ("value", "is_repaired"),
+    [
+        (LONG, True),
+        (f"'{LONG}'", True),
+        (f'"{LONG}"', True),
+        (f">\n    {LONG}", True),
+        (f">-\n    Noise.\n      {LONG} Further in.", False),
+        (f"|\n    {LONG} Line by line.", False),
+    ],
+)
+def test_a_long_line_is_broken_where_yaml_joins_it_again(tree, value, is_repaired):
+    value = value.replace(LONG, LONG.replace("- when: told -", "- when told -") + " And once more, to be long enough.")
+    cabin = CABIN.replace("noise in the cabin", value)
+    (tree / "vspec" / "Cabin.vspec").write_text(cabin)
+    after = next((result.after for result in fixed(tree)), cabin)
+    assert yaml.safe_load(after) == yaml.safe_load(cabin)
+    assert (max(map(len, after.splitlines())) <= 120) == is_repaired
+
+
+def test_a_comment_and_a_line_of_braces_stay_long(tree):
+    cabin = (
+        CABIN.replace("noise in the cabin", "Noise.")
+        + f"# {LONG} {LONG}\nCabin.A: {{type: branch, description: '{LONG}'}}\n"
+    )
+    (tree / "vspec" / "Cabin.vspec").write_text(cabin)
+    assert fixed(tree) == ()

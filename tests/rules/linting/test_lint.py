@@ -308,3 +308,14 @@ def test_a_file_that_is_no_text_is_told_so(tmp_path):
     path.write_bytes(b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\xff")
     (finding,) = lint_paths([path]).findings
     assert (finding.rule, finding.message) == ("R002", "The file is not a text.")
+
+
+def test_files_of_struct_types_in_several_folders_have_nothing_to_do_with_each_other(tmp_path):
+    for name in ("One", "Two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "types.vspec").write_text(
+            f"{name}: {{type: branch, description: Types.}}\n"
+            f"{name}.Pair: {{type: struct, description: A pair.}}\n"
+            f"{name}.Pair.First: {{type: property, datatype: uint8, description: The first.}}\n"
+        )
+    assert lint_paths([tmp_path]).findings == ()

@@ -67,7 +67,8 @@ def line_length(rule: Rule) -> LineTest:
             if len(line) > most and longest < most - len(line) + len(line.lstrip()):
                 number = content.count("\n", 0, match.start()) + 1
                 message = f"The line must have at most {most} characters, not {len(line)}."
-                yield LineProblem(number, most + 1, message, "Break it: YAML joins the lines of a text.")
+                fix = "Break it: YAML joins the lines of a text."
+                yield LineProblem(number, most + 1, message, fix, Repair("break line"))
 
     return test
 

@@ -116,10 +116,10 @@ def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Pat
 
 
 def type_files(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
-    """The files of struct types: those of the options, and those that were found."""
+    """The files of struct types: those of the options, and the only one that was found; of several, each has its tree."""
     known = {path.resolve(): path for path in options.types}
     found = {source.path.resolve(): source.path for source in sources if source.kind == "types"}
-    return tuple({**known, **found}.values())
+    return tuple({**known, **(found if len(found) == 1 else {})}.values())
 
 
 def type_layers(files: Iterable[Path], options: LintOptions) -> list[Layer]:

@@ -24,7 +24,7 @@ def findings_of_example(
     layers = _files(parts["files"], folder) if "files" in parts else _layers(parts)
     found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules)]
     for text in texts:
-        found.extend(lint_lines(text, "example.vspec", rules))
+        found.extend(finding for finding, _ in lint_lines(text, "example.vspec", rules))
     suppressions = [
         read_suppressions(text, layer.name, rules.codes) for text, layer in zip(texts, layers[-1:], strict=False)
     ]

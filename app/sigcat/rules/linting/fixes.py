@@ -9,28 +9,18 @@ import difflib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
+from yaml.nodes import MappingNode, Node, ScalarNode
 
 from sigcat.catalogue.reading.yaml_document import Builder, Unbuildable, read_document
 from sigcat.findings import Finding
+from sigcat.rules.linting.line_breaks import Edit, Settling, broken_lines, scalars_of
 from sigcat.rules.linting.options import Identity, identity_of
 from sigcat.rules.linting.suppression import without_codes
 from sigcat.rules.problem import Repair
 
+_NOT_OF_VALUES = ("remove suppression", "break line")
 _PLAIN_ENDINGS = ("'", '"')
 _BOM = "\ufeff"
-
-
-class Edit(NamedTuple):
-    """Characters from `start` to `end` of a text become `text`."""
-
-    start: int
-    end: int
-    text: str
-
-
-_Settling = tuple[Edit, tuple[Finding, ...]]
-"""An edit, and the findings that it settles."""
 
 
 class Fixed(NamedTuple):
@@ -71,23 +61,24 @@ def _fixed(name: str, content: str, pairs: Sequence[tuple[Finding, Repair]]) -> 
         return None
     values = list(_value_edits(text, document.root, pairs))
     comments = list(_comment_edits(text, pairs))
-    for edits in (values + comments, values) if comments else (values,):
+    lines = list(broken_lines(text, document.root, pairs))
+    for edits in (values + comments + lines, values + comments, values):
         after, settled = _applied(text, edits)
         if after != text and _reads_alike(text, after, len(values)):
             return Fixed(name, content, content[: len(content) - len(text)] + after, settled)
     return None
 
 
-def _value_edits(text: str, root: Node, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[_Settling]:
-    scalars = {(node.start_mark.line, node.start_mark.column): (node, above) for node, above in _scalars(root)}
+def _value_edits(text: str, root: Node, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[Settling]:
+    scalars = {(node.start_mark.line, node.start_mark.column): (node, above) for node, above in scalars_of(root)}
     for finding, repair in pairs:
         found = scalars.get((finding.line - 1, finding.column - 1))
-        edit = _edit(text, repair, *found) if found is not None and repair.kind != "remove suppression" else None
+        edit = _edit(text, repair, *found) if found is not None and repair.kind not in _NOT_OF_VALUES else None
         if edit is not None:
             yield edit, (finding,)
 
 
-def _comment_edits(text: str, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[_Settling]:
+def _comment_edits(text: str, pairs: Iterable[tuple[Finding, Repair]]) -> Iterator[Settling]:
     """Codes that suppress nothing go, all those of one comment at once; a line that said nothing else goes with it."""
     comments: dict[tuple[int, int], list[tuple[Finding, Repair]]] = {}
     for finding, repair in pairs:
@@ -168,7 +159,7 @@ def _is_plain(text: str) -> bool:
     return text.replace("_", "").replace("/", "").isalnum() and not text[0].isdigit()
 
 
-def _applied(text: str, edits: Iterable[_Settling]) -> tuple[str, tuple[Finding, ...]]:
+def _applied(text: str, edits: Iterable[Settling]) -> tuple[str, tuple[Finding, ...]]:
     """Edits from the last to the first; one that overlaps another waits for the next run."""
     settled: list[Finding] = []
     limit = len(text) + 1
@@ -205,18 +196,3 @@ def _leaves(text: str) -> Iterator[tuple[str, str]]:
 def _difference(some: list[Any], others: list[Any]) -> list[Any]:
     known = set(others)
     return [item for item in some if item not in known]
-
-
-def _scalars(root: Node) -> Iterator[tuple[ScalarNode, MappingNode | None]]:
-    waiting: list[tuple[Node, MappingNode | None]] = [(root, None)]
-    seen: set[int] = set()
-    while waiting:
-        node, above = waiting.pop()
-        if isinstance(node, ScalarNode):
-            yield node, above
-        elif id(node) not in seen:
-            seen.add(id(node))
-            if isinstance(node, MappingNode):
-                waiting.extend((part, node) for pair in node.value for part in pair)
-            elif isinstance(node, SequenceNode):
-                waiting.extend((part, None) for part in node.value)

@@ -156,7 +156,8 @@ def _lint_types(path: Path, trees: Sequence[Path], lint: _Lint) -> None:
     options = lint.options
     layer = read_layer(path, options.include_dirs)
     vocabulary, _ = units_of(base_of(path, trees, options), layer, [path], options)
-    types = [layer if other == path else read_layer(other, options.include_dirs) for other in options.types]
+    others = [read_layer(other, options.include_dirs) for other in options.types if other.resolve() != path.resolve()]
+    types = [*others, layer]
     catalogue = compose([layer], vocabulary, types, expanded=False, name=path.stem)
     files = {file.name for file in layer.files} | {str(path)}
     lint.add(found_in(catalogue, lint.rules, attributes=options.attributes), files)
@@ -245,13 +246,13 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
     findings = [*kept.findings, *grading.graded(kept.about_comments)]
     findings, in_baseline = _without_baseline(findings, grading, whole)
     unused = ((graded, repair) for finding, repair in kept.unused for graded in grading.graded([finding]))
-    repairs = {identity_of(f): r for f, r in (*lint.found.items(), *unused) if r is not None}
+    repairs = {identity_of(f): r for f, r in (*lint.found.items(), *lines.items(), *unused) if r is not None}
     return LintResult(in_order(findings), tuple(lint.files), repairs, kept.suppressed + in_baseline, lint.rules.counted)
 
 
-def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[list[Finding], list[Suppressions]]:
+def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[dict[Finding, Repair | None], list[Suppressions]]:
     """What is wrong with lines, and the comments that suppress findings."""
-    lines: list[Finding] = []
+    lines: dict[Finding, Repair | None] = {}
     suppressions = []
     no_text = {finding.file for finding in lint.found if finding.rule in _NOT_TEXT}
     for name, texts in lint.files.items():
@@ -260,7 +261,7 @@ def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[list[Finding], lis
         data = first_bytes(Path(name))
         content = data.decode("utf-8-sig", "replace")
         if texts == "vspec":
-            lines.extend(lint_lines(content, name, lint.rules))
+            lines.update(lint_lines(content, name, lint.rules))
         if MARK in data:
             suppressions.append(read_suppressions(content, name, known))
     return lines, suppressions

@@ -42,7 +42,7 @@ def lint_text(
         found = _found_in_overlay(layer, base, rules, limits)
     content = text.decode("utf-8-sig", "replace")
     findings = [finding for finding, _ in found if finding.file == name]
-    findings.extend(lint_lines(content, name, rules))
+    findings.extend(finding for finding, _ in lint_lines(content, name, rules))
     suppressions = [read_suppressions(content, name, rules.codes)] if MARK in text else []
     grading = Grading(rules.severities, frozenset(), _NO_OPTIONS)
     kept = apply_suppressions(in_order(list(grading.graded(findings))), suppressions, rules.codes)
