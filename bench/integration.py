@@ -79,7 +79,7 @@ def derive_all(folder: Path) -> None:
 
     catalogue = read_catalogue(folder / "tree.vspec")
     paths = sorted(folder.glob("function*.yaml"))
-    read = read_functions([(path.read_bytes(), path.name) for path in paths], lambda: catalogue)
+    read = read_functions([(path.read_bytes(), path.name) for path in paths], catalogue)
     derived = derive(read.functions)
     output = folder / "output"
     output.mkdir(exist_ok=True)

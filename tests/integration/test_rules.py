@@ -7,8 +7,8 @@ import pytest
 from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
+from sigcat.function.sets.check_set import read_set
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.reading import read_functions
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.table import PLATFORMS
 from sigcat.rules.record import load_rules
@@ -27,7 +27,8 @@ def findings_of(rule, example, folder):
         return findings_of_configuration(parts["files"], folder)
     if "document" in parts:
         return findings_of_document(parts["document"].encode())
-    read, _ = read_functions([(text.encode(), name) for name, text in parts["files"].items()], interfaces)
+    members, _ = read_set([(text.encode(), name) for name, text in parts["files"].items()], interfaces())
+    read = [member.resolved for member in members if member.resolved is not None]
     deployment = (
         read_deployment(parts["deployment"].encode(), "deployment.yaml")
         if "deployment" in parts

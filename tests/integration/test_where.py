@@ -6,6 +6,7 @@ from sigcat.errors import InputRefused
 from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
+from sigcat.function.sets.check_set import check_functions
 from sigcat.integration.reading import read_functions
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
@@ -20,7 +21,7 @@ CONSUMING = scaffold("Warning").replace("path: Vehicle.Speed", f"path: {DISTANCE
 
 
 def found(data, name, platform="ros2"):
-    read = read_functions([(data, name)], interfaces)
+    read = read_functions([(data, name)], interfaces())
     return {finding.rule: finding for finding in integrate(PLATFORMS[platform], read.functions).findings}
 
 
@@ -57,7 +58,7 @@ def test_in_function_json_it_stands_at_the_field():
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_every_finding_about_an_example_has_a_position(platform):
     files = [(path.read_bytes(), str(path)) for path in FUNCTIONS]
-    findings = integrate(PLATFORMS[platform], read_functions(files, interfaces).functions).findings
+    findings = integrate(PLATFORMS[platform], read_functions(files, interfaces()).functions).findings
     assert [finding for finding in findings if not (finding.file and finding.line and finding.column)] == []
 
 
@@ -65,7 +66,30 @@ def test_what_a_function_json_carries_the_others_may_use():
     carrying = to_json(build_function(PROVIDING.encode(), "parking.yaml", interfaces())[0])
     consuming = (CONSUMING.encode(), "warning.yaml")
     with pytest.raises(InputRefused) as alone:
-        read_functions([consuming], interfaces)
+        read_functions([consuming], interfaces())
     assert [finding.rule for finding in alone.value.findings if finding.severity == "error"] == ["F010"]
-    read = read_functions([(carrying, "parking.json"), consuming], interfaces)
+    read = read_functions([(carrying, "parking.json"), consuming], interfaces())
     assert [function.name for function in read.functions] == ["Parking", "Warning"]
+
+
+def refused(*files):
+    """Rules of the errors for which functions are not integrated."""
+    with pytest.raises(InputRefused) as told:
+        read_functions(files, interfaces())
+    return [finding.rule for finding in told.value.findings if finding.severity == "error"]
+
+
+def test_what_does_not_fit_together_is_told_as_validate_tells_it():
+    consuming = CONSUMING.replace("            asil: QM\n", "            asil: D\n", 1)
+    assert consuming != CONSUMING
+    files = [(PROVIDING.encode(), "parking.yaml"), (consuming.encode(), "warning.yaml")]
+    read = read_functions(files, interfaces())
+    assert "F110" in {finding.rule for finding in read.findings}
+    assert read.findings == check_functions(files, interfaces())
+
+
+def test_function_json_is_compared_with_the_catalogue_too():
+    data = to_json(build_function(TEXT.encode(), "parking.yaml", interfaces())[0])
+    gone = data.replace(b'"Vehicle.Speed"', b'"Vehicle.Haste"')
+    assert gone != data
+    assert refused((gone, "parking.json")) == ["F010"]

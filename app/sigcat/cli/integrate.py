@@ -56,7 +56,7 @@ def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
     files = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
-    functions, findings = read_functions(files, lambda: read_tree(arguments))
+    functions, findings = read_functions(files, read_tree(arguments))
     _print(findings)
     return functions
 

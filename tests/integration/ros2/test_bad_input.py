@@ -14,6 +14,7 @@ from sigcat.integration.report import to_markdown
 from sigcat.integration.ros2.document import read_integration
 from sigcat.integration.ros2.model import to_json
 from sigcat.integration.ros2.names import FIELD, MESSAGE
+from tests.function.shipped import interfaces
 from tests.growth import LINEAR, growth
 from tests.integration.ros2.functions import derived, document, function, signal
 
@@ -28,10 +29,6 @@ HOSTILE = [
     "a.b..c",
     "../../x",
 ]
-
-
-def no_catalogue():
-    raise AssertionError("Function JSON needs no catalogue")
 
 
 @pytest.mark.parametrize("text", HOSTILE)
@@ -85,7 +82,7 @@ def test_ten_times_the_signals_take_about_ten_times_as_long():
 )
 def test_what_is_no_function_json_is_refused(data, rule):
     with pytest.raises(InputRefused) as refused:
-        read_functions([(data, "function.json")], no_catalogue)
+        read_functions([(data, "function.json")], interfaces())
     assert refused.value.findings
     assert rule is None or rule in {finding.rule for finding in refused.value.findings}
 
@@ -96,7 +93,7 @@ def test_ten_times_the_text_takes_about_ten_times_as_long():
 
         def read():
             with pytest.raises(InputRefused):
-                read_functions([(data, "function.json")], no_catalogue)
+                read_functions([(data, "function.json")], interfaces())
 
         return read
 
@@ -107,14 +104,14 @@ def test_another_schema_version_is_refused():
     data = json.loads(function_to_json(function(signal())))
     data["MetaInfo"] = {"SchemaVersion": "2.0.0"}
     with pytest.raises(InputRefused) as refused:
-        read_functions([(json.dumps(data).encode(), "function.json")], no_catalogue)
+        read_functions([(json.dumps(data).encode(), "function.json")], interfaces())
     assert any("2.0.0" in finding.message for finding in refused.value.findings)
 
 
 def test_integration_json_is_no_function():
     data = to_json(derived([function(signal())]).model)
     with pytest.raises(InputRefused, match="cannot be integrated") as refused:
-        read_functions([(data, "ros2.json")], no_catalogue)
+        read_functions([(data, "ros2.json")], interfaces())
     assert any("not Integration JSON" in finding.message for finding in refused.value.findings)
 
 

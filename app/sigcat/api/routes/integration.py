@@ -125,7 +125,7 @@ def get_schema(
 
 def _integrated(text: bytes, name: str, hosted: Hosted, platform: str, limits: Limits, *, archive: bool) -> Response:
     posted = posted_functions(text, name, limits, deployment=True)
-    functions, findings = read_functions(posted.files, lambda: hosted.catalogue, limits)
+    functions, findings = read_functions(posted.files, hosted.catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
     integrated = integrate(PLATFORMS[platform], functions, deployment)
     count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}
