@@ -19,6 +19,7 @@ from sigcat.api.settings import Settings
 from sigcat.catalogue.comparing.diff_report import class_table
 from sigcat.data import INTERFACE_RULES
 from sigcat.platforms.schemas import schema
+from sigcat.rules.checks import CHECKS
 from sigcat.rules.pages import field_table
 from sigcat.rules.record import load_rules
 
@@ -33,7 +34,7 @@ _KINDS = {
 }
 _MIB = 1024 * 1024
 _PLACE = re.compile(
-    r"^<!-- (?P<name>keys|fields|limits|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
+    r"^<!-- (?P<name>keys|fields|checks|limits|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
     re.MULTILINE | re.DOTALL,
 )
 
@@ -110,6 +111,20 @@ def _rules(prefix: str) -> str:
     return "\n".join(["| rule | severity | what holds where it finds nothing |", "|---|---|---|", *rows])
 
 
+def _checks() -> str:
+    """The checks that rules can use, with their options; those that a rule has to give are bold."""
+    lines = ["| check | options | what holds where it finds nothing |", "|---|---|---|"]
+    for name, check in sorted(CHECKS.items()):
+        kinds = {each: _OPTION_KINDS[kind] for each, kind in check.options.items()}
+        options = [f"{f'**`{each}`**' if each in check.required else f'`{each}`'} {kinds[each]}" for each in kinds]
+        meaning = (check.prepare.__doc__ or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
+        lines.append(f"| `{name}` | {', '.join(options) or '–'} | {' '.join(meaning.split())} |")
+    return "\n".join(lines)
+
+
+_OPTION_KINDS = {str: "text", int: "whole number", list: "list", dict: "mapping"}
+
+
 def _settings() -> str:
     rows = (f"| `{name}` | `{value}` | {description} |" for name, value, description in shown(Settings()))
     return "\n".join(["| setting | default | meaning |", "|---|---|---|", *rows])
@@ -134,5 +149,5 @@ def _shown_limit(value: float) -> str:
 
 
 _TABLES: Mapping[str, Callable[..., str]] = {
-    "keys": _keys, "fields": _fields, "limits": _limits, "rules": _rules, "settings": _settings, "classes": class_table,
+    "keys": _keys, "fields": _fields, "checks": _checks, "limits": _limits, "rules": _rules, "settings": _settings, "classes": class_table,
 }  # fmt: skip

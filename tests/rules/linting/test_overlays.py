@@ -78,6 +78,14 @@ def test_what_is_written_for_an_instance_has_all_that_its_definition_has(tmp_pat
     assert [f.rule for f in posted if f.rule[0] in "OV"] == told
 
 
+def test_a_branch_that_becomes_a_signal_is_one_finding_however_much_is_below(tmp_path):
+    tree, file = tmp_path / "VehicleSignalSpecification.vspec", tmp_path / "own.vspec"
+    more = "".join(f"Vehicle.Row.Y{n}: {{type: sensor, datatype: uint8, description: Y{n}.}}\n" for n in range(5))
+    tree.write_text(BELOW.replace(", unit: km/h", "") + more)
+    file.write_text("Vehicle.Row: {type: sensor, datatype: uint8}\n")
+    assert [f.rule for f in lint_paths([file]).findings].count("V019") == 1
+
+
 def test_what_an_overlay_includes_is_a_part_of_it_wherever_it_stands(tmp_path):
     overlays = tmp_path / "overlays"
     (overlays / "inc").mkdir(parents=True)

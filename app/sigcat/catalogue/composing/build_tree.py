@@ -166,8 +166,9 @@ def _misplaced(definition: Definition, path: str, above: Definition, parents: tu
         message = f"{_capital(above.type)} cannot have children."
         fix = f"Make {above.path!r} {with_article(parents[-1])}."
     own, others = definition.origin("type"), above.origin("type")
-    origin = others if others.overlay and not own.overlay else own
-    return codes.NODE_BELOW_SIGNAL.finding(message, *origin.position, path, fix=fix)
+    if others.overlay and not own.overlay:  # one finding, however many nodes are below
+        return codes.NODE_BELOW_SIGNAL.finding(message, *others.position, above.path, fix=fix)
+    return codes.NODE_BELOW_SIGNAL.finding(message, *own.position, path, fix=fix)
 
 
 def _capital(node_type: str) -> str:
