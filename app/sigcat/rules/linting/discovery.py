@@ -225,6 +225,13 @@ def tree_with_root(name: str, overlay: Path) -> Path | None:
     return next((path for path in beside if name and root_branch(first_bytes(path)) == name), None)
 
 
+def overlay_beside_with(path: str, overlay: Path) -> Path | None:
+    """A file in the folder of an overlay that writes a node of this path."""
+    written = rb"^[\"']?" + re.escape(path.encode()) + rb"[\"']?[ \t]*:"
+    beside = (other for other in sorted(overlay.parent.glob("*.vspec")) if other.name != overlay.name)
+    return next((other for other in beside if re.search(written, first_bytes(other), re.MULTILINE)), None)
+
+
 def has_root(path: Path, name: str) -> bool:
     """Whether the root of a tree has a name. One that only an include shows may have any."""
     return root_branch(first_bytes(path)) in (name, "")

@@ -5,7 +5,7 @@ alone, or with those that the options say it stacks with. A part of a tree that 
 by itself, below the branch where its tree includes it. Only the named files have findings.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Literal
@@ -31,7 +31,7 @@ from sigcat.rules.linting.context import (
     units_of,
     with_instances,
 )
-from sigcat.rules.linting.discovery import Source, discover, first_bytes
+from sigcat.rules.linting.discovery import Source, discover, first_bytes, overlay_beside_with
 from sigcat.rules.linting.options import LintOptions, LintResult, identity_of
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.linting.severity import Grading, matches
@@ -134,8 +134,22 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint:
     judged = tuple(catalogue.written_in(files))
     rules = lint.rules if options.overlays else lint.rules.without_stacks
     found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes)
+    if not options.overlays:
+        found = _with_siblings(found, stack[-1], rules)
     lint.add(found, files | (beside - set(lint.files)))
     lint.look_at([*files, *beside])
+
+
+def _with_siblings(found: Iterable[Found], overlay: Path, rules: RuleSet) -> Iterator[Found]:
+    """Findings; those of a node that is missing say which overlay beside this one has it."""
+    unknown = {rule.id for rule in rules.rules if rule.check == "overlay-unknown-node"}
+    for finding, repair in found:
+        other = overlay_beside_with(finding.path, overlay) if finding.rule in unknown else None
+        if other is not None:
+            advice = f"{other.name!r} has it: if they apply together, list both as `overlays` in the configuration."
+            yield finding._replace(fix=advice), repair
+        else:
+            yield finding, repair
 
 
 def _composed_over(
