@@ -49,6 +49,26 @@ def test_a_path_that_does_not_exist_is_answered_with_what_may_have_been_meant(tr
     assert "Did you mean Vehicle.Speed?" in capsys.readouterr().err
 
 
+def test_a_definition_is_shown_with_its_instances(capsys):
+    assert main(["show", "Vehicle.Cabin.Door.IsOpen"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "Vehicle.Cabin.Door.IsOpen"
+    assert "  4 instances    Vehicle.Cabin.Door.Row1.DriverSide.IsOpen" in lines
+    assert lines[-1].split() == ["Vehicle.Cabin.Door.Row2.PassengerSide.IsOpen"]
+    assert main(["show", "Vehicle.Cabin.Door.IsOpen", "--format", "json"]) == 0
+    assert json.loads(capsys.readouterr().out)["parent"] == "Vehicle.Cabin.Door"
+
+
+def test_a_mistyped_path_of_a_definition_proposes_it(capsys):
+    assert main(["show", "Vehicle.Cabin.Door.IsOpn"]) == 2
+    assert "Did you mean Vehicle.Cabin.Door.IsOpen" in capsys.readouterr().err
+
+
+def test_a_path_may_have_slashes(tree, capsys):
+    assert main(["show", "Vehicle/Speed", "-s", "tree.vspec"]) == 0
+    assert capsys.readouterr().out.startswith("Vehicle.Speed\n")
+
+
 def test_search_prints_a_node_in_each_line_for_pipes(capsys):
     assert main(["search", "wheel", "speed", "--type", "sensor", "--limit", "2"]) == 0
     output = capsys.readouterr()

@@ -99,3 +99,20 @@ def test_expressions_that_hold_a_value_are_taken(text):
 )  # fmt: skip
 def test_what_names_no_value_in_c_is_refused(text):
     assert not may_hold_value(text)
+
+
+@pytest.mark.parametrize(("written", "fix"), [
+    ("ASIL B", "Write B."), ("b", "Write B."), ("B(D)", "Write B."), ("qm", "Write QM."), ("E", ""),
+])  # fmt: skip
+def test_a_level_that_is_spelled_as_elsewhere_is_refused_with_what_to_write(written, fix):
+    text = changed(("name: A, asil: B", f"name: A, asil: {written}"))
+    (finding,) = check_function(text.encode(), "function.yaml", interfaces())
+    assert (finding.rule, finding.fix) == ("F004", fix)
+
+
+def test_a_mistyped_interface_is_found_at_its_name():
+    text = (Path(__file__).parents[2] / "examples/wheel_speed_calculation/function.yaml").read_text()
+    text = text.replace("interface: WheelSpeedCalculation_RangeError", "interface: WheelSpeedCalculation_RngeError")
+    (finding,) = [each for each in check_function(text.encode(), "function.yaml", interfaces()) if each.rule == "F013"]
+    assert text.splitlines()[finding.line - 1][finding.column - 1 :] == "WheelSpeedCalculation_RngeError_ErrorSts"
+    assert finding.pointer.endswith("/interface")

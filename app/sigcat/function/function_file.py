@@ -77,6 +77,17 @@ _UNRESOLVED = frozenset(
 """Rules that leave out of a function what breaks them."""
 
 
+_ABOUT_REFERENCES = frozenset(
+    rule.id
+    for rule in (
+        codes.INTERFACE_UNKNOWN,
+        codes.INTERFACE_OF_ANOTHER_CATEGORY,
+        codes.INTERFACE_OF_ANOTHER_FUNCTION,
+    )
+)
+"""Rules that say what is wrong with the name of an interface, which may stand alone or under `interface`."""
+
+
 def read_function_file(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> FunctionFile:
     """Read a file of either kind."""
     return read_json(data, name, limits) if is_json(data, name) else read_declaration(data, name, limits)
@@ -117,6 +128,8 @@ def _finding(
     node = definitions.by_path.get(context.path_of(subject.name)) if subject else None
     written = [name for name in subject.attributes if name in node.values] if subject and node else []
     at = node.pointer(written[0]) if node and written and not _is_written(pointer) else pointer
+    if problem.rule.id in _ABOUT_REFERENCES and document.has((*at, "interface")):
+        at = (*at, "interface")
     return document.finding(problem.rule, at, problem.message, problem.fix, problem.path)
 
 

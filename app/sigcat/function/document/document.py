@@ -31,6 +31,16 @@ class Document(NamedTuple):
     findings: tuple[Finding, ...]
     position: Positions
 
+    def has(self, pointer: Pointer) -> bool:
+        """Whether anything stands at a pointer."""
+        value = self.value
+        for part in pointer:
+            is_key = isinstance(value, dict) and part in value
+            if not is_key and not (isinstance(value, list) and isinstance(part, int) and part < len(value)):
+                return False
+            value = value[part]
+        return True
+
     def finding(
         self, rule: RuleCode, pointer: Pointer, message: str, fix: str = "", path: str = "", *, of_key: bool = False
     ) -> Finding:

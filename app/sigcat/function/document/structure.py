@@ -9,6 +9,7 @@ from typing import Any, Union, get_args, get_origin
 from pydantic import BaseModel, ValidationError
 
 from sigcat import codes
+from sigcat.asil import level_of
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
@@ -43,6 +44,7 @@ _BOUNDS = {
     "less_than_equal": ("le", "{} or less"),
     "less_than": ("lt", "less than {}"),
 }
+_QUOTED = re.compile(r"'([^']*)'")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
@@ -110,7 +112,7 @@ def _finding(
     if key == "[key]":
         return _bad_name(str(error["input"]), pointer, document)
     message = f"{_named(pointer)} must {_wanted(kind, error)}, not {_shown(error['input'])}."
-    fix = _unquoted(error["input"]) if kind == "string_type" else ""
+    fix = _unquoted(error["input"]) if kind == "string_type" else _word_meant(kind, error)
     return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
 
 
@@ -129,6 +131,16 @@ def _unquoted(value: Any) -> str:
     if isinstance(value, bool):
         return _YAML_WORDS
     return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
+
+
+def _word_meant(kind: str, error: Any) -> str:
+    """What to do about a word that is none of those that are allowed, but is meant as one: `ASIL B`, `Consumed`."""
+    given = error["input"]
+    if kind != "literal_error" or not isinstance(given, str):
+        return ""
+    allowed = _QUOTED.findall(error["ctx"]["expected"])
+    same = [word for word in allowed if word.lower() == given.lower() or word == level_of(given)]
+    return f"Write {same[0]}." if same else did_you_mean(given, allowed)
 
 
 def _wanted(kind: str, error: Any) -> str:
