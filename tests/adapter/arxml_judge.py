@@ -5,7 +5,11 @@ from collections.abc import Iterable
 
 from autosar_data import AutosarModel, AutosarVersion, ContentMode, Element
 
-VERSION = AutosarVersion.AUTOSAR_00052
+VERSIONS = {
+    "R20-11": AutosarVersion.AUTOSAR_00049, "R21-11": AutosarVersion.AUTOSAR_00050,
+    "R22-11": AutosarVersion.AUTOSAR_00051, "R23-11": AutosarVersion.AUTOSAR_00052,
+    "R24-11": AutosarVersion.AUTOSAR_00053,
+}  # fmt: skip
 
 
 def loaded(files) -> AutosarModel:
@@ -22,14 +26,22 @@ def dangling(model: AutosarModel) -> list[str]:
     return [f"{element.element_name} {element.character_data}" for element in model.check_references()]
 
 
-def misplaced(root: Element) -> list[str]:
-    """Elements that stand before one that the metamodel wants before them."""
+def version_of(model: AutosarModel) -> AutosarVersion:
+    """The version that all files of a model have."""
+    first, *others = [file.version for file in model.files]
+    assert all(version == first for version in others)
+    return first
+
+
+def misplaced(model: AutosarModel) -> list[str]:
+    """Elements that stand before one that the metamodel of their version wants before them."""
     found = []
-    for _, element in root.elements_dfs:
+    version = version_of(model)
+    for _, element in model.elements_dfs:
         if element.element_type.content_mode != ContentMode.Sequence:
             continue
         order = [
-            spec.element_name for spec in element.element_type.sub_elements_spec if VERSION in spec.allowed_versions
+            spec.element_name for spec in element.element_type.sub_elements_spec if version in spec.allowed_versions
         ]
         places = [order.index(child.element_name) for child in element.sub_elements]
         if places != sorted(places):

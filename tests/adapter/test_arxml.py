@@ -1,4 +1,4 @@
-"""An integration becomes ARXML of AUTOSAR adaptive R23-11."""
+"""An integration becomes ARXML of a release of AUTOSAR adaptive."""
 
 import json
 import xml.etree.ElementTree as ET
@@ -13,16 +13,19 @@ from sigcat.cli import main
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.integration.autosar_adaptive.releases import RELEASES
 from tests.adapter.arxml_judge import (
+    VERSIONS,
     dangling,
     doubled_names,
     doubled_numbers,
     loaded,
     misplaced,
     numbers,
+    version_of,
     without_number,
 )
-from tests.integration.autosar_adaptive.sets import at, derive, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, signal
 from tests.needs import published, published_files
 
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
@@ -65,12 +68,13 @@ def every_kind():
 
 
 @cache
-def made(name):
+def made(name, release="R23-11"):
     functions = examples() if name == "examples" else (every_kind(),)
-    return generate(derive(functions).model)
+    return generate(derive(functions).model, release)
 
 
 SETS = pytest.mark.parametrize("name", ["examples", "every kind"])
+EACH_RELEASE = pytest.mark.parametrize("release", RELEASES)
 
 
 def tags(files):
@@ -85,23 +89,13 @@ def texts(files, tag):
 
 
 @SETS
-def test_the_files_load_strictly(name):
-    loaded(made(name))
-
-
-@SETS
-def test_every_reference_is_resolved(name):
-    assert dangling(loaded(made(name))) == []
-
-
-@SETS
-def test_elements_stand_in_the_order_of_the_metamodel(name):
-    assert misplaced(loaded(made(name)).root_element) == []
-
-
-@SETS
-def test_short_names_are_unique(name):
-    assert doubled_names(loaded(made(name))) == []
+@EACH_RELEASE
+def test_the_files_are_right_under_the_metamodel_of_their_release(name, release):
+    model = loaded(made(name, release))
+    assert version_of(model) == VERSIONS[release]
+    assert dangling(model) == []
+    assert misplaced(model) == []
+    assert doubled_names(model) == []
 
 
 @SETS
@@ -129,11 +123,20 @@ def test_the_judge_of_order_sees_what_is_wrong():
     at_id = text.index("<SERVICE-INTERFACE-REF", 0)
     swapped = text[:at_id] + text[first:second] + text[at_id:first] + text[second:]
     with pytest.raises(Exception, match=r"."):
-        assert misplaced(loaded([file._replace(data=swapped.encode())]).root_element) == []
+        assert misplaced(loaded([file._replace(data=swapped.encode())])) == []
 
 
-def test_the_version_is_r23_11():
-    assert {b"AUTOSAR_00052.xsd" in file.data for file in made("examples")} == {True}
+def test_the_release_is_r23_11_or_as_the_deployment_says_or_as_is_asked_for():
+    earlier = derive(examples(), deployed(autosarAdaptive={"release": "R20-11"})).model
+    assert {b"AUTOSAR_00052.xsd" in file.data for file in generate(derive(examples()).model)} == {True}
+    assert {b"AUTOSAR_00049.xsd" in file.data for file in generate(earlier)} == {True}
+    assert {b"AUTOSAR_00051.xsd" in file.data for file in generate(earlier, "R22-11")} == {True}
+
+
+def test_a_release_that_the_writer_does_not_know_is_refused_where_it_stands():
+    value = document()
+    value["Deployment"]["Release"] = "R19-11"
+    assert [finding.pointer for finding in refused(value)] == ["/Deployment/Release"]
 
 
 def test_the_same_model_gives_the_same_bytes():
@@ -220,7 +223,7 @@ def test_the_published_example_becomes_arxml_with_ids_by_rule():
     files = generate(read_integration(published("integration_model_AA_core_acc.json"), "published.json"))
     model = loaded(files)
     assert dangling(model) == []
-    assert misplaced(model.root_element) == []
+    assert misplaced(model) == []
     assert without_number(model) == []
     assert doubled_numbers(model) == []
 
@@ -347,7 +350,7 @@ def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):
     model = loaded(generate(derive([one]).model))
     assert dangling(model) == []
     assert doubled_names(model) == []
-    assert misplaced(model.root_element) == []
+    assert misplaced(model) == []
 
 
 # -- the command --------------------------------------------------------------------------------------------------
@@ -367,3 +370,13 @@ def test_the_command_refuses_what_is_no_integration(tmp_path, capsys):
     assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out")]) == 1
     assert "F002" in capsys.readouterr().err
     assert main(["generate", "arxml", str(tmp_path / "none.json"), "-o", str(tmp_path / "out")]) == 2
+
+
+def test_the_command_writes_a_release_that_is_asked_for(tmp_path, capsys):
+    source = tmp_path / "integration.json"
+    source.write_bytes(to_json(derive(examples()).model))
+    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R22-11"]) == 0
+    written = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    assert written == {file.name: file.data for file in made("examples", "R22-11")}
+    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R19-11"]) == 2
+    assert "R20-11" in capsys.readouterr().err

@@ -79,6 +79,14 @@ def test_arxml_is_an_archive(shipped):
     assert all(name.endswith(".arxml") for name in archive.namelist())
 
 
+def test_arxml_is_of_the_release_that_is_asked_for(shipped):
+    document = posted(shipped, "/api/v1/integrate/autosar-adaptive", CORE_ACC).content
+    answer = posted(shipped, "/api/v1/generate/arxml?release=R20-11", document)
+    assert answer.status_code == 200, answer.text
+    archive = zipfile.ZipFile(io.BytesIO(answer.content))
+    assert all(b"AUTOSAR_00049.xsd" in archive.read(name) for name in archive.namelist())
+
+
 @pytest.mark.parametrize(
     ("address", "body", "status"),
     [
@@ -94,6 +102,7 @@ def test_arxml_is_an_archive(shipped):
         ("/api/v1/integrate/ros2", b"\xff\xfe", 422),
         ("/api/v1/generate/arxml", "{}", 422),
         ("/api/v1/generate/arxml", '"><script>', 422),
+        ("/api/v1/generate/arxml?release=R19-11", "{}", 422),
         ("/api/v1/schemas/nothing.json", None, 405),
     ],
 )

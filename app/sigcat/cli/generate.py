@@ -28,6 +28,13 @@ def _add_kind(
     )
     one.add_argument("integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {platform.title}")
     one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
+    if generator.releases:
+        one.add_argument(
+            "--release",
+            choices=generator.releases,
+            metavar="RELEASE",
+            help=f"{', '.join(generator.releases)} (default: that of the Integration JSON)",
+        )
     one.set_defaults(run=run, generator=generator)
 
 
@@ -36,7 +43,8 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.limits import DEFAULT_LIMITS
 
     source = existing_file(arguments.integration)
-    files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS)
+    release = getattr(arguments, "release", None)
+    files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, release)
     _make(arguments.output)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)

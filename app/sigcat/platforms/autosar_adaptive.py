@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from sigcat.integration.autosar_adaptive.releases import RELEASES
 from sigcat.platforms.platform import Generator, Integrated, Platform
 
 if TYPE_CHECKING:
@@ -35,19 +36,20 @@ def _schema() -> dict[str, Any]:
     return integration_schema()
 
 
-def _generate_arxml(data: bytes, name: str, limits: "Limits") -> "tuple[GeneratedFile, ...]":
+def _generate_arxml(data: bytes, name: str, limits: "Limits", release: str | None) -> "tuple[GeneratedFile, ...]":
     from sigcat.adapter.autosar_adaptive.arxml.generate import generate
     from sigcat.integration.autosar_adaptive.document import read_integration
 
-    return generate(read_integration(data, name, limits))
+    return generate(read_integration(data, name, limits), release)
 
 
 ARXML = Generator(
     name="arxml",
     title="ARXML",
-    target="AUTOSAR adaptive R23-11",
+    target="AUTOSAR adaptive",
     contents="types, interfaces, components and deployment",
     media_type="application/xml",
     generate=_generate_arxml,
+    releases=RELEASES,
 )
 AUTOSAR_ADAPTIVE = Platform("autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML,))

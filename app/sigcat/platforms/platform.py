@@ -29,12 +29,15 @@ class Generator(NamedTuple):
     title: str
     """In headings: `ARXML`."""
     target: str
-    """For which release of what: `AUTOSAR adaptive R23-11`."""
+    """For what: `AUTOSAR adaptive`."""
     contents: str
     """What the files hold, for help texts."""
     media_type: str
-    generate: "Callable[[bytes, str, Limits], tuple[GeneratedFile, ...]]"
-    """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
+    generate: "Callable[[bytes, str, Limits, str | None], tuple[GeneratedFile, ...]]"
+    """The files, from the bytes and the name of an Integration JSON, for a release of the platform; for None that of
+    the Integration JSON. Raises InputRefused if it cannot be used."""
+    releases: tuple[str, ...] = ()
+    """Releases of the platform that it can be asked for."""
 
 
 class Platform(NamedTuple):

@@ -5,7 +5,7 @@ from functools import cache
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive import derive as deriving
-from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces, resolved
 
 
@@ -18,6 +18,11 @@ def examples() -> tuple[FunctionJson, ...]:
 def derive(functions, deployment=DEFAULT_DEPLOYMENT):
     """The integration with the deployment of a file."""
     return deriving.derive([resolved(each) for each in functions], deployment, deployment.autosar_adaptive)
+
+
+def deployed(**settings):
+    """A deployment with these settings."""
+    return DEPLOYMENT_FILE.model_validate(settings)
 
 
 def example(name: str) -> FunctionJson:

@@ -15,14 +15,10 @@ from sigcat.integration.autosar_adaptive.document import identifiers_of, read_in
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
 from sigcat.integration.report import NOT_CARRIED, to_markdown
-from sigcat.platforms.deployment_file import DEPLOYMENT_FILE, read_deployment
+from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
-from tests.integration.autosar_adaptive.sets import at, derive, example, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, signal
 from tests.published.schemas import schema
-
-
-def deployed(**settings):
-    return DEPLOYMENT_FILE.model_validate(settings)
 
 
 def services(model: IntegrationModel, component=None):

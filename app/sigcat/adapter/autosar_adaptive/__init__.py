@@ -1,4 +1,4 @@
 """Integration JSON for AUTOSAR adaptive in, the files of the platform out.
 
-ARXML for R23-11.
+ARXML for the releases from R20-11 on.
 """

@@ -21,6 +21,7 @@ from sigcat.findings import Finding
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
 from sigcat.limits import Limits
+from sigcat.names import either
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Integrated, Platform
@@ -80,6 +81,11 @@ async def integrate_functions(
 def _add_generator(platform: Platform, generator: Generator) -> None:
     """The route of a generator: each has an address of its own."""
 
+    def known_release(release: str | None) -> str | None:
+        if release is not None and release not in generator.releases:
+            raise ValueError(f"must be {either(generator.releases)}, not {release[:100]!r}")
+        return release
+
     async def generate_files(
         text: PostedText,
         settings: TheSettings,
@@ -87,8 +93,16 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
         name: Annotated[
             str, Query(max_length=300, description="What findings call the text.")
         ] = f"{platform.name}.json",
+        release: Annotated[
+            str | None,
+            Query(
+                description="Release of the platform; that of the Integration JSON if absent.",
+                json_schema_extra={"enum": list(generator.releases)},
+            ),
+            AfterValidator(known_release),
+        ] = None,
     ) -> Response:
-        return await queue.run(partial(_generated, generator, text, name, settings.limits))
+        return await queue.run(partial(_generated, generator, text, name, settings.limits, release))
 
     router.post(
         f"/generate/{generator.name}",
@@ -134,8 +148,8 @@ def _integrated(text: bytes, name: str, hosted: Hosted, platform: str, limits: L
     return _archive(_files(platform, integrated, findings), f"{platform}.zip", count)
 
 
-def _generated(generator: Generator, text: bytes, name: str, limits: Limits) -> Response:
-    files = generator.generate(text, name, limits)
+def _generated(generator: Generator, text: bytes, name: str, limits: Limits, release: str | None) -> Response:
+    files = generator.generate(text, name, limits, release)
     return _archive({file.name: file.data for file in files}, f"{generator.name}.zip", {})
 
 

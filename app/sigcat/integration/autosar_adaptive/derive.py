@@ -192,4 +192,5 @@ def _deployment_names(context: Context) -> model.DeploymentNames:
     return model.DeploymentNames(
         package=settings.package or name,
         function_group=settings.function_group or short_name(f"{name}FunctionGroup"),
+        release=settings.release,
     )

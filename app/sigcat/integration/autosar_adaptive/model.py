@@ -13,6 +13,7 @@ from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 
@@ -312,6 +313,9 @@ class DeploymentNames(WireModel):
 
     package: str = always("Package", "Outermost package of the ARXML.")
     function_group: str = always("FunctionGroup", "Function group of the executables.")
+    release: ReleaseName = described(
+        "Release", "Release of AUTOSAR that the ARXML is of.", default=DEFAULT_RELEASE, source=OWN
+    )
 
 
 class IntegrationModel(WireModel):

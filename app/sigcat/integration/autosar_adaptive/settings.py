@@ -6,6 +6,7 @@ from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
+from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
 """An AUTOSAR short name."""
@@ -38,6 +39,7 @@ class RunModes(DeclarationModel):
 class AutosarAdaptiveSettings(DeclarationModel):
     """What differs from the defaults for AUTOSAR adaptive."""
 
+    release: ReleaseName = Field(DEFAULT_RELEASE, description="Release of AUTOSAR that the ARXML is of.")
     package: Identifier | None = Field(None, description="Outermost ARXML package; the application's name if absent.")
     function_group: Identifier | None = Field(
         None, description="Function group of the executables; <Application>FunctionGroup if absent."

@@ -96,7 +96,7 @@ def _generated(
 ) -> tuple[GeneratedDocument, ...]:
     try:
         integrated = integrate(platform, functions)
-        files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS)
+        files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS, None)
     except InputRefused as refused:
         return (GeneratedDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
     return tuple(

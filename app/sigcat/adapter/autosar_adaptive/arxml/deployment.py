@@ -16,27 +16,30 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     STARTUP,
     Paths,
 )
+from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_names import short_name
 
 OFF = "Off"
 """State in which nothing of a function group runs; AUTOSAR wants every function group to have it and to begin in it."""
+STARTUP_SET = "StartupConfigurationSet"
 DEPLOYMENT = "SOMEIP-SERVICE-INTERFACE-DEPLOYMENT"
 EVENT = "SOMEIP-EVENT-DEPLOYMENT"
 
 
-def packages(model: IntegrationModel, services: Sequence[Whole], function_group: str, paths: Paths) -> list[Package]:
+def packages(model: IntegrationModel, services: Sequence[Whole], release: Release, paths: Paths) -> list[Package]:
     """The packages of the file of deployment."""
-    components = model.components
+    assert model.deployment is not None
+    components, function_group = model.components, model.deployment.function_group
     pairs = [(component, interface) for component in components for interface in component.services]
     return [
         Package(FUNCTION_GROUPS, _function_groups(components, function_group, paths)),
-        Package(STARTUP, tuple(map(_startup, components))),
-        Package(PROCESSES, tuple(_process(item, components, function_group, paths) for item in components)),
+        Package(STARTUP, _startups(components, release)),
+        Package(PROCESSES, tuple(_process(item, components, function_group, release, paths) for item in components)),
         Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
         Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
-        Package(MAPPINGS, tuple(_mapping(*pair, components, paths) for pair in pairs)),
+        Package(MAPPINGS, tuple(_mapping(*pair, components, release, paths) for pair in pairs)),
     ]
 
 
@@ -74,6 +77,18 @@ def _startup_name(component: Component) -> str:
     return short_name(f"{component.name}_Startup")
 
 
+def _startups(components: Iterable[Component], release: Release) -> tuple[Tag, ...]:
+    configurations = tuple(map(_startup, components))
+    if not release.has_sets:
+        return configurations
+    return (tag("STARTUP-CONFIG-SET", listed("STARTUP-CONFIGS", configurations), name=STARTUP_SET),)
+
+
+def _startup_path(component: Component, release: Release, paths: Paths) -> str:
+    names = (STARTUP_SET, _startup_name(component)) if release.has_sets else (_startup_name(component),)
+    return paths.of(STARTUP, *names)
+
+
 def _startup(component: Component) -> Tag:
     """POSIX scheduling, where a call asks for a policy that POSIX has."""
     asked = next((call for call in component.calls if call.scheduling in ("RR", "FIFO")), None)
@@ -86,13 +101,13 @@ def _startup(component: Component) -> Tag:
     )
 
 
-def _process(component: Component, components: Iterable[Component], group: str, paths: Paths) -> Tag:
+def _process(component: Component, components: Iterable[Component], group: str, release: Release, paths: Paths) -> Tag:
     states = listed("FUNCTION-GROUP-STATE-IREFS", (_state(mode, group, paths) for mode in component.modes))
-    startup = reference("STARTUP-CONFIG-REF", paths.of(STARTUP, _startup_name(component)), "STARTUP-CONFIG")
+    startup = reference("STARTUP-CONFIG-REF", _startup_path(component, release, paths), "STARTUP-CONFIG")
     executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
     return tag(
         "PROCESS",
-        tag("EXECUTABLE-REFS", executable),
+        executable if release.has_one_executable else tag("EXECUTABLE-REFS", executable),
         tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
         name=process_names(components)[component.name],
     )
@@ -217,7 +232,9 @@ def _instance(component: Component, interface: ServiceInterface, paths: Paths) -
     )
 
 
-def _mapping(component: Component, interface: ServiceInterface, components: Iterable[Component], paths: Paths) -> Tag:
+def _mapping(
+    component: Component, interface: ServiceInterface, components: Iterable[Component], release: Release, paths: Paths
+) -> Tag:
     is_provider = interface.role == "Provider"
     root = paths.of(EXECUTABLES, component.executable, root_name(component))
     port = paths.of(COMPONENTS, component.name, port_name(interface))
@@ -228,7 +245,9 @@ def _mapping(component: Component, interface: ServiceInterface, components: Iter
         "SERVICE-INSTANCE-TO-PORT-PROTOTYPE-MAPPING",
         tag(
             "PORT-PROTOTYPE-IREF",
-            reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE"),
+            reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE")
+            if release.has_root_of_port
+            else None,
             reference("TARGET-PORT-PROTOTYPE-REF", port, "P-PORT-PROTOTYPE" if is_provider else "R-PORT-PROTOTYPE"),
         ),
         reference("PROCESS-REF", process, "PROCESS"),

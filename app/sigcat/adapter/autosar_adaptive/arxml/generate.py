@@ -1,4 +1,4 @@
-"""From an integration model to ARXML of AUTOSAR adaptive R23-11, in the files that integrators expect."""
+"""From an integration model to ARXML of a release of AUTOSAR adaptive, in the files that integrators expect."""
 
 from collections.abc import Iterable
 
@@ -6,6 +6,7 @@ from autosar_data import AutosarDataError
 
 from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, types
 from sigcat.adapter.autosar_adaptive.arxml.paths import Paths
+from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.autosar_adaptive.arxml.tree import written
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
@@ -15,8 +16,10 @@ from sigcat.integration.autosar_adaptive.model import IntegrationModel
 
 
 @collector_paused()
-def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
+def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[GeneratedFile, ...]:
     """Types, interfaces, components and deployment, each a file. The same model gives the same bytes.
+
+    They are of the release that is asked for, or else of that of the model.
 
     Raises InputRefused if the model names what AUTOSAR cannot.
     """
@@ -25,14 +28,18 @@ def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
     paths = Paths(whole.deployment.package)
     known = types.library(whole, paths)
     services = interfaces.wholes(whole)
+    release = BY_NAME[release_name or whole.deployment.release]
     content = {
         "types.arxml": types.packages(known, _words(whole)),
         "interfaces.arxml": [interfaces.package(services, known)],
         "components.arxml": components.packages(whole.components, known),
-        "deployment.arxml": deployment.packages(whole, services, whole.deployment.function_group, paths),
+        "deployment.arxml": deployment.packages(whole, services, release, paths),
     }
     try:
-        return tuple(GeneratedFile(name, written(name, paths.root, packages)) for name, packages in content.items())
+        return tuple(
+            GeneratedFile(name, written(name, paths.root, packages, release.schema))
+            for name, packages in content.items()
+        )
     except AutosarDataError as error:
         raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
 

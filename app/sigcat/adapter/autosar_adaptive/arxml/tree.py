@@ -6,9 +6,6 @@ from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
 
-VERSION = AutosarVersion.AUTOSAR_00052
-"""R23-11."""
-
 _NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -77,10 +74,10 @@ class Package(NamedTuple):
     elements: tuple[Tag, ...]
 
 
-def written(filename: str, root: str, packages: Sequence[Package]) -> bytes:
+def written(filename: str, root: str, packages: Sequence[Package], schema: str) -> bytes:
     """An ARXML file with the packages that hold anything. Elements land in the order of the metamodel."""
     model = AutosarModel()
-    file = model.create_file(filename, VERSION)
+    file = model.create_file(filename, getattr(AutosarVersion, schema))
     outermost = model.root_element.create_sub_element("AR-PACKAGES").create_named_sub_element("AR-PACKAGE", root)
     filled = [package for package in packages if package.elements]
     if filled:
