@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow sbom audit lock clean
+.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow trust sbom audit lock clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -48,6 +48,9 @@ fuzz: .venv/dev  ## the service against its whole contract and killed at random 
 
 slow: .venv/dev  ## every test with all its repetitions: each format of whole trees, each page, each bomb at each address
 	SIGCAT_SLOW=1 $(BIN)/pytest -n auto
+
+trust: .venv/dev  ## ask every judge that others wrote everything, and write what they said into docs/explanation/trust.md
+	SIGCAT_SLOW=1 SIGCAT_FUZZ=100 $(BIN)/python -m scripts.trust
 
 sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom

@@ -3,20 +3,29 @@
 import os
 import tempfile
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.judges import Verdicts, note
 from tests.needs import OFFICIAL
 
 OF_THE_RUN = ("SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW")
 """Variables that say how to test."""
 IN_BROWSER = "tests/web/in_browser"
+_VERDICTS = Verdicts()
 _DATA = tempfile.TemporaryDirectory(prefix="sigcat-tests-")
 
 
-def pytest_configure() -> None:
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The option of tests/judges.py."""
+    parser.addoption("--verdicts", type=Path, metavar="FILE", help="write what the judges of other projects said")
+
+
+def pytest_configure(config: pytest.Config) -> None:
     """Processes that tests start inherit this environment; so do the workers of pytest-xdist."""
+    config.addinivalue_line("markers", "judge(name, question): somebody else's judgement; see tests/judges.py")
     os.environ["VSS_RELEASES"] = str(OFFICIAL)
     for name in list(os.environ):
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
@@ -37,8 +46,20 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     return Scheduling(config, log)
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """One line for each thing that was missing."""
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Its reports say who judges it."""
+    note(item)
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    """Judgements are counted."""
+    _VERDICTS.add(report)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """One line for each thing that was missing; what the judges said goes into the file that was named."""
+    if file := config.getoption("--verdicts"):
+        _VERDICTS.write(file)
     reasons = Counter(reason_of(report) for report in terminalreporter.stats.get("skipped", ()))
     for reason, count in sorted(reasons.items()):
         terminalreporter.write_line(f"{count} skipped for want of {reason}")

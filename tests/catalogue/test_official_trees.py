@@ -9,6 +9,7 @@ import pytest
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.cli import main
 from tests.catalogue.judging import Job, verdicts
+from tests.judges import judged_by
 from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
 
 pytestmark = official_releases
@@ -53,6 +54,7 @@ def corrected_units(tmp_path_factory):
     return file
 
 
+@judged_by("vss-tools", "Official releases and their overlays mean the same, expanded and not")
 @pytest.mark.parametrize("case", CASES, ids=" ".join)
 def test_the_export_equals_that_of_vss_tools(case, corrected_units, capsys):
     verdict = judged(corrected_units)[" ".join(case)]

@@ -13,6 +13,7 @@ import pytest
 
 from scripts.cases import LANGUAGE, options
 from tests.catalogue.judging import Job, verdicts
+from tests.judges import judged_by
 
 CASES = Path(__file__).parent / "cases"
 
@@ -32,6 +33,7 @@ def test_the_export_is_as_expected(name):
     assert LANGUAGE.made(name) == LANGUAGE.text(name), "If that is meant, run `make generate`."
 
 
+@judged_by("vss-tools", "Every construct of the vspec language means the same")
 @pytest.mark.parametrize("name", LANGUAGE.names)
 def test_vss_tools_gives_the_same(name):
     verdict = judged()[name]

@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.judges import judged_by
+
 PROJECT = Path(__file__).parents[2]
 SHIPPED = ("app", "vspec", "overlays", "interface_rules", "examples")
 FILES = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml")
@@ -99,6 +101,7 @@ def staged(repository: Path, home: Path, **files: str) -> "subprocess.CompletedP
     return run(repository, sys.executable, "-m", "pre_commit", "run", "--color", "never", home=home)
 
 
+@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
 def test_a_bad_overlay_is_not_committed(repository, home):
     done = staged(repository, home, bad=BAD)
     assert done.returncode == 1, done.stdout + done.stderr
@@ -108,12 +111,14 @@ def test_a_bad_overlay_is_not_committed(repository, home):
     assert "Did you mean 'Vehicle.Speed'?" in done.stdout
 
 
+@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
 def test_a_good_overlay_is_committed(repository, home):
     done = staged(repository, home, good=GOOD)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("Passed") == 2
 
 
+@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
 def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, home):
     (repository / "overlays" / "one.vspec").write_text("Vehicle.Speed:\n  unit: m/s\n")
     (repository / "sigcat.toml").write_text('[lint]\noverlays = ["overlays/*.vspec"]\n')
@@ -126,6 +131,7 @@ def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, 
     assert "one.vspec sets 'm/s', then two.vspec sets 'km/h'" in whole
 
 
+@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
 def test_a_change_of_other_files_runs_no_hook(repository, home):
     (repository / "README.md").write_text("The tree.\n")
     done = staged(repository, home)

@@ -13,6 +13,7 @@ from tests.clients.generating import (
     lint_document,
     running_service,
 )
+from tests.judges import judged_by
 
 
 @pytest.fixture(scope="module")
@@ -21,10 +22,12 @@ def address() -> Iterator[str]:
         yield found
 
 
+@judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_python_client_passes_mypy_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     check_python_client(address, tmp_path)
 
 
+@judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     try:
         check_typescript_client(address, tmp_path)
@@ -32,6 +35,7 @@ def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tm
         pytest.skip(str(reason))
 
 
+@judged_by("redocly", "The OpenAPI document has no finding")
 def test_the_document_passes_the_recommended_rules_of_redocly() -> None:
     try:
         lint_document(ROOT / "docs" / "reference" / "openapi.json")

@@ -14,6 +14,7 @@ from sigcat.errors import InputRefused
 from sigcat.function.function_file import build_function, check_function
 from sigcat.function.function_json.model import function_schema, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
+from tests.judges import judged_by
 from tests.published.schemas import schema
 
 CORE_ACC = {
@@ -74,11 +75,13 @@ def test_every_example_is_built_without_a_finding(path):
     assert check_function(path.read_bytes(), str(path), interfaces()) == ()
 
 
+@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_every_example_validates_under_our_schema(path):
     jsonschema.Draft202012Validator(function_schema()).validate(built(path))
 
 
+@judged_by("published", "What is written is valid under their schemas")
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_every_example_validates_under_the_published_schema(path):
     jsonschema.Draft202012Validator(schema("function_json")).validate(built(path))

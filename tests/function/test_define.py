@@ -19,6 +19,7 @@ from sigcat.function.function_json.model import to_json
 from sigcat.rules.linting.lint import lint_paths
 from tests.function.shipped import interfaces
 from tests.growth import LINEAR, growth
+from tests.judges import judged_by
 from tests.overlays.test_overlays import EXTENDED, UNITS
 
 LANES = (Path(__file__).parent / "lane_keeping.function.yaml").read_bytes()
@@ -113,6 +114,7 @@ def test_the_overlay_lints_clean(tmp_path):
     assert lint_paths([tmp_path / "overlays" / "lanes.vspec"], options).findings == ()
 
 
+@judged_by("vss-tools", "What a function defines is accepted as an overlay with `--strict`")
 def test_vss_tools_takes_the_overlay_and_the_types_strictly(tmp_path):
     made = overlay_of(LANES, "f.yaml", interfaces())
     (tmp_path / "o.vspec").write_text(made.text)

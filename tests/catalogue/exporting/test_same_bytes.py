@@ -14,6 +14,7 @@ from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
 from tests.catalogue.exporting.judging import judged
+from tests.judges import judged_by
 from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
 
 TREE = Path(__file__).parent / "tree"
@@ -73,6 +74,7 @@ def named(case: Case) -> str:
     return " ".join((case.format, *case.arguments))
 
 
+@judged_by("vss-tools", "Every export has the same bytes")
 @pytest.mark.parametrize("case", CASES, ids=named)
 def test_a_tree_with_everything(case, tmp_path):
     tree = tree_without_structs(tmp_path) if not case.types else TREE / "tree.vspec"
@@ -115,12 +117,14 @@ USUAL = ("json", "csv", "ros2interface")
 """Formats of whole trees in every run; `make slow` takes them all."""
 
 
+@judged_by("vss-tools", "Every export has the same bytes")
 @pytest.mark.parametrize("name", WHOLE if IS_SLOW_RUN else USUAL)
 def test_the_shipped_tree(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
 
 
+@judged_by("vss-tools", "Every export has the same bytes")
 @official_releases
 @pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW] if IS_SLOW_RUN else USUAL)
 def test_an_official_release_with_its_overlay(name, tmp_path):

@@ -11,6 +11,7 @@ from vss_tools.utils.idgen_utils import fnv1_32_hash
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.static_id import fnv1, static_id
 from tests.catalogue.judging import Job, verdicts
+from tests.judges import judged_by
 
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}
@@ -27,6 +28,7 @@ UNITS = "km/h: {definition: Speed, unit: kilometer per hour, quantity: velocity,
 QUANTITIES = "velocity: {definition: Rate of change of position}\n"
 
 
+@judged_by("vss-tools", "Static identifiers are the same")
 @given(st.binary(max_size=200))
 def test_the_hash_is_that_of_vss_tools(data: bytes) -> None:
     assert fnv1(data) == fnv1_32_hash(data)
@@ -47,6 +49,7 @@ def judged(tree: Path) -> dict[str, str | None]:
     return verdicts({name: Job("id", tree.parent, given) for name, given in options.items()})
 
 
+@judged_by("vss-tools", "Static identifiers are the same")
 @pytest.mark.parametrize("name", ["usual", "case-sensitive"])
 def test_ids_are_those_that_vss_tools_exports(tree: Path, judged: dict[str, str | None], name: str) -> None:
     verdict = judged[name]

@@ -18,6 +18,7 @@ from sigcat.integration.report import NOT_CARRIED, to_markdown
 from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, signal
+from tests.judges import judged_by
 from tests.published.schemas import schema
 
 
@@ -57,6 +58,7 @@ def test_the_document_validates_under_our_schema():
     jsonschema.Draft202012Validator(integration_schema()).validate(document)
 
 
+@judged_by("published", "What is written is valid under their schemas")
 @pytest.mark.parametrize("name", ["CoreAcc", "EcoControlMpc", "WheelSpeedCalculation", "all"])
 def test_the_document_validates_under_the_published_schema(name):
     document = json.loads(to_json(derive(examples() if name == "all" else [example(name)]).model))
@@ -207,6 +209,7 @@ def test_a_datatype_that_contains_itself_is_refused():
     assert [(finding.rule, finding.severity) for finding in derived.findings] == [("A006", "error")]
 
 
+@judged_by("published", "What is written is valid under their schemas")
 def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
     texts = {
         "typeRef": "DT_StringArray",

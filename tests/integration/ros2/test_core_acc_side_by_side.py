@@ -11,6 +11,7 @@ import pytest
 from sigcat.function.function_file import check_function_json
 from sigcat.integration.ros2.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
+from tests.judges import judged_by
 from tests.needs import published, published_files
 from tests.published.schemas import schema
 
@@ -124,6 +125,7 @@ def differences(theirs, ours, at=""):
     return set() if theirs == ours else {at}
 
 
+@judged_by("published", "Their examples are read, and every difference is explained")
 @published_files
 def test_every_difference_from_their_file_is_explained():
     assert differences(by_hand(), derived_from_theirs()) == set(EXPLAINED)
@@ -146,6 +148,7 @@ def test_none_of_their_field_names_would_pass_rosidl():
     assert not any(FIELD.fullmatch(name) for name in names)
 
 
+@judged_by("published", "Their examples are read, and every difference is explained")
 @published_files
 def test_their_own_file_is_read_by_our_model():
     from sigcat.integration.ros2.model import Ros2Integration
@@ -153,6 +156,7 @@ def test_their_own_file_is_read_by_our_model():
     assert Ros2Integration.model_validate(by_hand(), by_name=False)
 
 
+@judged_by("published", "What is written is valid under their schemas")
 @pytest.mark.parametrize("name", ["core_acc", "eco_control_mpc", "wheel_speed_calculation"])
 @pytest.mark.parametrize("topics", ["signal", "branch", "function"])
 def test_what_is_derived_is_valid_under_their_schema(name, topics):

@@ -29,6 +29,7 @@ from tests.integration.ros2.functions import (
     signal,
     topics,
 )
+from tests.judges import judged_by
 
 
 def node(functions, index=0):
@@ -48,6 +49,7 @@ def conversion(end):
 # -- the document -------------------------------------------------------------------------------------------------
 
 
+@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
 def test_the_examples_are_derived_valid_under_our_schema():
     jsonschema.Draft202012Validator(integration_schema()).validate(document(examples()))
 

@@ -4,6 +4,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
 from playwright.sync_api import Page, expect
 
+from tests.judges import judged_by
 from tests.needs import IS_SLOW_RUN
 from tests.web.in_browser.conftest import Opener
 
@@ -28,11 +29,13 @@ VARIANTS = (
 """The same kinds with other content; `make slow` takes them too."""
 
 
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 @pytest.mark.parametrize("address", [*PAGES, *(VARIANTS if IS_SLOW_RUN else ())])
 def test_axe_finds_nothing(open_page: Opener, address: str) -> None:
     _check(open_page(address))
 
 
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_open_menus(open_page: Opener) -> None:
     page = open_page("/tree/interfaces")
     for menu in page.locator("details.menu").all():
@@ -41,6 +44,7 @@ def test_axe_finds_nothing_in_open_menus(open_page: Opener) -> None:
         page.keyboard.press("Escape")
 
 
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_what_was_posted(open_page: Opener) -> None:
     page = open_page("/wiring?catalogue=interfaces")
     made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
@@ -54,6 +58,7 @@ def test_axe_finds_nothing_in_what_was_posted(open_page: Opener) -> None:
     _check(page)
 
 
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_page: Opener, service: str) -> None:
     page = open_page("/try?catalogue=interfaces")
     form: dict[str, str | float | bool] = {
@@ -66,6 +71,7 @@ def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_pa
     _check(page)
 
 
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_while_the_service_is_busy(open_page: Opener) -> None:
     page = open_page("/try?catalogue=interfaces")
     page.evaluate("document.getElementById('progress').hidden = false")
