@@ -100,7 +100,7 @@ TheExportQueue = Annotated[WorkQueue, Depends(_export_queue)]
 CatalogueId = Annotated[
     str,
     Path(
-        description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, less that overlay; with `~folded`, "
+        description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, without that overlay; with `~folded`, "
         "with instances as they were written; with `@VERSION`, of that state of it and no other.",
         examples=["interfaces"],
         max_length=200,

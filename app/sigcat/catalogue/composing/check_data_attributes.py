@@ -30,7 +30,7 @@ def data_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Ite
 
 
 def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
-    """The unit is not known. Needs no datatype. Where no unit is known, that is told once, of the tree."""
+    """The unit is not known. Needs no datatype. Where no unit is known, there is one finding for the tree."""
     name = values.get("unit")
     if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
         known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)

@@ -95,7 +95,7 @@ def read_vocabulary(
 
 
 def _quantities_missing(units: Path) -> Finding:
-    """Told once, not of every unit."""
+    """One finding, not one for every unit."""
     message = f"There is no file of quantities for the units of {str(units)!r}."
     fix = "Put quantities.yaml beside the tree, or name it with -q."
     return codes.QUANTITIES_MISSING.finding(message, str(units), fix=fix)

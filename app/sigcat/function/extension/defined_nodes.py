@@ -88,7 +88,7 @@ def _types(declaration: Declaration, define: DefineSection) -> tuple[DefinedNode
 _GROUPS = {
     "Parameter": "Parameters of the function {0}.",
     "Error": "Errors that the function {0} reports.",
-    "SafetyReaction": "Safety conditions of which the function {0} is told.",
+    "SafetyReaction": "Safety conditions to which the function {0} reacts.",
     "Mode": "Modes of the function {0}.",
     "Scheduling": "Calls of the function {0}.",
 }

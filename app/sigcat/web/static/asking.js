@@ -49,7 +49,7 @@ export const fail = (reason, retry) => {
 
 export const settle = () => { failure.hidden = true; };
 
-/** Do what asks the service. Where that fails, the message offers to do the same again; whoever fails keeps its state. */
+/** Do what asks the service. Where that fails, the message offers to do the same again; on failure the old state stays. */
 export const attempt = async (work) => {
   try {
     await work();

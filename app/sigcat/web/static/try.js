@@ -102,7 +102,7 @@ export const mountTry = () => {
     text.setSelectionRange(start + Math.max(Number(link.dataset.column) - 1, 0), start + lines[line - 1].length);
     text.scrollTop = Math.max(0, (line - 5) * (text.scrollHeight / lines.length));
   });
-  addEventListener("pageshow", () => { // whoever comes back finds what was typed, and what is wrong with it
+  addEventListener("pageshow", () => { // a reader who comes back finds what was typed, and what is wrong with it
     number();
     if (text.value !== text.defaultValue) check();
   });
