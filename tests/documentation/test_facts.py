@@ -17,6 +17,11 @@ from tests.documentation.pages import PAGES, ROOT, text_of
 
 MIB = 1024 * 1024
 GLOSSARY = text_of("docs/reference/glossary.md").split("## The paper's interfaces")[1].split("\n## ")[0]
+KNOWN = {
+    f"/{path.relative_to(ROOT).as_posix()}"
+    for folder in ("app", "docs", "scripts", "tests")
+    for path in (ROOT / folder).rglob("*")
+}
 ROWS = [row.split(" | ") for row in re.findall(r"^\| (.*) \|$", GLOSSARY, re.MULTILINE)]
 
 
@@ -52,11 +57,9 @@ def test_the_glossary_names_keys_of_function_json():
 
 @pytest.mark.parametrize("page", PAGES)
 def test_files_and_folders_of_code_that_pages_name_are_there(page):
-    paths = (path for folder in ("app", "docs", "scripts", "tests") for path in (ROOT / folder).rglob("*"))
-    known = {f"/{path.relative_to(ROOT).as_posix()}" for path in paths}
     for name in re.findall(r"`([\w/]+\.py|\w+/\w+/)`", text_of(page)):
         if "NAME" not in name:
-            assert any(path.endswith(f"/{name.rstrip('/')}") for path in known), f"{page}: {name}"
+            assert any(path.endswith(f"/{name.rstrip('/')}") for path in KNOWN), f"{page}: {name}"
 
 
 def test_the_architecture_names_every_room():

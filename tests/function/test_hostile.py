@@ -156,7 +156,7 @@ def test_ten_times_the_bytes_of_anything_take_about_ten_times_as_long(kind):
     interfaces()
     limits = Limits(file_bytes=1_000_000) if kind == "beyond the limit" else DEFAULT_LIMITS
     assert check_function(FILES[kind](1_100_000), name, interfaces(), limits)
-    assert growth(lambda size: partial(check_function, FILES[kind](size), name, interfaces(), limits), 50_000) < LINEAR
+    assert growth(lambda size: partial(check_function, FILES[kind](size), name, interfaces(), limits), 30_000) < LINEAR
 
 
 def test_aliases_that_multiply_cost_no_more_than_a_megabyte_of_text():
