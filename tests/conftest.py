@@ -3,6 +3,7 @@
 import os
 import tempfile
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,19 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
             return IN_BROWSER if file.startswith(IN_BROWSER) else file
 
     return Scheduling(config, log)
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    """A test that schemathesis makes of an operation is named after it: workers run one test of each name."""
+    if label := getattr(item, "operation_label", None):
+        item._id = replace(item.id, params=label)  # it gives its label as a name, of which pytest 9.2 makes no id
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Two tests of one name would be one to pytest-xdist."""
+    doubled = [name for name, count in Counter(item.nodeid for item in items).items() if count > 1]
+    if doubled:
+        raise pytest.UsageError(f"Tests must have names of their own: {', '.join(doubled)}")
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
