@@ -8,6 +8,7 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import new_token, token_from_text, token_named
 from sigcat.catalogue.hosting.library import Library, Source, tell_errors
+from sigcat.function.hosting import FunctionLibrary
 from tests.api.conftest import Ask, asker
 
 SECRET, TOKEN = new_token("ci", ["reload"])
@@ -92,3 +93,14 @@ def test_only_hashes_of_tokens_are_kept() -> None:
 def test_a_token_that_is_written_wrong_is_refused(text: str) -> None:
     with pytest.raises(ValueError, match=r"scope|NAME"):
         token_from_text(text)
+
+
+def test_functions_are_read_again(tree: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "functions"
+    folder.mkdir()
+    functions = FunctionLibrary([folder], has_shipped=False)
+    ask = asker(create_app(Library([Source("mine", "Mine", tree)]), Settings(tokens=(TOKEN,)), functions))
+    (folder / "noise.function.yaml").write_text("function: Noise\n")
+    assert ask("/api/v1/functions/reload", "POST").status_code == 401
+    answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
+    assert answer == {"functions": [{"id": "noise", "file": "functions/noise.function.yaml"}]}

@@ -14,6 +14,7 @@ from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.configuration import read_configuration as read_catalogues
 from sigcat.cli import main
 from sigcat.data import ROOT_FILE
+from sigcat.function.hosting import FunctionLibrary
 from sigcat.rules.linting.configuration import _FIELDS, read_configuration
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
@@ -53,6 +54,7 @@ def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     assert main(["pull", "v5.0", "--from", str(saved(folder, tar_bytes()))]) == 0
     (folder / "trees" / "common").mkdir(parents=True)
     (folder / "overlays").mkdir()
+    (folder / "functions").mkdir()
     for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
         (folder / "trees" / name).write_text("")
     (folder / "overlays" / "body.vspec").write_text("")
@@ -61,6 +63,7 @@ def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     assert [source.id for source in configuration.sources] == ["body", "own"]
     assert configuration.is_watching
     assert not configuration.has_shipped
+    assert configuration.functions == (Path("functions"),)
 
 
 def test_the_files_of_a_company_fit_together(folder):
@@ -69,7 +72,9 @@ def test_the_files_of_a_company_fit_together(folder):
             (folder / each.title).parent.mkdir(parents=True, exist_ok=True)
             (folder / each.title).write_text(each.text)
     assert parse_rules(Path("our-rules.yaml").read_bytes(), "our-rules.yaml", trusted=False).findings == ()
-    assert [source.id for source in read_catalogues(Path("sigcat.toml"), [TABLE, "lint"]).sources] == ["acme"]
+    hosted = read_catalogues(Path("sigcat.toml"), [TABLE, "lint"])
+    assert [source.id for source in hosted.sources] == ["acme"]
+    assert [file.id for file in FunctionLibrary(hosted.functions, has_shipped=False).files] == ["cabin_noise"]
     assert main(["lint", "functions", "our-rules.yaml"]) == 0
 
 

@@ -5,6 +5,8 @@ import pytest
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.search import SearchIndex
+from sigcat.function.hosting import FunctionLibrary
+from sigcat.web.views.node_uses import uses_in
 from sigcat.web.views.node_view import node_view
 
 EVERY = 11
@@ -18,11 +20,12 @@ def catalogue():
 
 def test_a_name_of_a_node_finds_it(catalogue):
     index = SearchIndex(catalogue)
+    uses = uses_in(FunctionLibrary().files, catalogue)
     nodes = [*list(catalogue.nodes.values())[::EVERY], catalogue.nodes["Vehicle.Powertrain.CombustionEngine.MAP"]]
     lost = [
         (where, name)
         for node in nodes
-        for where, name in node_view(catalogue, node, {}).names
+        for where, name in node_view(catalogue, node, {}, uses).names
         if node not in index.search(name, limit=1000, each_instance=True).nodes
     ]
     assert lost == []

@@ -36,7 +36,7 @@ def mismatched(page: str) -> list[str]:
 
 def test_posted_files_are_connected_with_shipped_functions(site: Ask, proposing: str) -> None:
     page = connected(site, ("mpc.json", proposing), f="core_acc").text
-    assert "Your functions" in page
+    assert "Posted functions" in page
     assert "2\u00a0functions fit together" in page
     assert len(re.findall(r'<g class="wire"', page)) == 1
     assert "EcoControlMpc_Step" in page

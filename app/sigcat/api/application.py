@@ -19,6 +19,7 @@ from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
+from sigcat.function.hosting import FunctionLibrary
 
 _DESCRIPTION = """\
 A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
@@ -29,12 +30,14 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 
 
 _ROUTERS = (
-    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, viss.router, rules.router,
+    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router,
 )  # fmt: skip
 
 
-def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
+def create_app(
+    library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
+) -> FastAPI:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
     app = FastAPI(
         title="sigcat",
@@ -45,6 +48,7 @@ def create_app(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastA
         generate_unique_id_function=_operation_id,
     )
     app.state.library = library
+    app.state.functions = functions or FunctionLibrary()
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.work_queue = WorkQueue(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)

@@ -37,7 +37,7 @@ def chosen_configuration(arguments: argparse.Namespace) -> "Configuration":
     from sigcat.catalogue.hosting.sources import pulled_sources, shipped_sources, source_from_option, sources_in_order
 
     file = _file(arguments.config)
-    configuration = read_configuration(file, ("service",)) if file is not None else Configuration()
+    configuration = read_configuration(file, ("service", "lint")) if file is not None else Configuration()
     named = tuple(source_from_option(text) for text in arguments.catalogue)
     declared = tuple(s for s in configuration.sources if s.id not in {source.id for source in named})
     shipped = (*shipped_sources(), *pulled_sources()) if configuration.has_shipped else ()

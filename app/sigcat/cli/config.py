@@ -39,6 +39,8 @@ def config(arguments: argparse.Namespace) -> int:
         print(f"# {description}\n{name} = {value}")
     for source in configuration.sources:
         print(f"\n# catalogue {source.id}: {source.spec}")
+    for folder in configuration.functions:
+        print(f"\n# functions: {folder}")
     return 0
 
 

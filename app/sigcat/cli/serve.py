@@ -18,8 +18,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "serve",
         help="serve the catalogue: browser tree and REST API",
-        description="Serve the shipped catalogues, those of a configuration, and the tree named by -s, as a browser "
-        "tree and REST API. `sigcat config` lists what else can be set.",
+        description="Serve the shipped catalogues and functions, those of a configuration, and the tree named by -s, as a "
+        "browser tree and REST API. `sigcat config` lists what else can be set.",
     )
     parser.add_argument("--host", help="address to listen on (default: 127.0.0.1)")
     parser.add_argument("--port", type=int, help="port to listen on; 0 picks a free one (default: 8000)")
@@ -32,6 +32,7 @@ def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
+    from sigcat.function.hosting import FunctionLibrary
     from sigcat.web.site import create_site
 
     configuration, settings = chosen_settings(arguments)
@@ -40,8 +41,9 @@ def serve(arguments: argparse.Namespace) -> int:
         source = tree_source(arguments)
         sources = (source._replace(id="local", title=source.spec.stem), *sources)
     library = Library(sources)
-    with Watch(library) if configuration.is_watching else nullcontext():
-        run(create_site(library, settings), settings)
+    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped)
+    with Watch(library, functions) if configuration.is_watching else nullcontext():
+        run(create_site(library, settings, functions), settings)
     return 0
 
 
@@ -49,16 +51,18 @@ def application() -> "FastAPI":
     """The service as another server loads it: `uvicorn --factory sigcat.cli.serve:application --workers 4`."""
     from sigcat.api.server import prepare
     from sigcat.catalogue.hosting.library import Library, Watch
+    from sigcat.function.hosting import FunctionLibrary
     from sigcat.web.site import create_site
 
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
     configuration, settings = chosen_settings(parser.parse_args([]))
     library = Library(configuration.sources)
-    service = create_site(library, settings)
+    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped)
+    service = create_site(library, settings, functions)
     prepare(service, settings)
     if configuration.is_watching:
         watching = ExitStack()
-        watching.enter_context(Watch(library))
+        watching.enter_context(Watch(library, functions))
         atexit.register(watching.close)
     return service

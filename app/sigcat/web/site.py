@@ -14,6 +14,7 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.catalogue.hosting.library import Library
 from sigcat.errors import SigcatError
+from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.pages import (
     api_reference,
     catalogue_pages,
@@ -30,9 +31,11 @@ _PAGES = (function_pages, set_pages, try_pages, change_pages, catalogue_pages, r
 _STATIC = Path(__file__).parent / "static"
 
 
-def create_site(library: Library, settings: Settings = DEFAULT_SETTINGS) -> FastAPI:
-    """The API with the browser pages."""
-    app = create_app(library, settings)
+def create_site(
+    library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
+) -> FastAPI:
+    """The API with the browser pages. Without functions given: those that sigcat ships."""
+    app = create_app(library, settings, functions)
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")

@@ -44,6 +44,7 @@ def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, s
         """
         watch = true
         shipped = false
+        functions = ["overlays"]
         [[catalogue]]
         id = "own"
         title = "Our own"
@@ -67,11 +68,12 @@ def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, s
     assert len(load(official).nodes) == 2
     assert base.spec == ROOT_FILE
     assert (found.is_watching, found.has_shipped) == (True, False)
+    assert found.functions == (folder / "overlays",)
 
 
 def test_an_empty_file_says_nothing(folder):
     found = configuration(folder, "")
-    assert (found.sources, found.is_watching, found.has_shipped) == ((), False, True)
+    assert (found.sources, found.is_watching, found.has_shipped, found.functions) == ((), False, True, ())
 
 
 def test_unknown_settings_are_refused_with_the_line_and_the_nearest_name(folder):
@@ -221,3 +223,22 @@ def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder
     assert [finding[:2] for finding in findings(folder, '[[catalogue]]\nid = "a"\ntree = "tree.vspec"\n')] == [
         ("C002", 3)
     ]
+
+
+def test_one_file_configures_the_service_and_the_linter(folder, monkeypatch):
+    (folder / "sigcat.toml").write_text('[lint]\nignore = ["V110"]\n[[catalogue]]\nid = "own"\nspec = "tree.vspec"\n')
+    monkeypatch.chdir(folder)
+    assert chosen().sources[0].id == "own"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('functions = ["none"]', "There is no folder 'none'."),
+        ('functions = ["tree.vspec"]', "There is no folder 'tree.vspec'."),
+        ("functions = [1]", "`functions` must be a list of texts."),
+        ('functions = "overlays"', "`functions` must be a list, not 'overlays'."),
+    ],
+)
+def test_folders_of_functions_must_be_there(folder, text, message):
+    assert [(line, found) for _, line, found, _ in findings(folder, f"\n{text}\n")] == [(2, message)]

@@ -6,6 +6,7 @@ import pytest
 
 from sigcat.catalogue.hosting.library import Library, Source, Watch
 from sigcat.errors import NotFound
+from sigcat.function.hosting import FunctionLibrary
 from tests.waiting import wait_until
 
 ROOT = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
@@ -158,6 +159,14 @@ def test_a_watch_reads_changed_files_again(library, tree):
     with Watch(library, seconds=0.02):
         (tree / "overlay.vspec").write_text(signal("Depth"))
         wait_until(lambda: leaves(library) == ["Speed", "Depth"], "the changed overlay is read")
+
+
+def test_a_watch_looks_at_each_of_several(library, tree, tmp_path):
+    functions = FunctionLibrary([tmp_path / "functions"], has_shipped=False)
+    with Watch(library, functions, seconds=0.02):
+        (tmp_path / "functions").mkdir()
+        (tmp_path / "functions" / "a.function.yaml").write_text("function: A\n")
+        wait_until(lambda: [file.id for file in functions.files] == ["a"], "the new function is read")
 
 
 def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):

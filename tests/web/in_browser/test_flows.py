@@ -155,7 +155,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     page.get_by_label("Files").set_input_files([mine])
     use(page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc"))
     use(page.get_by_role("button", name="Connect these"))
-    expect(page.locator("h1")).to_have_text("Your functions")
+    expect(page.locator("h1")).to_have_text("Posted functions")
     expect(page.locator(".wire.mismatched")).to_have_count(1)
     expect(page.locator(".findings").first).to_contain_text("must be km/h")
     use(page.get_by_role("button", name="ROS 2"))
@@ -171,7 +171,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
 
 def test_documents_are_pasted_and_edited(open_page: Opener, use: Use) -> None:
     page = open_page("/functions?catalogue=interfaces")
-    use(page.get_by_role("navigation", name="Functions").get_by_role("link", name="Your own"))
+    use(page.get_by_role("navigation", name="Functions").get_by_role("link", name="Others"))
     page.get_by_role("textbox", name="Documents").fill("--- # a.yaml\nfunction: A\n--- # b.yaml\nfunction: B\n")
     use(page.get_by_role("button", name="Connect these"))
     field = page.get_by_role("textbox", name="Documents")

@@ -94,6 +94,19 @@ class CatalogueList(Schema):
     catalogues: list[CatalogueSummary]
 
 
+class FunctionFile(Schema):
+    """A function that the service hosts."""
+
+    id: str = Field(description="Name in addresses of its pages.")
+    file: str
+
+
+class FunctionFiles(Schema):
+    """The functions that the service hosts, those of one's own first."""
+
+    functions: list[FunctionFile]
+
+
 class NodeSummary(Schema):
     """A node in a list."""
 

@@ -16,6 +16,7 @@ from sigcat.api.work_queue import WorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import MARK, find_hosted
 from sigcat.errors import NotFound
+from sigcat.function.hosting import FunctionLibrary
 
 __all__ = [
     "AnyCatalogue",
@@ -26,11 +27,13 @@ __all__ = [
     "PostedText",
     "TheCatalogue",
     "TheExportQueue",
+    "TheFunctions",
     "TheLibrary",
     "TheRules",
     "TheSettings",
     "TheWorkQueue",
     "catalogue_at",
+    "functions_of",
     "hosted_at",
     "is_known",
     "library_of",
@@ -49,6 +52,12 @@ def library_of(request: Request) -> Library:
     """The library that the service hosts."""
     library: Library = request.app.state.library
     return library
+
+
+def functions_of(request: Request) -> FunctionLibrary:
+    """The functions that the service hosts."""
+    functions: FunctionLibrary = request.app.state.functions
+    return functions
 
 
 def settings_of(request: Request) -> Settings:
@@ -73,6 +82,10 @@ async def _library(request: Request) -> Library:
     return library_of(request)
 
 
+async def _functions(request: Request) -> FunctionLibrary:
+    return functions_of(request)
+
+
 async def _settings(request: Request) -> Settings:
     return settings_of(request)
 
@@ -93,6 +106,7 @@ async def _export_queue(request: Request) -> WorkQueue:
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
 # They take what they need from the request: each dependency of a dependency costs as much as a small answer.
 TheLibrary = Annotated[Library, Depends(_library)]
+TheFunctions = Annotated[FunctionLibrary, Depends(_functions)]
 TheSettings = Annotated[Settings, Depends(_settings)]
 TheRules = Annotated[ServiceRules, Depends(_rules)]
 TheWorkQueue = Annotated[WorkQueue, Depends(_queue)]

@@ -1,4 +1,4 @@
-"""The route that has a catalogue's files read again."""
+"""Routes that have the files of a catalogue, or those of the functions, read again."""
 
 from functools import partial
 
@@ -8,9 +8,10 @@ from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import catalogue_detail
 from sigcat.api.middleware.access import needs
-from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheWorkQueue
+from sigcat.api.requests.dependencies import AnyCatalogue, TheFunctions, TheLibrary, TheWorkQueue
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["operation"])
+of_functions = APIRouter(prefix="/api/v1/functions", tags=["operation"])
 
 
 @router.post(
@@ -25,3 +26,14 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
     """
     fresh = await queue.run(partial(library.reload, hosted.source.id))
     return catalogue_detail(fresh)
+
+
+@of_functions.post(
+    "/reload",
+    responses=problem_documentation(401, 403, 503),
+    dependencies=list(needs("reload")),
+)
+async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFiles:
+    """Read the function files of the configured folders again. What is wrong with one, its page says."""
+    files = await queue.run(functions.reload)
+    return schemas.FunctionFiles(functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files])

@@ -1,8 +1,9 @@
-"""`sigcat.toml`: which catalogues a service hosts, declared in one file.
+"""`sigcat.toml`: which catalogues and functions a service hosts, declared in one file.
 
 ```toml
 watch = true                          # read files again when they change
-shipped = false                       # leave out the catalogues that sigcat brings along
+shipped = false                       # leave out what sigcat brings along
+functions = ["functions"]             # folders of function.yaml and Function JSON
 
 [[catalogue]]
 id = "body"
@@ -35,7 +36,9 @@ PATH_LISTS = ("overlays", "units", "quantities", "types", "include_dirs")
 CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, **dict.fromkeys(PATH_LISTS, list)
 }  # fmt: skip
-TOP_KEYS: Mapping[str, type] = {"watch": bool, "shipped": bool, "catalogue": list}
+TOP_KEYS: Mapping[str, type] = {"watch": bool, "shipped": bool, "functions": list, "catalogue": list}
+_OF_FOLDERS = frozenset(("include_dirs", "functions"))
+"""Lists that name folders; all others name files."""
 
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
@@ -51,6 +54,8 @@ class Configuration(NamedTuple):
     file: Path | None = None
     sources: tuple[Source, ...] = ()
     """Declared catalogues, in order."""
+    functions: tuple[Path, ...] = ()
+    """Folders of functions."""
     is_watching: bool = False
     has_shipped: bool = True
     tables: Mapping[str, Any] = {}
@@ -67,12 +72,14 @@ def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
     reading = _Reading(file, Lines(text))
     others = tuple(tables)
     reading.check(data, {**TOP_KEYS, **dict.fromkeys(others, dict)}, "")
+    functions = _paths(data, "functions", "", 0, reading)
     sources = tuple(_sources(data.get("catalogue"), reading))
     if reading.findings:
         raise _refused(file, reading.findings)
     return Configuration(
         file,
         sources,
+        functions,
         bool(data.get("watch", False)),
         bool(data.get("shipped", True)),
         {name: data[name] for name in others if name in data},
@@ -169,7 +176,7 @@ def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
         before = len(reading.findings)
         reading.check(values, CATALOGUE_KEYS, "catalogue", number)
         _check_id(values, number, known, reading)
-        lists: dict[str, Any] = {name: _paths(values, name, number, reading) for name in PATH_LISTS}
+        lists: dict[str, Any] = {name: _paths(values, name, "catalogue", number, reading) for name in PATH_LISTS}
         source = _base(values, number, reading)
         if source is not None and len(reading.findings) == before:
             title = values.get("title") or (source.title if source.release else values["id"])
@@ -223,15 +230,15 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         return None
 
 
-def _paths(values: Mapping[str, Any], name: str, number: int, reading: _Reading) -> tuple[Path, ...]:
+def _paths(values: Mapping[str, Any], name: str, table: str, number: int, reading: _Reading) -> tuple[Path, ...]:
     listed = values.get(name.replace("_", "-"), values.get(name, []))
     if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
         if isinstance(listed, list):
-            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", "catalogue", number, name)
+            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", table, number, name)
         return ()
     paths = tuple(reading.path(item) for item in listed)
     for path in paths:
-        if not (path.is_dir() if name == "include_dirs" else path.is_file()):
-            kind = "folder" if name == "include_dirs" else "file"
-            reading.report(codes.FILE_MISSING, f"There is no {kind} {str(path)!r}.", "catalogue", number, name)
+        if not (path.is_dir() if name in _OF_FOLDERS else path.is_file()):
+            kind = "folder" if name in _OF_FOLDERS else "file"
+            reading.report(codes.FILE_MISSING, f"There is no {kind} {str(path)!r}.", table, number, name)
     return paths

@@ -5,8 +5,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from threading import Event, Lock, Thread
 from types import TracebackType
-from typing import NamedTuple, Self
+from typing import NamedTuple, Protocol, Self
 
+from sigcat.catalogue.hosting.file_marks import Marks, marks_of
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -18,9 +19,6 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import nearest
 
 __all__ = ["Hosted", "Library", "Source", "Watch", "load", "shipped_sources", "tell_errors"]
-
-Marks = frozenset[tuple[str, int, int, int]]
-"""Files and folders with time of change, size and inode: different as soon as one of them changes."""
 
 _log = logging.getLogger("sigcat.hosting")
 
@@ -100,11 +98,19 @@ class Library:
         return _with_files(Hosted(current.source, fresh, SearchIndex(fresh)), fresh, marks)
 
 
+class Reloading(Protocol):
+    """What is read from files, and can see which of them changed."""
+
+    def reload_changed(self) -> object:
+        """Read what changed again."""
+        ...
+
+
 class Watch:
     """Looks for changed files while it is entered, in a thread of its own, and has them read again."""
 
-    def __init__(self, library: Library, seconds: float = 1.0) -> None:
-        self._library = library
+    def __init__(self, *watched: Reloading, seconds: float = 1.0) -> None:
+        self._watched = watched
         self._seconds = seconds
         self._stop = Event()
         self._thread = Thread(target=self._run, name="sigcat-watch", daemon=True)
@@ -121,10 +127,15 @@ class Watch:
 
     def _run(self) -> None:
         while not self._stop.wait(self._seconds):
-            try:
-                self._library.reload_changed()
-            except Exception:  # noqa: BLE001 - the next look may succeed, and the catalogues stay as they are
-                _log.exception("the files of the catalogues could not be read again")
+            for each in self._watched:
+                _look_at(each)
+
+
+def _look_at(watched: Reloading) -> None:
+    try:
+        watched.reload_changed()
+    except Exception:  # noqa: BLE001 - the next look may succeed, and what is hosted stays as it is
+        _log.exception("files that changed could not be read again")
 
 
 def tell_errors(library: Library) -> None:
@@ -177,12 +188,4 @@ def _named_files(source: Source) -> frozenset[Path]:
 
 def _marks(files: frozenset[Path]) -> Marks:
     """Marks of files and of their folders: a folder changes when a file that was missing appears."""
-    return frozenset(_mark(path) for path in {*files, *(file.parent for file in files)})
-
-
-def _mark(path: Path) -> tuple[str, int, int, int]:
-    try:
-        status = path.stat()
-    except OSError:
-        return (str(path), 0, 0, 0)
-    return (str(path), status.st_mtime_ns, status.st_size, status.st_ino)
+    return marks_of({*files, *(file.parent for file in files)})

@@ -112,14 +112,18 @@ def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool,
 @lru_cache(maxsize=12)
 def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
     """How many nodes of the tree each branch with instances stands for, by the path of its definition."""
-    expanded = _expanded.get(catalogue, catalogue)
-    instances = (node for node in expanded.nodes.values() if node.definition.is_instance)
+    instances = (node for node in expanded_of(catalogue).nodes.values() if node.definition.is_instance)
     return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))
+
+
+def expanded_of(catalogue: Catalogue) -> Catalogue:
+    """A folded catalogue as it was before; any other one as it is."""
+    return _expanded.get(catalogue, catalogue)
 
 
 def instances_of(catalogue: Catalogue, path: str) -> Sequence[Node]:
     """The nodes for which one of a folded catalogue stands; none if it is a node itself."""
-    expanded = _expanded.get(catalogue, catalogue)
+    expanded = expanded_of(catalogue)
     return () if path in expanded.nodes else _by_template(expanded).get(path, ())
 
 

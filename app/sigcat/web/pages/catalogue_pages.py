@@ -10,7 +10,15 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response
 from sigcat.api.answers.serializers import catalogue_detail, node_detail
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.cursors import cursor_of, offset_of
-from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary, TheRules, TheSettings, library_of
+from sigcat.api.requests.dependencies import (
+    AnyCatalogue,
+    TheFunctions,
+    TheLibrary,
+    TheRules,
+    TheSettings,
+    functions_of,
+    library_of,
+)
 from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
@@ -18,9 +26,11 @@ from sigcat.catalogue.search import FACETS
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
+from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
+from sigcat.web.views.node_uses import uses_in
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
 
@@ -73,14 +83,20 @@ def show_node(
 
 @router.get("/rows/{catalogue}")
 def list_rows(
-    hosted: AnyCatalogue, path: str = "", depth: int = 1, version: Annotated[str, Query(alias="v")] = ""
+    hosted: AnyCatalogue,
+    functions: TheFunctions,
+    path: str = "",
+    depth: int = 1,
+    version: Annotated[str, Query(alias="v")] = "",
 ) -> Response:
     """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
     nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
-    is_current = version == version_of(hosted)
+    is_current = version == _state(hosted, functions)
     caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
     counts = {} if hosted.catalogue.is_expanded else instance_counts(hosted.catalogue)
-    return JSONResponse(rows_below(nodes, min(depth, _DEEPEST) - 1, counts), headers={"Cache-Control": caching})
+    users = uses_in(functions.files, hosted.catalogue).functions
+    rows = rows_below(nodes, min(depth, _DEEPEST) - 1, counts, users)
+    return JSONResponse(rows, headers={"Cache-Control": caching})
 
 
 @router.get("/search/{catalogue}")
@@ -107,6 +123,7 @@ def show_search(
         filters=query.filters,
         facets=_facets(result.facets, query.filters, result.total),
         result=result,
+        uses=uses_in(functions_of(request).files, hosted.catalogue),
         offset=offset,
         cursor=cursor_of(following, state) if result.hits and following < result.total else None,
     )
@@ -158,12 +175,13 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
     named = opened.split(",") if opened else [root.path for root in catalogue.roots if path in ("", root.path)]
     branches = OpenBranches(named, path)
     rows, total = visible_rows(catalogue, branches, start, _ROWS)
+    uses = uses_in(functions_of(request).files, catalogue)
     return page(
         request,
         "tree.html",
         hosted=hosted,
         selected=path,
-        view=node_view(catalogue, first, field_units_of(request.app.state.rules.rules)) if first else None,
+        view=node_view(catalogue, first, field_units_of(request.app.state.rules.rules), uses) if first else None,
         switches=overlay_switches(library_of(request), hosted),
         folding=folding(hosted),
         instances={} if catalogue.is_expanded else instance_counts(catalogue),
@@ -173,9 +191,15 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
         most_rows=_ROWS,
         branches=branches,
         opened=opened,
-        state=version_of(hosted),
+        state=_state(hosted, functions_of(request)),
+        users=uses.functions,
         detail=catalogue_detail(hosted) if first is None else None,
     )
+
+
+def _state(hosted: Hosted, functions: FunctionLibrary) -> str:
+    """What the rows of a tree belong to: the catalogue, and the functions that use it."""
+    return f"{version_of(hosted)}-{functions.digest[:8]}"
 
 
 def _picture(hosted: Hosted) -> Sunburst | None:

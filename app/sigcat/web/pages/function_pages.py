@@ -1,76 +1,125 @@
-"""Pages of the functions that sigcat ships."""
+"""Pages of the functions that the service hosts."""
 
 from fastapi import APIRouter, Request
 from fastapi.responses import JSONResponse, Response
 
-from sigcat.api.requests.dependencies import NamedCatalogue
+from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import InputRefused, NotFound
 from sigcat.function.function_json.model import to_json
+from sigcat.function.hosting import FunctionLibrary, HostedFunction, function_over, functions_over
 from sigcat.names import nearest
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
+from sigcat.web.views.function_sets import known_sets
 from sigcat.web.views.generated_documents import VIEWS, GeneratedDocument, attached, chosen_view, documents_of
-from sigcat.web.views.shipped_functions import FILE, ShippedFunction, shipped_function, shipped_functions
-from sigcat.web.views.source_view import source_view
+from sigcat.web.views.needed_overlays import Need, need_of
+from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter()
 
 
 @router.get("/functions")
-def show_functions(request: Request, hosted: NamedCatalogue) -> Response:
-    """The functions that sigcat ships."""
-    return page(request, "functions.html", hosted=hosted, functions=shipped_functions(hosted.catalogue))
+def show_functions(request: Request, hosted: NamedCatalogue, functions: TheFunctions, library: TheLibrary) -> Response:
+    """The functions, those of one's own first, and what those need that do not build."""
+    return page(
+        request,
+        "functions.html",
+        hosted=hosted,
+        functions=_over(functions, hosted),
+        sets=known_sets(functions.files),
+        needs=_needs(functions, hosted, library),
+    )
 
 
 @router.get("/functions.json")
-def list_functions(hosted: NamedCatalogue) -> Response:
+def list_functions(hosted: NamedCatalogue, functions: TheFunctions, library: TheLibrary) -> Response:
     """The same as data."""
+    needs = _needs(functions, hosted, library)
     listed = [
-        {"id": each.id, "name": each.name, "ok": each.function is not None, "findings": len(each.findings)}
-        for each in shipped_functions(hosted.catalogue)
+        {
+            "id": each.id,
+            "name": each.name,
+            "file": each.file.name,
+            "shipped": each.file.is_shipped,
+            "ok": each.function is not None,
+            "findings": len(each.findings),
+            "needs": list(needs[each.id].overlays) if each.id in needs else [],
+        }
+        for each in _over(functions, hosted)
     ]
     return JSONResponse({"functions": listed})
 
 
 @router.get("/functions/{function_id}")
-def show_function(request: Request, hosted: NamedCatalogue, function_id: str, view: str = "interfaces") -> Response:
+def show_function(
+    request: Request,
+    hosted: NamedCatalogue,
+    functions: TheFunctions,
+    library: TheLibrary,
+    function_id: str,
+    view: str = "interfaces",
+) -> Response:
     """A function: its interfaces, its source with findings, its documents. With `.json` after its id, Function JSON."""
-    shipped = shipped_function(hosted.catalogue, function_id.removesuffix(".json"))
+    chosen = _function(functions, hosted, function_id.removesuffix(".json"))
     if function_id.endswith(".json"):
-        return _as_json(shipped)
-    function = shipped.function
-    views = {"interfaces": "Interfaces", "source": "Declaration", **VIEWS} if function else {"source": "Declaration"}
+        return _as_json(chosen)
+    function = chosen.function
+    source = {"source": "As written" if chosen.file.is_json else "Declaration"}
+    views = {"interfaces": "Interfaces", **source, **VIEWS} if function else source
     shown = chosen_view(view, views) if function or view != "interfaces" else "source"
     return page(
         request,
         "function.html",
         hosted=hosted,
-        shipped=shipped,
-        functions=shipped_functions(hosted.catalogue),
+        chosen=chosen,
+        functions=_over(functions, hosted),
+        sets=known_sets(functions.files),
+        need=need_of(chosen, functions.files, expanded_of(hosted.catalogue), library),
         views=views,
         view=shown,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
-        source=source_view(shipped.text, shipped.findings),
-        file=FILE,
-        documents=documents_of(shipped.resolved, shown) if shipped.resolved and shown in VIEWS else (),
+        source=source_view(shown_text(chosen.file.data), chosen.findings),
+        documents=documents_of(chosen.resolved, shown) if chosen.resolved and shown in VIEWS else (),
     )
 
 
 @router.get("/functions/{function_id}/files/{document_id}")
-def download_document(hosted: NamedCatalogue, function_id: str, document_id: str) -> Response:
-    """A document of a function, or its declaration, as a file."""
-    shipped = shipped_function(hosted.catalogue, function_id)
+def download_document(hosted: NamedCatalogue, functions: TheFunctions, function_id: str, document_id: str) -> Response:
+    """A document of a function, or its file as it is."""
+    chosen = _function(functions, hosted, function_id)
     if document_id == "source":
-        return attached(GeneratedDocument("source", "source", f"{function_id}.yaml", "application/yaml", shipped.text))
-    known = {document.id: document for document in documents_of(shipped.resolved)} if shipped.resolved else {}
+        return attached(_source_of(chosen))
+    known = {document.id: document for document in documents_of(chosen.resolved)} if chosen.resolved else {}
     if document_id not in known:
-        raise NotFound(f"There is no document {document_id!r} of {shipped.name}.", nearest(document_id[:100], known))
+        raise NotFound(f"There is no document {document_id!r} of {chosen.name}.", nearest(document_id[:100], known))
     return attached(known[document_id])
 
 
-def _as_json(shipped: ShippedFunction) -> Response:
-    if shipped.function is None:
-        raise InputRefused(f"{shipped.name} does not fit the catalogue.", shipped.findings)
-    return Response(to_json(shipped.function), media_type="application/json")
+def _over(functions: FunctionLibrary, hosted: Hosted) -> tuple[HostedFunction, ...]:
+    return functions_over(functions.files, expanded_of(hosted.catalogue))
+
+
+def _function(functions: FunctionLibrary, hosted: Hosted, function_id: str) -> HostedFunction:
+    return function_over(functions.files, expanded_of(hosted.catalogue), function_id)
+
+
+def _needs(functions: FunctionLibrary, hosted: Hosted, library: Library) -> dict[str, Need]:
+    """What each function needs that does not build, by its id."""
+    catalogue = expanded_of(hosted.catalogue)
+    found = ((each.id, need_of(each, functions.files, catalogue, library)) for each in _over(functions, hosted))
+    return {function_id: need for function_id, need in found if need}
+
+
+def _source_of(chosen: HostedFunction) -> GeneratedDocument:
+    ending, media_type = (".json", "application/json") if chosen.file.is_json else (".yaml", "application/yaml")
+    return GeneratedDocument("source", "source", f"{chosen.id}{ending}", media_type, shown_text(chosen.file.data))
+
+
+def _as_json(chosen: HostedFunction) -> Response:
+    if chosen.function is None:
+        raise InputRefused(f"{chosen.name} does not fit the catalogue.", chosen.findings)
+    return Response(to_json(chosen.function), media_type="application/json")

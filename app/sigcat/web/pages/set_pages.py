@@ -1,4 +1,4 @@
-"""Pages of sets of functions: shipped ones by their ids in the address, any others as posted files."""
+"""Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
 from collections.abc import Iterable, Sequence
 from functools import partial
@@ -8,11 +8,21 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers.serializers import finding_counts
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheLibrary, TheWorkQueue, settings_of
+from sigcat.api.requests.dependencies import (
+    NamedCatalogue,
+    PostedBody,
+    TheFunctions,
+    TheLibrary,
+    TheWorkQueue,
+    functions_of,
+    settings_of,
+)
 from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import NotFound, UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.hosting import HostedFiles, functions_over
 from sigcat.limits import PAGE_FUNCTIONS
 from sigcat.names import nearest
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
@@ -23,19 +33,17 @@ from sigcat.web.views import signal_conversions
 from sigcat.web.views.function_sets import (
     FunctionSet,
     as_text,
+    chosen_files,
     distinct,
     documents_in,
     function_set,
-    shipped_files,
-    shipped_set,
+    hosted_set,
+    known_sets,
 )
 from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, attached, chosen_view, integrations_of
-from sigcat.web.views.shipped_functions import shipped_functions
 from sigcat.web.views.source_view import SourceView, shown_text, source_view
 
 router = APIRouter()
-ECO_CONTROL = ("core_acc", "eco_control_mpc")
-"""The set that is shown when none is chosen."""
 VIEWS = {"files": "Files", **SET_VIEWS}
 _MOST_FINDINGS = 200
 
@@ -46,23 +54,26 @@ Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functi
 async def show_wiring(
     request: Request,
     hosted: NamedCatalogue,
+    hosted_functions: TheFunctions,
     queue: TheWorkQueue,
     functions: Chosen = None,
     write: Annotated[bool, Query(description="Whether to begin with functions of one's own.")] = False,
     view: str = "files",
 ) -> Response:
     """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
-    chosen = _chosen(functions)
+    files = hosted_functions.files
+    chosen = _chosen(functions, files)
 
     def work() -> Response:
-        return _page(request, hosted, chosen, shipped_set(chosen, hosted.catalogue), view=view, is_writing=write)
+        together = hosted_set(files, chosen, expanded_of(hosted.catalogue))
+        return _page(request, hosted, chosen, together, view=view, is_writing=write)
 
     return await queue.run(work)
 
 
 @router.post("/wiring")
 async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQueue, body: PostedBody) -> Response:
-    """The same page for posted functions, together with the shipped ones that are named. Nothing of them is kept."""
+    """The same page for posted functions, together with the hosted ones that are named. Nothing of them is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, queue)
     return await queue.run(partial(_posted, request, hosted, form))
@@ -70,26 +81,34 @@ async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQu
 
 @router.get("/wiring/files/{document_id}")
 async def download_of_set(
-    hosted: NamedCatalogue, queue: TheWorkQueue, document_id: str, functions: Chosen = None
+    hosted: NamedCatalogue,
+    hosted_functions: TheFunctions,
+    queue: TheWorkQueue,
+    document_id: str,
+    functions: Chosen = None,
 ) -> Response:
     """A document that is made from a set of functions, as a file."""
-    chosen = _chosen(functions)
-    return await queue.run(lambda: _download(shipped_set(chosen, hosted.catalogue).whole, document_id))
+    chosen = _chosen(functions, hosted_functions.files)
+    together = partial(hosted_set, hosted_functions.files, chosen, expanded_of(hosted.catalogue))
+    return await queue.run(lambda: _download(together().whole, document_id))
 
 
 @router.get("/wiring.json")
-async def get_wiring(hosted: NamedCatalogue, queue: TheWorkQueue, functions: Chosen = None) -> Response:
+async def get_wiring(
+    hosted: NamedCatalogue, hosted_functions: TheFunctions, queue: TheWorkQueue, functions: Chosen = None
+) -> Response:
     """The wiring of a set of functions as data."""
-    chosen = _chosen(functions)
-    return JSONResponse(_as_data(await queue.run(partial(shipped_set, chosen, hosted.catalogue))))
+    chosen = _chosen(functions, hosted_functions.files)
+    together = partial(hosted_set, hosted_functions.files, chosen, expanded_of(hosted.catalogue))
+    return JSONResponse(_as_data(await queue.run(together)))
 
 
 def _posted(request: Request, hosted: Hosted, form: Form) -> Response:
     chosen = tuple(dict.fromkeys(form.every("f")))
     own = distinct((*form.files, *documents_in(form.text("text"))))
-    files = (*shipped_files(chosen, hosted.catalogue), *own)
+    files = (*chosen_files(functions_of(request).files, chosen), *own)
     _check_size(files)
-    together = function_set(files, hosted.catalogue, settings_of(request).limits)
+    together = function_set(files, expanded_of(hosted.catalogue), settings_of(request).limits)
     if form.last("download"):
         return _download(together.whole, form.last("download"))
     return _page(request, hosted, chosen, together, own, view=form.last("view", "files"))
@@ -106,11 +125,16 @@ def _page(
     is_writing: bool = False,
 ) -> Response:
     findings = together.findings
+    files = functions_of(request).files
+    functions = functions_over(files, expanded_of(hosted.catalogue))
+    sets = known_sets(files)
     return page(
         request,
         "wiring.html",
         hosted=hosted,
-        functions=shipped_functions(hosted.catalogue),
+        functions=functions,
+        sets=sets,
+        set_title="" if own else next((title for title, ids in sets.items() if set(ids) == set(chosen)), ""),
         chosen=chosen,
         own=own,
         is_writing=is_writing or (bool(own) and not together.functions),
@@ -128,8 +152,7 @@ def _page(
         view=chosen_view(view, VIEWS),
         documents=_documents(together.whole, "" if view == "files" else view),
         made_from=[function.name for function in together.whole],
-        ids={each.name: each.id for each in shipped_functions(hosted.catalogue) if each.id in chosen},
-        is_eco_control=not own and set(chosen) == set(ECO_CONTROL),
+        ids={each.name: each.id for each in functions if each.id in chosen},
     )
 
 
@@ -149,8 +172,10 @@ def _of(file: PostedFile, findings: Iterable[Finding]) -> list[Finding]:
     return [finding for finding in findings if finding.file == file.name]
 
 
-def _chosen(functions: Sequence[str] | None) -> tuple[str, ...]:
-    chosen = tuple(dict.fromkeys(functions or ECO_CONTROL))
+def _chosen(functions: Sequence[str] | None, files: HostedFiles) -> tuple[str, ...]:
+    """The functions that are asked for; without any, the first set that pages offer."""
+    first = next(iter(known_sets(files).values()), tuple(file.id for file in files[:PAGE_FUNCTIONS]))
+    chosen = tuple(dict.fromkeys(functions or first))
     _check_size(chosen)
     return chosen
 

@@ -7,7 +7,15 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers.serializers import finding_counts
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedBody, TheLibrary, TheRules, TheWorkQueue, settings_of
+from sigcat.api.requests.dependencies import (
+    NamedCatalogue,
+    PostedBody,
+    TheFunctions,
+    TheLibrary,
+    TheRules,
+    TheWorkQueue,
+    settings_of,
+)
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -15,8 +23,10 @@ from sigcat.data import OVERLAYS
 from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import is_json
 from sigcat.findings import Finding
+from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import check_function_json, checked_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.hosting import FILE, HostedFiles, file_of
 from sigcat.limits import Limits
 from sigcat.names import nearest
 from sigcat.rules.linting.posted import lint_text
@@ -25,7 +35,6 @@ from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
 from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, documents_of
-from sigcat.web.views.shipped_functions import FILE, shipped_function
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter()
@@ -74,14 +83,15 @@ async def show_try(
     request: Request,
     hosted: NamedCatalogue,
     rules: TheRules,
+    functions: TheFunctions,
     queue: TheWorkQueue,
     kind: Kind = "overlay",
     example: Annotated[str, Query(max_length=100)] = "",
 ) -> Response:
-    """The page with a text to begin with: a shipped function, a shipped overlay, or a few lines."""
+    """The page with a text to begin with: a hosted function, a shipped overlay, or a few lines."""
 
     def work() -> Response:
-        text = _beginning(kind, example, hosted.catalogue)
+        text = _beginning(kind, example, functions.files)
         return _page(request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode()))
 
     return await queue.run(work)
@@ -160,9 +170,9 @@ def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried
     )
 
 
-def _beginning(kind: Kind, example: str, catalogue: Catalogue) -> str:
+def _beginning(kind: Kind, example: str, files: HostedFiles) -> str:
     if kind == "function":
-        return shipped_function(catalogue, example or "core_acc").text
+        return shown_text(file_of(files, example or files[-1].id).data) if example or files else scaffold("NewFunction")
     if kind == "overlay" and example:
         shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
         if example in shipped:

@@ -8,19 +8,29 @@ const TYPING_PAUSE = 600;
 const RESTING = 120; // after the last movement, where one has scrolled to is kept
 
 class Entry {
-  constructor(name, path, level, kind, count, parent, position, siblings) {
-    Object.assign(this, { name, path, level, kind, count, parent, position, siblings, children: null, open: false });
+  constructor(name, path, level, kind, count, users, parent, position, siblings) {
+    Object.assign(this, { name, path, level, kind, count, users, parent, position, siblings, children: null, open: false });
   }
 }
+
+/** How many functions use a node, or one below it. */
+const usersOf = (count) => {
+  const shown = Object.assign(document.createElement("span"), { textContent: `ƒ${count}` });
+  shown.setAttribute("aria-hidden", "true");
+  const read = Object.assign(document.createElement("span"), { className: "unseen", textContent: `, used by ${count} function${count === 1 ? "" : "s"}` });
+  const users = Object.assign(document.createElement("span"), { className: "users" });
+  users.append(shown, read);
+  return users;
+};
 
 /** Put compact rows (parents first) below an entry; the levels of `rows` count from the entry down. */
 const fill = (parent, { kinds, rows }) => {
   const stack = [{ entry: parent, children: [] }];
-  for (const [level, name, kind, count] of rows) {
+  for (const [level, name, kind, count, users = 0] of rows) {
     while (stack.length > level + 1) stack.pop();
     const { entry: above, children } = stack[level];
     const path = above.path ? `${above.path}.${name}` : name;
-    const entry = new Entry(name, path, above.level + 1, kinds[kind], count, above, children.length + 1, 0);
+    const entry = new Entry(name, path, above.level + 1, kinds[kind], count, users, above, children.length + 1, 0);
     children.push(entry);
     above.children = children;
     if (count) stack.push({ entry, children: [] });
@@ -46,7 +56,7 @@ export const mountTree = () => {
   const stop = new AbortController();
   const { signal } = stop;
 
-  const root = new Entry("", "", 0, [], 1, null, 1, 1);
+  const root = new Entry("", "", 0, [], 1, 0, null, 1, 1);
   let visible = [];
   let active = 0;
   let selected = section.dataset.selected;
@@ -196,7 +206,7 @@ export const mountTree = () => {
       const name = Object.assign(document.createElement("a"), { className: "name", textContent: entry.name, tabIndex: -1 });
       const hint = Object.assign(document.createElement("span"), { className: "hint", textContent: datatype });
       if (unit) hint.append(" ", Object.assign(document.createElement("i"), { textContent: unit }));
-      row.append(mark, name, ...(datatype ? [hint] : []));
+      row.append(mark, name, ...(entry.users ? [usersOf(entry.users)] : []), ...(datatype ? [hint] : []));
       row.title = `${entry.path}${entry.count ? "" : ` (${type})`}`;
       row.setAttribute("aria-level", entry.level);
       row.setAttribute("aria-posinset", entry.position);

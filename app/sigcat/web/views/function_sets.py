@@ -1,8 +1,8 @@
-"""A set of functions, shipped or posted, checked and connected: what the page of the wiring shows."""
+"""A set of functions, hosted or posted, checked and connected: what the page of the wiring shows."""
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -10,13 +10,14 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding, in_order
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.hosting import HostedFile, HostedFiles, file_of
 from sigcat.function.sets.check_set import check_set, read_set
 from sigcat.function.sets.wiring import Wiring, connect
-from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.limits import DEFAULT_LIMITS, PAGE_FUNCTIONS, Limits
 from sigcat.web.forms import PostedFile
-from sigcat.web.views.shipped_functions import FILE, shipped_function
 from sigcat.web.views.source_view import shown_text
 
+_ECO_CONTROL = ("core_acc", "eco_control_mpc")
 _SEPARATOR = re.compile(r"^---[ \t]*(?:#[ \t]*(.*?))?[ \t]*$", re.MULTILINE)
 """Between two documents: the three dashes of YAML, with the name of the file as their comment."""
 
@@ -46,16 +47,28 @@ def function_set(files: Sequence[PostedFile], catalogue: Catalogue, limits: Limi
     return FunctionSet(over, tuple(files), drawn, whole, findings, connect(drawn))
 
 
+def known_sets(files: HostedFiles) -> Mapping[str, tuple[str, ...]]:
+    """The sets that pages offer: ids of functions by title, those of one's own first."""
+    own = [file.id for file in files if not file.is_shipped]
+    title = "Your functions" if len(own) <= PAGE_FUNCTIONS else f"Your first {PAGE_FUNCTIONS} functions"
+    sets = {title: tuple(own[:PAGE_FUNCTIONS])} if len(own) > 1 else {}
+    return {**sets, "EcoControl": _ECO_CONTROL} if {file.id for file in files}.issuperset(_ECO_CONTROL) else sets
+
+
 @lru_cache(maxsize=16)
-def shipped_set(function_ids: tuple[str, ...], catalogue: Catalogue) -> FunctionSet:
-    """A set of shipped functions. Raises NotFound with the nearest ids."""
-    return function_set(shipped_files(function_ids, catalogue), catalogue)
+def hosted_set(files: HostedFiles, function_ids: tuple[str, ...], catalogue: Catalogue) -> FunctionSet:
+    """A set of functions that the service hosts. Raises NotFound with the nearest ids."""
+    return function_set(chosen_files(files, function_ids), catalogue)
 
 
-def shipped_files(function_ids: Iterable[str], catalogue: Catalogue) -> tuple[PostedFile, ...]:
-    """The declarations of shipped functions. Raises NotFound with the nearest ids."""
-    shipped = (shipped_function(catalogue, each) for each in function_ids)
-    return tuple(PostedFile(f"{each.id}/{FILE}", each.text.encode()) for each in shipped)
+def chosen_files(files: HostedFiles, function_ids: Iterable[str]) -> tuple[PostedFile, ...]:
+    """The files of functions that the service hosts. Raises NotFound with the nearest ids."""
+    return tuple(PostedFile(_name_in_set(file), file.data) for file in (file_of(files, each) for each in function_ids))
+
+
+def _name_in_set(file: HostedFile) -> str:
+    """Shipped files all have one name; beside each other they are told apart by their folders."""
+    return f"{file.id}/{file.name}" if file.is_shipped else file.name
 
 
 def documents_in(text: str) -> tuple[PostedFile, ...]:

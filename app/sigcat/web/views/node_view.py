@@ -14,7 +14,7 @@ from sigcat.integration.ros2.names import field_name, message_name, topic_name
 from sigcat.names import last_name
 from sigcat.rules.record import Rule
 from sigcat.web.pictures.range_bar import RangeBar, range_bar
-from sigcat.web.views.shipped_functions import NodeUse, node_uses
+from sigcat.web.views.node_uses import NodeUse, UseBelow, Uses
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
 _PARTS = re.compile(r"[A-Za-z0-9]+|[^A-Za-z0-9]+")
@@ -45,7 +45,9 @@ class NodeView(NamedTuple):
     names_are_patterns: bool
     """Whether the node stands for its instances: a `*` is what differs between their names."""
     uses: tuple[NodeUse, ...]
-    """Shipped functions that use the node, or an instance of it where instances are folded."""
+    """Functions that use the node, or an instance of it where instances are folded."""
+    uses_below: tuple[UseBelow, ...]
+    """Functions that use nodes below it."""
     instances: int
     """In how many places of the tree the node stands, where instances are folded."""
     child_count: int
@@ -53,10 +55,10 @@ class NodeView(NamedTuple):
     """Units of the fields that the interfaces of functions have beside those of VSS."""
 
 
-def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) -> NodeView:
+def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str], uses: Uses) -> NodeView:
     """Everything that the page of a node shows."""
     detail = node_detail(catalogue, node._replace(children=node.children[:MOST_CHILDREN]))
-    used = tuple(node_uses(catalogue).get(node.path, ()))
+    used = tuple(uses.of_node.get(node.path, ()))
     values = {attribute.name: attribute.value for attribute in detail.attributes}
     instances = instances_of(catalogue, node.path)
     return NodeView(
@@ -68,6 +70,7 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str]) 
         _patterns([_names(each, detail, used) for each in instances or (node,)]),
         bool(instances),
         used,
+        tuple(uses.below.get(node.path, ())),
         0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
         len(node.children),
         field_units,

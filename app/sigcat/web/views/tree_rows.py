@@ -1,6 +1,6 @@
 """Rows of the tree: those that are visible with certain branches open, and those below a branch for the browser."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -10,6 +10,7 @@ from sigcat.web.template_filters import number, unit
 
 EVERYTHING = "*"
 _NO_COUNTS: Mapping[str, int] = {}
+_NO_USERS: Mapping[str, Sequence[str]] = {}
 
 
 class Row(NamedTuple):
@@ -64,14 +65,19 @@ def visible_rows(catalogue: Catalogue, opened: OpenBranches, start: int, limit: 
     return rows, total
 
 
-def rows_below(nodes: Iterable[Node], depth: int, instances: Mapping[str, int] = _NO_COUNTS) -> dict[str, Any]:
+def rows_below(
+    nodes: Iterable[Node],
+    depth: int,
+    instances: Mapping[str, int] = _NO_COUNTS,
+    functions: Mapping[str, Sequence[str]] = _NO_USERS,
+) -> dict[str, Any]:
     """Compact rows for the browser, parents first: `[level, name, kind, children]`, with the distinct kinds apart.
 
-    100,000 nodes have a few hundred kinds, so a row is a few dozen bytes.
+    A row ends with the number of functions that use the node or one below it, if there are any. 100,000 nodes have a few hundred kinds, so a row is a few dozen bytes.
     """
     kinds: dict[tuple[str, ...], int] = {}
     by_definition: dict[int, int] = {}
-    rows: list[tuple[int, str, int, int]] = []
+    rows: list[tuple[int | str, ...]] = []
     waiting = [(node, 0) for node in reversed(tuple(nodes))]
     while waiting:
         node, level = waiting.pop()
@@ -79,7 +85,8 @@ def rows_below(nodes: Iterable[Node], depth: int, instances: Mapping[str, int] =
         kind = by_definition.get(key)
         if kind is None:
             kind = by_definition[key] = kinds.setdefault(_kind(node, instances), len(kinds))
-        rows.append((level, node.name, kind, len(node.children)))
+        users = (len(functions[node.path]),) if node.path in functions else ()
+        rows.append((level, node.name, kind, len(node.children), *users))
         if level < depth:
             waiting.extend((child, level + 1) for child in reversed(node.children))
     return {"kinds": list(kinds), "rows": rows}

@@ -1,0 +1,40 @@
+"""What a function needs that a catalogue does not have: the overlays of another one over which it builds."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.search import overlay_name
+from sigcat.function.hosting import HostedFiles, HostedFunction, functions_over, has_interfaces
+from sigcat.web.views.node_uses import uses_of
+
+
+class Need(NamedTuple):
+    """A catalogue over which a function builds, and its overlays that make the difference."""
+
+    hosted: Hosted
+    overlays: tuple[str, ...]
+    """Empty where the trees differ, and not what is laid over them."""
+
+
+def need_of(each: HostedFunction, files: HostedFiles, catalogue: Catalogue, library: Iterable[Hosted]) -> Need | None:
+    """What a function needs that does not build over a catalogue; None if it builds over none of the library."""
+    if each.function is not None:
+        return None
+    for hosted in library:
+        other = hosted.catalogue
+        if other is catalogue or (each.file.is_shipped and not has_interfaces(other)):
+            continue
+        there = next((one for one in functions_over(files, other) if one.id == each.id), None)
+        if there is not None and there.function is not None:
+            paths = (use.path for use in uses_of(there.id, there.function))
+            return Need(hosted, _overlays(paths, other, catalogue))
+    return None
+
+
+def _overlays(paths: Iterable[str], there: Catalogue, here: Catalogue) -> tuple[str, ...]:
+    """The overlays from which one catalogue has nodes that another one lacks, in their order."""
+    nodes = (there.nodes[path] for path in paths if path in there.nodes and path not in here.nodes)
+    wanted = {statement.file.overlay for node in nodes for statement in node.definition.statements}
+    return tuple(overlay_name(layer.name) for layer in there.overlays if layer.name in wanted)
