@@ -26,6 +26,7 @@ from tests.adapter.arxml_judge import (
     without_number,
 )
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, signal
+from tests.judges import judged_by
 from tests.needs import published, published_files
 
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
@@ -88,6 +89,10 @@ def texts(files, tag):
 # -- as AUTOSAR has it --------------------------------------------------------------------------------------------
 
 
+@judged_by(
+    "autosar-data",
+    "ARXML loads strictly, its references lead somewhere, its elements have the order of the metamodel of their release",
+)
 @SETS
 @EACH_RELEASE
 def test_the_files_are_right_under_the_metamodel_of_their_release(name, release):
@@ -107,6 +112,7 @@ def test_ids_exist_and_are_unique_and_in_range(name):
     assert all(RANGES[kind][0] <= number <= RANGES[kind][1] for _, kind, _, number in numbers(model))
 
 
+@judged_by("autosar-data", "ARXML stays the same when it is read and written again")
 @SETS
 def test_the_files_survive_a_round_trip(name):
     files = made(name)
@@ -305,6 +311,7 @@ HOSTILE = [
 ]
 
 
+@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
 @pytest.mark.parametrize("text", HOSTILE)
 def test_hostile_texts_stay_texts(text):
     method = METHOD | {"Description": text}
@@ -321,6 +328,7 @@ def test_hostile_texts_stay_texts(text):
         assert text in texts(files, "L-2")
 
 
+@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
 @pytest.mark.parametrize("name", [*HOSTILE, "x" * 5000, "class", "1st"])
 def test_hostile_names_load_and_resolve(name):
     one = function(
@@ -340,6 +348,7 @@ def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
     assert dangling(loaded(generate(derive([function(signals=[scaled, converted, over])]).model))) == []
 
 
+@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
 @settings(max_examples=60, deadline=None)
 @given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
 def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):

@@ -53,6 +53,7 @@ def test_the_examples_are_integrated_without_a_finding():
     assert derive(examples()).findings == ()
 
 
+@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
 def test_the_document_validates_under_our_schema():
     document = json.loads(to_json(derive(examples()).model))
     jsonschema.Draft202012Validator(integration_schema()).validate(document)
