@@ -210,3 +210,29 @@ def test_lint_checks_the_functions_of_a_folder_as_one_set(tmp_path, monkeypatch,
     assert "F104" in capsys.readouterr().out
     assert main(["function", "validate", "Give.json", "Also.json"]) == 1
     assert main(["function", "validate", "Give.json"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("taken", "expected"),
+    [
+        ({"OFF": 0, "ON": 1}, []),
+        ({"OFF": 7, "ON": 6}, []),
+        ({"OFF": 0, "ON": 1, "AUTO": 2}, [("F100", "Take.json", f"{AT}/Datatype")]),
+    ],
+)
+def test_both_ends_of_an_enumeration_have_the_same_values_and_each_its_own_numbers(taken, expected):
+    def with_values(role: str, **numbers: int) -> tuple[bytes, str]:
+        state = {
+            "VssPath": "Vehicle.State",
+            "VssDatatype": "string",
+            "Datatype": "DT_State",
+            "Min": min(numbers.values()),
+        }
+        data, name = document("Give" if role == "Provider" else "Take", {"Name": "State", "Role": role, **state})
+        value = json.loads(data)
+        symbols = [{"Symbol": symbol, "Value": number} for symbol, number in numbers.items()]
+        datatype = {"typeRef": "DT_State", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration"}
+        value["Datatypes"].append(datatype | {"Symbols": symbols})
+        return json.dumps(value, indent=1).encode(), name
+
+    assert found(with_values("Provider", OFF=0, ON=1), with_values("Consumer", **taken)) == expected

@@ -111,12 +111,41 @@ def test_the_deployment_may_gather_them_otherwise():
 
 def test_an_event_travels_in_the_datatype_and_unit_of_the_catalogue():
     event = events(derive([example("CoreAcc")]).model)["VehicleADASService", "ADAS_CruiseControl_SpeedSet"]
-    assert (event.datatype, event.unit, event.min, event.max) == ("float", "km/h", 0, 252)
+    assert (event.datatype, event.unit) == ("float", "km/h")
     assert event.uses is not None
     use = event.uses[0].signal
     assert use is not None
     assert (use.units, use.max, use.conversion_factor) == ("m/s", 70, "3.6")
     assert event.data_mapping == ("core_inputs.bus_ACCIn.Bus_Cust.SetSpd",)
+
+
+@pytest.mark.parametrize(
+    ("give", "take", "expected"),
+    [
+        ({"VssMin": -5, "VssMax": 300}, {"VssMin": -5, "VssMax": 300}, (-5, 300)),
+        ({"VssMax": 300}, {"VssMax": 300}, (None, 300)),
+        ({"Min": 0, "Max": 60}, {"Min": 10, "Max": 50}, (0, 60)),
+        (None, {"Min": 10, "Max": 50, "VssMin": -5, "VssMax": 300}, (-5, 300)),
+        (None, {"Min": 10, "Max": 50}, (None, None)),
+    ],
+)
+def test_the_range_that_is_sent_is_that_of_the_catalogue_or_the_provider(give, take, expected):
+    providing = [] if give is None else [function("Give", [at("Vehicle.Speed", "Provider", **give)])]
+    made = events(derive([*providing, function("Take", [at("Vehicle.Speed", **take)])]).model)
+    (event,) = [event for event in made.values() if event.name == "Vehicle_Speed"]
+    assert (event.min, event.max) == expected
+    taken = [use.interface for use in event.uses or () if use.function == "Take"]
+    assert [(each.min, each.max) for each in taken] in ([], [(take.get("Min", 0), take.get("Max", 10))])
+
+
+def test_an_enumeration_is_sent_with_the_numbers_of_the_catalogue():
+    model = derive([example("CoreAcc")]).model
+    sent = {item.name: item for item in model.datatypes or ()}["DT_ADASMapDFSMapDataSpdUnitTyp"]
+    assert [(item.symbol, item.value) for item in sent.symbols or ()][2] == ("NOT_IN_MAP", 2)
+    event = events(model)["VehicleADASService", "ADAS_Map_DFS_MapDataSpdUnitTyp"]
+    assert (event.min, event.max) == (0, 2)
+    assert event.uses is not None
+    assert [(item.symbol, item.value) for item in event.uses[0].code_symbols or ()][2] == ("NOT_IN_MAP", 3)
 
 
 def test_a_signal_without_a_path_is_told_and_the_deployment_can_help():
@@ -339,7 +368,7 @@ def test_a_value_that_the_report_tells_of_stands_there():
     interfaces = [interface for four in lists for listed in four for interface in listed or ()]
     values = [value for interface in interfaces for value in interface.model_dump(mode="json").values()]
     texts = [
-        json.dumps(value, ensure_ascii=False).strip("[]").split(",")[0]
+        json.dumps(value, ensure_ascii=False).strip("[]{").split(",")[0]
         for value in values
         if value not in (None, [], {})
     ]

@@ -129,12 +129,57 @@ def test_a_keyword_is_avoided_and_the_change_is_told():
     assert ("N210", "Vehicle.Body.Switch") in rules([switch])
 
 
-def test_texts_stay_texts_and_the_numbers_of_the_code_stand_in_the_conversion():
+def test_the_numbers_of_the_code_stand_in_the_conversion_and_those_of_the_catalogue_in_the_message():
     end = topics([example("core_acc")])["Subscription", "/vehicle/adas/map/dfs/map_data_spd_unit_typ"]
-    symbols = [(each["Text"], each["Value"]) for each in conversion(end)["Symbols"]]
-    assert symbols == [("KM_PER_HOUR", 0), ("MI_PER_HOUR", 1), ("NOT_IN_MAP", 3)]
+    symbols = [(each["Text"], each["Value"], each["Number"]) for each in conversion(end)["Symbols"]]
+    assert symbols == [("KM_PER_HOUR", 0, 0), ("MI_PER_HOUR", 1, 1), ("NOT_IN_MAP", 3, 2)]
     constants = messages([example("core_acc")])["ADASMapDFSMapDataSpdUnitTyp"]["Constants"]
-    assert constants[2] == {"Name": "NOT_IN_MAP", "DataType": "string", "Value": "NOT_IN_MAP"}
+    assert constants[2] == {"Name": "NOT_IN_MAP", "DataType": "uint8", "Value": "2"}
+
+
+def enumeration(off, on):
+    symbols = [{"Symbol": "OFF", "Value": off}, {"Symbol": "ON", "Value": on}]
+    return {"typeRef": "DT_State", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration", "VssDatatype": "uint8", "Symbols": symbols}  # fmt: skip
+
+
+def state(vss, role, name, *numbers):
+    one = signal("State", "Vehicle.State", role=role, Datatype="DT_State", VssDatatype=vss)
+    return function(one, name=name, datatypes=[enumeration(*numbers)])
+
+
+@pytest.mark.parametrize(
+    ("vss", "enumerations", "fields", "constant", "given"),
+    [
+        ("string", "both", [("state", "string"), ("state_number", "uint8")], ("uint8", "7"), [("ON", 7, 7)]),
+        ("string", "number", [("state", "uint8")], ("uint8", "7"), None),
+        ("string", "text", [("state", "string")], ("string", "ON"), [("ON", 7, None)]),
+        ("uint8", "both", [("state", "uint8")], ("uint8", "7"), None),
+    ],
+)
+def test_a_consumer_with_other_numbers_than_the_provider_converts_them(vss, enumerations, fields, constant, given):
+    numbers = settings(enumerations=enumerations)
+    both = [state(vss, "Provider", "Give", 6, 7), state(vss, "Consumer", "Take", 1, 0)]
+    assert [rule for rule, path in rules(both, numbers) if path == "Vehicle.State"] == []
+    made = messages(both, numbers)["State"]
+    assert [(field["Name"], field["DataType"]) for field in made["Fields"][1:]] == fields
+    assert (made["Constants"][1]["DataType"], made["Constants"][1]["Value"]) == constant
+    ends = topics(both, numbers)
+    giving = ends["Publisher", "/vehicle/state"]["DataMappingList"][0]["ConversionAPI"]
+    assert giving is None if given is None else said(giving[0])[1:] == given
+    taken = None if enumerations == "text" else 6
+    assert said(conversion(ends["Subscription", "/vehicle/state"])) == [("OFF", 1, taken), ("ON", 0, taken and 7)]
+
+
+def said(made):
+    return [(each["Text"], each["Value"], each.get("Number")) for each in made["Symbols"]]
+
+
+def test_an_enumeration_with_other_values_is_another_one():
+    other = state("uint8", "Consumer", "Take", 6, 7)
+    names = other.model_dump_json().replace('"ON"', '"AUTO"')
+    assert ("N214", "Vehicle.State") in rules(
+        [state("uint8", "Provider", "Give", 6, 7), type(other).model_validate_json(names)]
+    )
 
 
 def test_a_unit_is_converted_in_the_direction_of_the_call():

@@ -1,6 +1,6 @@
 """Function JSON against the catalogue: paths, datatypes, units, ranges and defaults that it states itself."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -12,8 +12,9 @@ from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
 from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.datatype import Symbol
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.type_list import symbols_of
+from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.walk import contracts, data, parameters, runnables
 
 Problems = Iterator[Problem]
@@ -53,11 +54,22 @@ def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Pro
     for key, own, known in (
         ("VssDatatype", item.vss_datatype, node.values.get("datatype")),
         ("VssUnit", item.vss_unit, node.values.get("unit")),
+        ("VssMin", getattr(item, "vss_min", None), node.values.get("min")),
+        ("VssMax", getattr(item, "vss_max", None), node.values.get("max")),
     ):
         if own is not None and own != known:
             yield _stale((*pointer, key), key, own, known, node)
-    if symbols_of(node) is None:
+    symbols = symbols_of(node)
+    if symbols is None:
         yield from _values(pointer, item, node, catalogue)
+    elif item.vss_symbols is not None and {each.symbol: each.value for each in item.vss_symbols} != symbols:
+        own, known = _words(item.vss_symbols), _words(listed(symbols))
+        yield _stale((*pointer, "VssSymbols"), "VssSymbols", own, known, node)
+
+
+def _words(symbols: Iterable[Symbol]) -> str:
+    """An enumeration in words: `OFF 0, ON 1`."""
+    return ", ".join(f"{each.symbol} {each.value}" for each in symbols)
 
 
 def _stale(pointer: Pointer, key: str, own: Any, known: Any, node: Node) -> Problem:

@@ -1,5 +1,6 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from sigcat.function.function_json.datatype import Symbol
 from sigcat.function.function_json.wire import (
     OWN,
     PHYSICAL,
@@ -52,6 +53,19 @@ class Signal(WireModel):
     vss_path: str | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_min: Number | None = described(
+        "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
+    vss_max: Number | None = described(
+        "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
+    vss_symbols: tuple[Symbol, ...] | None = described(
+        "VssSymbols",
+        "Values of an enumeration with the numbers of the catalogue, where the code has others.",
+        default=None,
+        source=OWN,
+        strict=False,
+    )
     conversion_factor: str | None = described(
         "ConversionFactor",
         "Value in the catalogue's unit = physical value × factor + offset; absent where the units are the same.",
@@ -107,6 +121,15 @@ class DataQueue(WireModel):
     vss_path: str | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_min: Number | None = described(
+        "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
+    vss_max: Number | None = described(
+        "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
+    )
+    vss_symbols: tuple[Symbol, ...] | None = described(
+        "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
+    )
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
     conversion_offset: str | None = described(
         "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
@@ -138,6 +161,9 @@ class Parameter(WireModel):
     vss_path: str | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_symbols: tuple[Symbol, ...] | None = described(
+        "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
+    )
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
     conversion_offset: str | None = described(
         "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"

@@ -1,5 +1,7 @@
 """Datatypes that interfaces refer to."""
 
+from collections.abc import Mapping
+
 from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReference, WireModel, described
 
 
@@ -44,3 +46,14 @@ class Datatype(WireModel):
         "Fields", "Members of a struct, in order.", default=None, source=OWN, strict=False
     )
     description: str | None = described("Description", "What a struct is.", default=None, source=OWN)
+
+
+def innermost(reference: str, known: Mapping[str, Datatype]) -> Datatype | None:
+    """The datatype itself, or the innermost element of an array. Arrays that contain themselves have none."""
+    datatype, seen = known.get(reference), set[str]()
+    while datatype is not None and datatype.kind == "array":
+        if datatype.reference in seen:
+            return None
+        seen.add(datatype.reference)
+        datatype = known.get(datatype.element or "")
+    return datatype

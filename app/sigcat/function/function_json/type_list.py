@@ -22,6 +22,11 @@ def symbols_of(node: Node) -> Symbols | None:
     return {str(name): number for number, name in enumerate(allowed)} if is_text and isinstance(allowed, list) else None
 
 
+def listed(symbols: Symbols) -> tuple[Symbol, ...]:
+    """An enumeration as Function JSON has it."""
+    return tuple(Symbol(symbol=name, value=value) for name, value in symbols.items())
+
+
 def smallest_integer(symbols: Symbols) -> str:
     """The smallest VSS integer that holds every number of an enumeration."""
     low, high = min(symbols.values(), default=0), max(symbols.values(), default=0)
@@ -86,7 +91,7 @@ class TypeList:
                 c_definition=BY_VSS[stored].c,
                 kind="enumeration",
                 vss_datatype=stored,
-                symbols=tuple(Symbol(symbol=name, value=value) for name, value in symbols.items()),
+                symbols=listed(symbols),
             )
         )
 

@@ -16,10 +16,10 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, 
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.type_list import symbols_of
+from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.interfaces import asil_of, interface_node
-from sigcat.function.resolving.numbers import plain_text
+from sigcat.function.resolving.numbers import fraction, plain_text
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values import Value, value_of
 
@@ -60,10 +60,17 @@ def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
         "vss_path": node.path,
         "vss_datatype": node.values["datatype"],
         "vss_unit": node.values.get("unit"),
+        "vss_symbols": listed(value.own_symbols) if value.own_symbols else None,
         "conversion_factor": as_text(value.conversion.factor) if value.conversion else None,
         "conversion_offset": as_text(value.conversion.offset) if value.conversion else None,
         "variable": item.variable,
     }
+
+
+def _catalogue_range(value: Value) -> dict[str, Any]:
+    """The catalogue's own range, in its unit: what is sent, whatever the code of one side takes."""
+    limits = {key: value.node.values.get(name) for key, name in (("vss_min", "min"), ("vss_max", "max"))}
+    return {key: as_number(fraction(limit)) for key, limit in limits.items() if isinstance(limit, int | float)}
 
 
 def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolving[Level | None]:
@@ -93,6 +100,7 @@ def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Reso
         external_provider=item.provider,
         resolution=resolution if isinstance(resolution, int | float) else None,
         **_common(item, value),
+        **_catalogue_range(value),
         **(yield from _time_out(item, at, context)),
     )
 
@@ -110,6 +118,7 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resol
         type=value.node.type,
         external_provider=item.provider,
         **_common(item, value),
+        **_catalogue_range(value),
         **(yield from _time_out(item, at, context)),
     )
 

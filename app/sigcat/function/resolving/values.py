@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY, Linear
+from sigcat.function.function_json.type_list import Symbols, symbols_of
 from sigcat.function.resolving.code_datatype import code_datatype, code_symbols
 from sigcat.function.resolving.code_unit import code_unit, scale_of
 from sigcat.function.resolving.code_value import CodeValue, Item
@@ -28,6 +29,8 @@ class Value(NamedTuple):
     init: float | None
     conversion: Linear | None
     """From the code's unit to the catalogue's; None where they are the same."""
+    own_symbols: Symbols | None
+    """Names and numbers of an enumeration in the catalogue; None where the code has the same."""
 
 
 def value_of(item: Item, at: Pointer, context: Context) -> Resolving[Value | None]:
@@ -57,4 +60,6 @@ def _value(code: CodeValue, low: Fraction | None, high: Fraction | None, init: f
     reference = context.types.reference(code.datatype, node.template, code.symbols, node.values.get("arraysize"))
     conversion = None if code.to_code == IDENTITY else code.to_code.inverse
     ends = optional_number(low), optional_number(high)
-    return Value(node, reference, code.unit, *ends, default_of(code), init, conversion)
+    symbols = symbols_of(node)
+    own_symbols = None if symbols == code.symbols else symbols
+    return Value(node, reference, code.unit, *ends, default_of(code), init, conversion, own_symbols)

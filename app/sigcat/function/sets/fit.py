@@ -1,6 +1,6 @@
 """Both ends of a signal, at two functions: what does not fit between them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -91,7 +91,8 @@ def _datatype(provider: End, consumer: End) -> Mismatches:
         )
     elif _have_other_symbols(provider, consumer):
         message = (
-            f"The values of {consumer.path!r} must have the numbers that {provider.function} provides, not others."
+            f"The values of {consumer.path!r} must be {', '.join(_symbols(provider))}, as {provider.function} provides"
+            f" them, not {', '.join(_symbols(consumer))}."
         )
     if message:
         yield Mismatch(codes.PROVIDED_AS_ANOTHER_DATATYPE, "Datatype", message, "Use the same datatype in both.")
@@ -120,14 +121,15 @@ def _have_other_symbols(provider: End, consumer: End) -> bool:
     if not (provider.signal.vss_datatype and consumer.signal.vss_datatype):
         return False
     given, wanted = _symbols(provider), _symbols(consumer)
-    return bool(given and wanted and given != wanted)
+    return bool(given and wanted and set(given) != set(wanted))
 
 
-def _symbols(end: End) -> Mapping[str, int]:
+def _symbols(end: End) -> tuple[str, ...]:
+    """Names of the values of an enumeration. Their numbers may differ: integrations convert them by name."""
     if end.signal.datatype.removeprefix("DT_") in _PRIMITIVE:
-        return {}
+        return ()
     datatype = _type(end)
-    return {symbol.symbol: symbol.value for symbol in (datatype.symbols if datatype else None) or ()}
+    return tuple(symbol.symbol for symbol in (datatype.symbols if datatype else None) or ())
 
 
 def _unit(provider: End, consumer: End) -> Mismatches:
@@ -149,9 +151,9 @@ def _unit(provider: End, consumer: End) -> Mismatches:
 def _range(provider: End, consumer: End) -> Mismatches:
     """In the unit of the catalogue; the key is that of the limit in the consumer's own unit.
 
-    A consumer that says what replaces a value out of range has said what to do.
+    A consumer that says what replaces a value out of range has said what to do; of an enumeration each has its own.
     """
-    if consumer.signal.range_error_action:
+    if consumer.signal.range_error_action or _symbols(consumer):
         return
     given, wanted = _range_of(provider.signal), _range_of(consumer.signal)
     keys = ("Max", "Min") if _falls(consumer.signal) else ("Min", "Max")

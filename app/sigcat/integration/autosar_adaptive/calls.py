@@ -164,6 +164,8 @@ def _parameter(
         vss_path=parameter.vss_path,
         vss_datatype=parameter.vss_datatype,
         vss_unit=parameter.vss_unit,
+        vss_symbols=tuple(model.Symbol(symbol=each.symbol, value=each.value) for each in parameter.vss_symbols or ())
+        or None,
         conversion_factor=parameter.conversion_factor,
         conversion_offset=parameter.conversion_offset,
     )

@@ -1,7 +1,7 @@
 """What a component has of each service: its events, methods and fields, with what it uses of them."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
@@ -41,22 +41,38 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
     assert isinstance(interface, Signal | DataQueue)
     variables = tuple(dict.fromkeys(filter(None, map(_variable, sides))))
     is_catalogue = _in_catalogue_datatype(interface)
+    datatype = types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype)
+    symbols = types.symbols_sent(datatype)
+    low, high = _limits(interface, symbols, provides=element.leading.provides)
     return model.Event(
         name=element.name,
-        datatype=types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype),
+        datatype=datatype,
         data_mapping=variables or None,
         description=interface.description,
         event_id=service.ids[element.name],
         event_group=group_of(element),
         unit=(interface.vss_unit or interface.units) if is_catalogue else interface.units,
-        min=sent(interface.min, interface),
-        max=sent(interface.max, interface),
+        min=low,
+        max=high,
         scaling=None if is_catalogue else _text(interface.factor),
         offset=None if is_catalogue else _text(interface.offset),
         cycle_time=cycle_of(element),
         vss_path=context.path_of(leading) or None,
-        uses=tuple(_use(side, types) for side in sides),
+        uses=tuple(_use(side, symbols, types) for side in sides),
     )
+
+
+_Limits = tuple[int | float | None, int | float | None]
+
+
+def _limits(interface: Signal | DataQueue, symbols: Sequence[model.Symbol], *, provides: bool) -> _Limits:
+    """The range of what is sent: the catalogue's, or else the provider's. What a consumer takes stays with its use."""
+    if symbols:
+        numbers = [symbol.value for symbol in symbols]
+        return min(numbers), max(numbers)
+    if interface.vss_min is not None or interface.vss_max is not None:
+        return interface.vss_min, interface.vss_max
+    return (sent(interface.min, interface), sent(interface.max, interface)) if provides else (None, None)
 
 
 def _variable(side: Placed) -> str | None:
@@ -94,15 +110,17 @@ def _text(number: str | float | None) -> str | None:
     return None if number is None else str(number)
 
 
-def _use(side: Placed, types: TypeTable) -> model.Use:
+def _use(side: Placed, symbols: Sequence[model.Symbol], types: TypeTable) -> model.Use:
     interface, call, part = side.item.interface, side.item.call, side.item.part
     assert isinstance(interface, Signal | DataQueue)
     assert call is not None
+    own = types.symbols_of_code(part.function, interface.datatype)
     return model.Use(
         function=part.function_name,
         component=part.name,
         call=call.name,
         code_datatype=types.c_definition(part.function, interface.datatype),
+        code_symbols=None if set(own) == set(symbols) else own or None,
         signal=interface if isinstance(interface, Signal) else None,
         queue=interface if isinstance(interface, DataQueue) else None,
     )

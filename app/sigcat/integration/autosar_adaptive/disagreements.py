@@ -24,7 +24,7 @@ def _compare(element: Element, types: TypeTable, context: Context) -> None:
     wanted = _sent_as(leading, types)
     for side in element.sides:
         found = _sent_as(side, types)
-        if found != wanted:
+        if found != wanted and not (found[1] == wanted[1] and _same_names(found[0], wanted[0], types)):
             message = (
                 f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
                 f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
@@ -33,6 +33,12 @@ def _compare(element: Element, types: TypeTable, context: Context) -> None:
             context.findings.report(
                 codes.MEANINGS_DIFFER_ADAPTIVE, message, subject, "Build both from the same catalogue."
             )
+
+
+def _same_names(one: str, other: str, types: TypeTable) -> bool:
+    """Whether both are the same enumeration with other numbers, which each side converts by name."""
+    names = [{item.symbol for item in types.symbols_sent(word)} for word in (one, other)]
+    return bool(names[0]) and names[0] == names[1]
 
 
 def _sent_as(side: Placed, types: TypeTable) -> tuple[str, str]:

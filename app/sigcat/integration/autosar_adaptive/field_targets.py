@@ -12,15 +12,18 @@ from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
+_RANGE = "the event has the catalogue's range, or else the provider's"
 _PLACE = "says which service and which side"
 
 _DATA: dict[str, FieldTarget | str] = {
     "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "Datatype": FieldTarget("DataType and Uses/CodeDatatype", _CATALOGUE),
     "Units": FieldTarget("Unit and Uses/{of}/Units", _CATALOGUE),
-    "Min": FieldTarget("Min and Uses/{of}/Min", _CATALOGUE), "Max": FieldTarget("Max and Uses/{of}/Max", _CATALOGUE),
+    "Min": FieldTarget("Uses/{of}/Min", _RANGE), "Max": FieldTarget("Uses/{of}/Max", _RANGE),
     "VssPath": FieldTarget("Name and VssPath", "the event is named by it"),
     "VssDatatype": FieldTarget("DataType and Uses/{of}/VssDatatype"),
+    "VssMin": FieldTarget("Min and Uses/{of}/VssMin"), "VssMax": FieldTarget("Max and Uses/{of}/VssMax"),
+    "VssSymbols": FieldTarget("DataTypes and Uses/{of}/VssSymbols", "sent with these numbers"),
     "VssUnit": FieldTarget("Unit and Uses/{of}/VssUnit"), "Variable": "DataMappingList",
     "Factor": FieldTarget("Uses/{of}/Factor", "scaling inside the code; also Scaling where no catalogue is known"),
     "Offset": FieldTarget("Uses/{of}/Offset", "scaling inside the code; also Offset where no catalogue is known"),
@@ -76,7 +79,7 @@ _PARAMETER: dict[str, FieldTarget | str] = {
     **{
         field: field
         for field in (
-            "Name", "Description", "RangeErrorAction", "Attribute", "VssPath", "VssDatatype", "VssUnit",
+            "Name", "Description", "RangeErrorAction", "Attribute", "VssPath", "VssDatatype", "VssUnit", "VssSymbols",
             "ConversionFactor", "ConversionOffset", "Variable",
         )
     },

@@ -165,6 +165,9 @@ class ParameterEntry(WireModel):
     vss_path: str | None = own("VssPath", "Path of the parameter in the catalogue.")
     vss_datatype: str | None = own("VssDatatype", "Datatype in the catalogue.")
     vss_unit: str | None = own("VssUnit", "Unit in the catalogue.")
+    vss_symbols: tuple[Symbol, ...] | None = own(
+        "VssSymbols", "Numbers of an enumeration in the catalogue, where the code has others.", strict=False
+    )
     conversion_factor: str | None = own("ConversionFactor", "Value in the catalogue's unit = value × factor + offset.")
     conversion_offset: str | None = own("ConversionOffset", "Offset of the conversion, in the catalogue's unit.")
 
@@ -176,6 +179,9 @@ class Use(WireModel):
     component: str = always("Component", "Name of the component.")
     call: str = always("Call", "Name of the call.")
     code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    code_symbols: tuple[Symbol, ...] | None = own(
+        "CodeSymbols", "Numbers of an enumeration in the code, where others are sent.", strict=False
+    )
     signal: Signal | None = own("Signal", "The data interface as it is in Function JSON.")
     queue: DataQueue | None = own("Queue", "The queued data interface as it is in Function JSON.")
 

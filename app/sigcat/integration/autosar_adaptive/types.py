@@ -3,8 +3,12 @@
 from collections.abc import Sequence
 
 from sigcat import codes
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.type_list import smallest_integer
+from sigcat.function.function_json.walk import data
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_names import distinct, short_name
@@ -20,6 +24,7 @@ class TypeTable:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._documents: dict[int, dict[str, Datatype]] = {}
+        self._sent: dict[int, dict[str, Datatype]] = {}
         self._entries: dict[str, TypeEntry] = {}
         self._known: dict[tuple[int, str], str] = {}
         self._open: list[tuple[int, str]] = []
@@ -45,6 +50,18 @@ class TypeTable:
             return BY_VSS[vss_datatype].adaptive
         return self.word(function, reference)
 
+    def symbols_of_code(self, function: FunctionJson, reference: str) -> tuple[Symbol, ...]:
+        """Names and numbers of an enumeration, or of the elements of an array, as the code has them."""
+        datatype = innermost(reference, self._datatypes(function))
+        return _symbols(datatype) if datatype else ()
+
+    def symbols_sent(self, word: str) -> tuple[Symbol, ...]:
+        """Names and numbers of an enumeration, or of the elements of an array, as they are sent."""
+        entry = self.entry(word)
+        while entry is not None and entry.kind == "array":
+            entry = self.entry(entry.element)
+        return (entry.symbols or ()) if entry else ()
+
     def word(self, function: FunctionJson, reference: str) -> str:
         """The word or the name for a reference of a function."""
         key = (id(function), reference)
@@ -62,6 +79,14 @@ class TypeTable:
             self._documents[id(function)] = {datatype.reference: datatype for datatype in function.datatypes}
         return self._documents[id(function)]
 
+    def _enumerations_sent(self, function: FunctionJson) -> dict[str, Datatype]:
+        """Enumerations as the catalogue has them where the code has other numbers, by the reference of the datatype."""
+        if id(function) not in self._sent:
+            known = self._datatypes(function)
+            found = ((innermost(item.datatype, known), item) for _, _, item in data(function) if item.vss_symbols)
+            self._sent[id(function)] = {each.reference: _as_sent(each, item) for each, item in found if each}
+        return self._sent[id(function)]
+
     def _user_defined(self, function: FunctionJson, datatype: Datatype, key: tuple[int, str]) -> str:
         if key in self._open:
             self._recursive(function, datatype)
@@ -76,7 +101,8 @@ class TypeTable:
         name = short_name(datatype.reference)
         common = {"name": name, "kind": datatype.kind, "vss_datatype": datatype.vss_datatype}
         if datatype.kind == "enumeration":
-            return TypeEntry(**common, symbols=_symbols(datatype), storage=_storage(datatype))  # type: ignore[arg-type]
+            sent = self._enumerations_sent(function).get(datatype.reference, datatype)
+            return TypeEntry(**common, symbols=_symbols(sent), storage=_storage(sent))  # type: ignore[arg-type]
         if datatype.kind == "array":
             return self._array(function, datatype, common)
         fields = tuple(
@@ -130,6 +156,14 @@ class TypeTable:
             Subject("", datatype),
             "Break the cycle, for instance with an index.",
         )
+
+
+def _as_sent(datatype: Datatype, item: Signal | DataQueue) -> Datatype:
+    """An enumeration of the code with the numbers of the catalogue, in an integer that holds these."""
+    symbols = {each.symbol: each.value for each in item.vss_symbols or ()}
+    own = element_of(item.vss_datatype or "")
+    stored = own if own in INTEGER_RANGES else smallest_integer(symbols)
+    return datatype.model_copy(update={"symbols": item.vss_symbols, "c_definition": BY_VSS[stored].c})
 
 
 def _symbols(datatype: Datatype) -> tuple[Symbol, ...]:

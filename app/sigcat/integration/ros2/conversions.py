@@ -1,18 +1,18 @@
 """From the variables of the code to the values of the catalogue, and back."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from sigcat import codes
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatype import Datatype, Symbol
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import Spelling
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.model import Conversion, SymbolMap
-from sigcat.integration.ros2.types import FieldType, c_definition, code_type
+from sigcat.integration.ros2.types import FieldType, c_definition, code_type, symbols_of
 
 _FLOATING = ("float", "double")
 
@@ -30,18 +30,19 @@ def physical(item: Signal | DataQueue | Parameter, interface: Subject, findings:
 
 def conversion(
     name: str, field: str, reference: str, kind: FieldType, linear: Linear, table: Mapping[str, Datatype],
-    written: str, *, is_outgoing: bool,
+    written: str, *, is_outgoing: bool, has_number: bool = False,
 ) -> Conversion | None:  # fmt: skip
     """The conversion between a variable and a field, or None if they are the same. `written`: the field's datatype.
 
-    `linear` leads from the variable to the field.
+    `linear` leads from the variable to the field. `has_number`: the number of an enumeration stands beside its text.
     """
     result = written if is_outgoing else c_definition(reference, table)
     code = code_type(reference, table)
     if kind.element is None or code is None:
         return Conversion(name=name, return_type=result, field=field, kind="Members")
-    if kind.is_text and kind.symbols:
-        maps = tuple(SymbolMap(text=symbol.symbol, value=symbol.value) for symbol in kind.symbols)
+    own = symbols_of(reference, table)
+    if kind.symbols and (kind.is_text or set(own) != set(kind.symbols)):
+        maps = _symbol_maps(own, kind, has_number=has_number or not kind.is_text)
         return Conversion(name=name, return_type=result, field=field, kind="Symbols", symbols=maps)
     if linear == IDENTITY and code.vss == kind.element.vss:
         return None
@@ -56,6 +57,15 @@ def conversion(
         offset=None if way == IDENTITY else as_text(way.offset),
         rounding="Nearest" if _rounds(source, target, way) else None,
         saturates=_narrows(source, target, way) or None,
+    )
+
+
+def _symbol_maps(own: Sequence[Symbol], kind: FieldType, *, has_number: bool) -> tuple[SymbolMap, ...]:
+    """From the numbers of the code to texts and numbers of the message, by name."""
+    sent = {symbol.symbol: symbol.value for symbol in kind.symbols}
+    return tuple(
+        SymbolMap(text=each.symbol, value=each.value, number=sent.get(each.symbol) if has_number else None)
+        for each in own
     )
 
 

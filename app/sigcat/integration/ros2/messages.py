@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat import codes
-from sigcat.function.function_json.datatype import Datatype, Symbol
+from sigcat.function.function_json.datatype import Datatype
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed
@@ -122,12 +122,12 @@ def unresolved(findings: FindingCollector, interface: Subject, reference: str) -
 
 
 def constants(
-    symbols: Iterable[Symbol], kind: FieldType, prefix: str, interface: Subject, findings: FindingCollector
+    kind: FieldType, prefix: str, interface: Subject, findings: FindingCollector
 ) -> tuple[MessageConstant, ...]:
-    """The values of an enumeration. Where the catalogue has texts, so has the message: numbers differ between codes."""
+    """The values of an enumeration, as the message holds them."""
     made: dict[str, MessageConstant] = {}
     datatype = kind.element.ros2 if kind.element else "string"
-    for symbol in symbols:
+    for symbol in kind.symbols:
         name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, made)
         report_renamed(name, symbol.symbol, interface, findings)
         value = symbol.symbol if kind.is_text else str(symbol.value)

@@ -18,6 +18,9 @@ class SymbolMap(WireModel):
 
     text: str = described("Text", "Value in the message.", source=OWN)
     value: Integer = described("Value", "Number in the code.", source=OWN)
+    number: Integer | None = described(
+        "Number", "Number in the message, where that has numbers.", default=None, source=OWN
+    )
 
 
 class Conversion(WireModel):
@@ -43,6 +46,10 @@ class FieldMapping(WireModel):
 
     signal: str = described("Signal", "Name of the signal in the function.", source=OWN)
     field: str = described("Field", "Field of the message.", source=OWN)
+    number_field: str | None = described(
+        "NumberField", "Field that has the number of an enumeration, beside its text. A publisher fills both.",
+        default=None, source=OWN,
+    )  # fmt: skip
     field_type: str = described("FieldDataType", "Datatype of the field.", source=OWN)
     field_units: str | None = described("FieldUnits", "Unit of the field: the catalogue's.", default=None, source=OWN)
     variable: str = described("Variable", "Expression of the C code.", source=OWN)

@@ -251,7 +251,7 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
         description=interface.description,
         vss_path=interface.vss_path,
     )
-    values = constants(kind.symbols, kind, "", subject, findings)
+    values = constants(kind, "", subject, findings)
     name = book.add(
         f"{part.function_name}_Mode_{interface.direction}",
         subject,

@@ -18,7 +18,7 @@ from sigcat.integration.ros2.conversions import conversion, converted, physical
 from sigcat.integration.ros2.messages import unresolved
 from sigcat.integration.ros2.model import RosParameter
 from sigcat.integration.ros2.names import field_name, package_name, report_renamed
-from sigcat.integration.ros2.types import FieldType, c_definition, field_type
+from sigcat.integration.ros2.types import FieldType, c_definition, field_type, sent, symbols_of
 
 _LARGEST = 2**63 - 1
 """Largest integer of a parameter."""
@@ -52,6 +52,7 @@ def _parameter(
         message = f"{interface}: a node parameter must not be a struct. It is left out."
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Declare a parameter for each member.")
         return None
+    kind = sent(kind, item.vss_symbols)
     _unexpressed(item, kind, interface, findings)
     name = field_name(item.name, taken)
     report_renamed(name, item.name, interface, findings)
@@ -68,7 +69,7 @@ def _resolved(
         parameter=item.name,
         type=_type(kind),
         description=item.description,
-        default=_default(item, kind, linear),
+        default=_default(item, kind, linear, {each.value: each.symbol for each in symbols_of(item.datatype, table)}),
         low=low,
         high=high,
         constraints=_constraints(kind),
@@ -103,13 +104,15 @@ def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | N
     return (low, high) if low is not None or high is not None else (None, None)
 
 
-def _default(item: Parameter, kind: FieldType, linear: Linear) -> Any:
+def _default(item: Parameter, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
+    """The start value. `names` are those of the numbers that an enumeration has in the code."""
     if not kind.suffix:
-        return _one_default(item.default_text if kind.is_text and not kind.symbols else item.init_value, kind, linear)
+        given = item.default_text if kind.is_text and not kind.symbols else item.init_value
+        return _one_default(given, kind, linear, names)
     elements = _elements(item.default_text)
     if elements is None:
         elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
-    return [_one_default(each, kind, linear) for each in elements[:_LONGEST]]
+    return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]
 
 
 def _elements(text: str | None) -> list[Any] | None:
@@ -121,11 +124,12 @@ def _elements(text: str | None) -> list[Any] | None:
     return value if isinstance(value, list) else None
 
 
-def _one_default(given: Any, kind: FieldType, linear: Linear) -> Any:
+def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
     assert kind.element is not None
-    if kind.is_text and kind.symbols:
-        names = {symbol.value: symbol.symbol for symbol in kind.symbols}
-        return given if given in names.values() else names.get(given, "")
+    if kind.symbols and isinstance(given, str | int | float):
+        numbers = {symbol.symbol: symbol.value for symbol in kind.symbols}
+        name = names.get(given, "") if isinstance(given, int | float) else given
+        return (name if name in numbers else "") if kind.is_text else numbers.get(name, given)
     if kind.is_text:
         return given if isinstance(given, str) else ""
     number = given if isinstance(given, int | float) and isfinite(given) else 0

@@ -10,6 +10,9 @@ RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100)
 Topics = Literal["signal", "branch", "function"]
 
 
+Enumerations = Literal["both", "number", "text"]
+
+
 class QualitySettings(DeclarationModel):
     """What differs from the quality of service that ASIL, cycle and queue lead to."""
 
@@ -28,6 +31,11 @@ class Ros2Settings(DeclarationModel):
         "signal",
         description="One topic for each signal, for each branch and provider, or for all outputs of a function. "
         "Only topics for single signals keep name and type whatever else is integrated.",
+    )
+    enumerations: Enumerations = Field(
+        "both",
+        description="How messages hold an enumeration of texts: its number, with a constant for each, beside the text; "
+        "or one of the two alone. The numbers are the catalogue's.",
     )
     namespace: Annotated[str, Field(pattern=r"^(/[a-z](_?[a-z0-9]+)*)*$", max_length=100)] = Field(
         "", description="What stands before every topic, service and node, as /ego."

@@ -20,7 +20,7 @@ from sigcat.integration.ros2.names import Name, field_name, package_name, report
 from sigcat.integration.ros2.quality import quality
 from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.signal_uses import SignalUse
-from sigcat.integration.ros2.types import FieldType, c_definition, field_type
+from sigcat.integration.ros2.types import FieldType, c_definition, field_type, number_of, sent
 from sigcat.names import camel_case, last_name, parent_path
 
 PUBLISHER = "Publisher"
@@ -34,6 +34,8 @@ class Member(NamedTuple):
     written: str
     """Its datatype as the message writes it."""
     kind: FieldType
+    number: str = ""
+    """The field that has the number of an enumeration, beside its text."""
 
 
 class Topic(NamedTuple):
@@ -63,7 +65,7 @@ def topics_of(
     made = []
     for group in sorted(groups):
         name = _free(settings.namespace + topic_name(*group.segments), taken, groups[group][0], findings)
-        made.append(_topic(name, group, groups[group], book, findings))
+        made.append(_topic(name, group, groups[group], settings, book, findings))
     return tuple(made)
 
 
@@ -135,7 +137,14 @@ def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCol
 # -- messages -----------------------------------------------------------------------------------------------------
 
 
-def _topic(name: str, group: _Group, uses: list[SignalUse], book: MessageBook, findings: FindingCollector) -> Topic:
+def _topic(
+    name: str,
+    group: _Group,
+    uses: list[SignalUse],
+    settings: Ros2Settings,
+    book: MessageBook,
+    findings: FindingCollector,
+) -> Topic:
     members: dict[str, Member] = {}
     fields: list[MessageField] = [STAMP]
     values: list[MessageConstant] = []
@@ -144,31 +153,40 @@ def _topic(name: str, group: _Group, uses: list[SignalUse], book: MessageBook, f
         of_key.setdefault(use.key, []).append(use)
     for key, own in of_key.items():
         own.sort(key=lambda use: not use.is_provider)
-        member = _member(own, {field.name for field in fields}, book, findings)
+        member = _member(own, {field.name for field in fields}, settings, book, findings)
         if member is None:
             continue
         members[key] = member
-        first = own[0]
-        fields.append(
-            MessageField(
-                name=member.field,
-                datatype=member.written,
-                description=first.data.description,
-                units=first.data.vss_unit or (None if first.path else first.data.units) or None,
-                vss_path=first.path or None,
-            )
-        )
-        values.extend(constants(member.kind.symbols, member.kind, _prefix(member, of_key), first.interface, findings))
+        fields.extend(_fields(member, own[0]))
+        kind = number_of(member.kind) if member.number else member.kind
+        values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings))
     what = uses[0].data.description if len(of_key) == 1 else f"Signals of {' '.join(group.segments)}."
     message = book.add(group.message, uses[0].interface, what, fields, values)
     return Topic(name, message, members, tuple(uses))
+
+
+def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
+    yield MessageField(
+        name=member.field,
+        datatype=member.written,
+        description=first.data.description,
+        units=first.data.vss_unit or (None if first.path else first.data.units) or None,
+        vss_path=first.path or None,
+    )
+    if member.number:
+        kind = number_of(member.kind)
+        assert kind.element is not None
+        description = f"The same, as one of the constants; it agrees with {member.field}."
+        yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 
 def _prefix(member: Member, of_key: dict[str, list[SignalUse]]) -> str:
     return member.field.upper() if len(of_key) > 1 else ""
 
 
-def _member(own: list[SignalUse], taken: set[str], book: MessageBook, findings: FindingCollector) -> Member | None:
+def _member(
+    own: list[SignalUse], taken: set[str], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
+) -> Member | None:
     """The field of a signal. All who use it have to mean the same."""
     first = own[0]
     resolved = [field_type(use.data.datatype, use.data.vss_datatype, book.table) for use in own]
@@ -182,21 +200,23 @@ def _member(own: list[SignalUse], taken: set[str], book: MessageBook, findings: 
             findings.report(
                 codes.MEANINGS_DIFFER, message, first.interface, "Build both functions from the same catalogue."
             )
+    kind = sent(kind, first.data.vss_symbols, as_number=settings.enumerations == "number")
     written = book.written(kind, first.interface)
     if written is None:
         return None
     source = last_name(first.path) if first.path else first.data.name
     name = field_name(source, taken)
     report_renamed(name, source, first.interface, findings)
-    return Member(name.text, written, kind)
+    if not (kind.is_text and kind.symbols and settings.enumerations == "both"):
+        return Member(name.text, written, kind)
+    return Member(name.text, written, kind, field_name(f"{name.text}_number", taken | {name.text}).text)
 
 
 def _disagree(one: FieldType, other: FieldType | None) -> bool:
+    """Whether two mean different things. The numbers of an enumeration may differ: each end converts them by name."""
     if other is None or (one.element, one.struct, one.suffix) != (other.element, other.struct, other.suffix):
         return True
-    if one.is_text:
-        return {symbol.symbol for symbol in one.symbols} != {symbol.symbol for symbol in other.symbols}
-    return one.symbols != other.symbols
+    return {symbol.symbol for symbol in one.symbols} != {symbol.symbol for symbol in other.symbols}
 
 
 # -- ends ---------------------------------------------------------------------------------------------------------
@@ -285,7 +305,7 @@ def _row(
     name = package_name(f"{use.part.function_name}_{data.name}_{way}", taken).text
     made = conversion(
         name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, findings), book.table,
-        member.written, is_outgoing=use.is_provider,
+        member.written, is_outgoing=use.is_provider, has_number=bool(member.number),
     )  # fmt: skip
     if made is not None:
         taken.add(name)
@@ -297,6 +317,7 @@ def _mapping(use: SignalUse, member: Member, book: MessageBook, made: Conversion
     return FieldMapping(
         signal=data.name,
         field=member.field,
+        number_field=member.number or None,
         field_type=member.written,
         field_units=data.vss_unit or (None if use.path else data.units) or None,
         variable=data.variable or data.name,

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.function.function_json.datatype import Datatype, Symbol
+from sigcat.function.function_json.datatype import Datatype, Symbol, innermost
+from sigcat.function.function_json.type_list import smallest_integer
 from sigcat.integration.datatypes import BY_VSS, Spelling, of_reference
 
 
@@ -18,7 +19,7 @@ class FieldType(NamedTuple):
     suffix: str = ""
     """`[]` or `[50]` for an array."""
     symbols: tuple[Symbol, ...] = ()
-    """Values of an enumeration, with the numbers that the code has for them."""
+    """Values of an enumeration, with the numbers that the code has for them, or those that are sent."""
 
     @property
     def is_text(self) -> bool:
@@ -30,7 +31,7 @@ def field_type(reference: str, vss: str | None, table: Mapping[str, Datatype]) -
     """Datatype of a field by that of the catalogue, or else of the code. None if neither can be resolved."""
     stored = table.get(reference)
     suffix = _suffix(stored, vss)
-    element = _element(stored, table)
+    element = innermost(reference, table)
     symbols = (element.symbols or ()) if element else ()
     if vss and element_of(vss) in BY_VSS:
         return FieldType(BY_VSS[element_of(vss)], "", suffix, symbols)
@@ -40,9 +41,27 @@ def field_type(reference: str, vss: str | None, table: Mapping[str, Datatype]) -
     return FieldType(primitive, "", suffix, symbols) if primitive else None
 
 
+def sent(kind: FieldType, symbols: tuple[Symbol, ...] | None, *, as_number: bool = False) -> FieldType:
+    """What a message has for a datatype of the code: an enumeration with the numbers of the catalogue."""
+    kind = kind._replace(symbols=symbols or kind.symbols)
+    return number_of(kind) if as_number and kind.is_text and kind.symbols else kind
+
+
+def number_of(kind: FieldType) -> FieldType:
+    """The integer that holds the numbers of an enumeration."""
+    numbers = {symbol.symbol: symbol.value for symbol in kind.symbols}
+    return kind._replace(element=BY_VSS[smallest_integer(numbers)])
+
+
+def symbols_of(reference: str, table: Mapping[str, Datatype]) -> tuple[Symbol, ...]:
+    """Values of an enumeration, or of the elements of an array, with the numbers of the code."""
+    datatype = innermost(reference, table)
+    return (datatype.symbols or ()) if datatype else ()
+
+
 def code_type(reference: str, table: Mapping[str, Datatype]) -> Spelling | None:
     """The primitive that the code has, or that its elements have; None for a struct."""
-    element = _element(table.get(reference), table)
+    element = innermost(reference, table)
     if element is None:
         return of_reference(reference)
     return None if element.kind == "struct" else of_reference(element.reference, element.c_definition)
@@ -52,17 +71,6 @@ def c_definition(reference: str, table: Mapping[str, Datatype]) -> str:
     """How C writes the datatype."""
     stored = table.get(reference)
     return stored.c_definition if stored else reference
-
-
-def _element(stored: Datatype | None, table: Mapping[str, Datatype]) -> Datatype | None:
-    """The datatype itself, or the innermost element of an array. Arrays that contain themselves have none."""
-    seen: set[str] = set()
-    while stored is not None and stored.kind == "array":
-        if stored.reference in seen:
-            return None
-        seen.add(stored.reference)
-        stored = table.get(stored.element or "")
-    return stored
 
 
 def _suffix(stored: Datatype | None, vss: str | None) -> str:
