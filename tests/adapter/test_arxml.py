@@ -221,6 +221,84 @@ def test_a_policy_of_posix_is_in_the_startup_configuration():
     assert texts(files, "SCHEDULING-PRIORITY") == ["12"]
 
 
+def with_settings(**settings):
+    """ARXML of the function with every kind of element, as one model."""
+    model = loaded(generate(derive((every_kind(),), deployed(name="Eco", autosarAdaptive=settings)).model))
+    assert dangling(model) == []
+    assert misplaced(model) == []
+    return model
+
+
+def values(model, path):
+    """Texts of what is in an element, by tag."""
+    element = model.get_element_by_path(path)
+    return {
+        each.element_name: str(each.character_data)
+        for _, each in element.elements_dfs
+        if each.character_data is not None
+    }
+
+
+def symbols(model, path):
+    """Namespaces of an element, the outermost first."""
+    element = model.get_element_by_path(path)
+    return [str(each.character_data) for _, each in element.elements_dfs if each.element_name == "SYMBOL"]
+
+
+def test_services_and_datatypes_have_the_namespace_of_the_application_or_those_of_the_deployment():
+    plain = with_settings()
+    assert symbols(plain, "/Eco/ServiceInterfaces/VehicleAService") == ["eco"]
+    assert symbols(plain, "/Eco/DataTypes/DT_Point") == ["eco"]
+    chosen = with_settings(
+        namespace="acme::control",
+        typeNamespace="acme::types",
+        services=[{"name": "ChassisService", "paths": ["Vehicle.A"], "namespace": "acme::acme"}],
+    )
+    assert symbols(chosen, "/Eco/ServiceInterfaces/ChassisService") == ["acme", "acme"]
+    assert symbols(chosen, "/Eco/ServiceInterfaces/DemoService") == ["acme", "control"]
+    for name in ("DT_Point", "DT_Points", "DT_Colour", "String"):
+        assert symbols(chosen, f"/Eco/DataTypes/{name}") == ["acme", "types"]
+    assert symbols(chosen, "/Eco/DataTypes/float") == []
+
+
+def test_a_namespace_named_like_a_member_beside_it_keeps_its_symbol():
+    assert symbols(with_settings(typeNamespace="X::Label"), "/Eco/DataTypes/DT_Point") == ["X", "Label"]
+
+
+def test_the_layout_of_what_is_sent_is_stated_for_every_element_of_every_service():
+    model = with_settings(transformation={"byteOrder": "little-endian", "stringEncoding": "UTF-16", "arrayLength": 2})
+    assert values(model, "/Eco/TransformationProperties/SomeIp/Default") == {
+        "SHORT-NAME": "Default", "ALIGNMENT": "8", "BYTE-ORDER": "MOST-SIGNIFICANT-BYTE-LAST",
+        "SESSION-HANDLING": "SESSION-HANDLING-ACTIVE", "SIZE-OF-ARRAY-LENGTH-FIELD": "2",
+        "SIZE-OF-STRING-LENGTH-FIELD": "4", "SIZE-OF-STRUCT-LENGTH-FIELD": "0", "STRING-ENCODING": "UTF-16",
+    }  # fmt: skip
+    sent = {"VARIABLE-DATA-PROTOTYPE", "FIELD", "CLIENT-SERVER-OPERATION"}
+    elements = {e.path for _, e in model.elements_dfs if e.element_name in sent}
+    mapped = model.get_element_by_path("/Eco/TransformationProperties")
+    assert elements == {str(e.character_data) for _, e in mapped.elements_dfs if e.element_name in _MAPPED}
+
+
+_MAPPED = {"EVENT-REF", "FIELD-REF", "METHOD-REF"}
+
+
+def test_every_instance_and_event_group_has_the_timing_of_service_discovery_in_seconds():
+    model = with_settings(serviceDiscovery={"offerCyclicDelay": 2500, "offerTimeToLive": 5, "initialDelayMin": 0.5})
+    assert values(model, "/Eco/ServiceDiscovery/Server") == {
+        "SHORT-NAME": "Server", "INITIAL-DELAY-MAX-VALUE": "0.1", "INITIAL-DELAY-MIN-VALUE": "0.0005",
+        "INITIAL-REPETITIONS-BASE-DELAY": "0.2", "INITIAL-REPETITIONS-MAX": "3", "OFFER-CYCLIC-DELAY": "2.5",
+        "MAX-VALUE": "0.1", "MIN-VALUE": "0.01", "SERVICE-OFFER-TIME-TO-LIVE": "5",
+    }  # fmt: skip
+    for kind, timed in {
+        "PROVIDED-SOMEIP-SERVICE-INSTANCE": "SD-SERVER-CONFIG-REF",
+        "REQUIRED-SOMEIP-SERVICE-INSTANCE": "SD-CLIENT-CONFIG-REF",
+        "SOMEIP-PROVIDED-EVENT-GROUP": "SD-SERVER-EVENT-GROUP-TIMING-CONFIG-REF",
+        "SOMEIP-REQUIRED-EVENT-GROUP": "SD-CLIENT-EVENT-GROUP-TIMING-CONFIG-REF",
+    }.items():
+        found = [element for _, element in model.elements_dfs if element.element_name == kind]
+        assert found
+        assert all(any(child.element_name == timed for child in element.sub_elements) for element in found)
+
+
 # -- Integration JSON from elsewhere ------------------------------------------------------------------------------
 
 
@@ -280,6 +358,12 @@ def test_names_of_the_deployment_are_checked(key, value):
     base = document()
     base["Deployment"][key] = value
     assert refused(base)[0].pointer == f"/Deployment/{key}"
+
+
+def test_an_array_of_open_length_needs_a_length():
+    value = document(DataTypes=[{"Name": "L", "Class": "array", "Type": "float", "Dimension": "dynamic"}])
+    value["Deployment"]["Transformation"]["arrayLength"] = 0
+    assert [finding.pointer for finding in refused(value)] == ["/Deployment/Transformation/arrayLength"]
 
 
 def test_an_id_that_two_have_is_refused():
@@ -387,5 +471,6 @@ def test_the_command_writes_a_release_that_is_asked_for(tmp_path, capsys):
     assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R22-11"]) == 0
     written = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
     assert written == {file.name: file.data for file in made("examples", "R22-11")}
-    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R19-11"]) == 2
+    with pytest.raises(SystemExit, match="2"):
+        main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R19-11"])
     assert "R20-11" in capsys.readouterr().err

@@ -7,6 +7,7 @@ from types import UnionType
 from typing import Any, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
+from pydantic_core import PydanticCustomError
 
 from sigcat import codes
 from sigcat.asil import level_of
@@ -36,6 +37,7 @@ _EXPECTED = {
 _PATTERNS = {
     r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0",
     r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits",
+    r"^[A-Za-z][A-Za-z0-9_]{0,127}(::[A-Za-z][A-Za-z0-9_]{0,127})*$": "C++ namespaces such as eco::control",
 }
 """What patterns of the models ask for."""
 _BOUNDS = {
@@ -45,8 +47,14 @@ _BOUNDS = {
     "less_than": ("lt", "less than {}"),
 }
 _QUOTED = re.compile(r"'([^']*)'")
+_UNFIT = "unfit"
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
+
+
+def unfit(message: str, *keys: str) -> PydanticCustomError:
+    """What a model raises where values of its keys do not fit each other: told at the first key that the file has."""
+    return PydanticCustomError(_UNFIT, "{message}", {"message": message, "keys": keys})
 
 
 def structural_findings(invalid: ValidationError, document: Document, model: type[BaseModel]) -> Iterator[Finding]:
@@ -109,11 +117,19 @@ def _finding(
         beside = _keys_beside(location, model)
         fix = did_you_mean(key, beside) or (f"Use one of {', '.join(beside)}." if beside else "")
         return document.finding(codes.FIELD_UNKNOWN, pointer, f"Unknown key {key!r}.", fix, of_key=True)
+    if kind == _UNFIT:
+        return document.finding(codes.VALUE_UNFIT, _first_there(pointer, error, document), error["msg"])
     if key == "[key]":
         return _bad_name(str(error["input"]), pointer, document)
     message = f"{_named(pointer)} must {_wanted(kind, error)}, not {_shown(error['input'])}."
     fix = _unquoted(error["input"]) if kind == "string_type" else _word_meant(kind, error)
     return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
+
+
+def _first_there(pointer: Pointer, error: Any, document: Document) -> Pointer:
+    """The first of the keys of an error that its mapping has; the mapping, if it has none."""
+    found = (_existing((*pointer, key), document.value) for key in error["ctx"]["keys"])
+    return next((at for at in found if at != pointer), pointer)
 
 
 def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:

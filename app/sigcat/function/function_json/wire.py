@@ -50,7 +50,7 @@ class WireModel(BaseModel):
 
 def written(model: BaseModel) -> bytes:
     """A document as UTF-8 text with a stable layout: the same values give the same bytes."""
-    return model.model_dump_json(indent=2).encode() + b"\n"
+    return model.model_dump_json(indent=2, by_alias=True).encode() + b"\n"
 
 
 @cache

@@ -13,7 +13,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     assign,
 )
 from sigcat.integration.autosar_adaptive.model import (
-    DeploymentNames,
+    ArxmlDeployment,
     Event,
     EventGroup,
     IntegrationModel,
@@ -22,6 +22,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
     Services,
 )
+from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_names import short_name
 
 
@@ -49,8 +50,11 @@ def completed(model: IntegrationModel) -> IntegrationModel:
         for component in model.components
     )
     application = short_name(model.info.name)
-    default = DeploymentNames(package=application, function_group=short_name(f"{application}FunctionGroup"))
-    return model.model_copy(update={"components": components, "deployment": model.deployment or default})
+    default = ArxmlDeployment(package=application, function_group=short_name(f"{application}FunctionGroup"))
+    deployment = model.deployment or default
+    namespace = deployment.namespace or namespace_of(model.info.name)
+    named = deployment.model_copy(update={"namespace": namespace})
+    return model.model_copy(update={"components": components, "deployment": named})
 
 
 def _ids(names: Iterable[str], span: Span, given: dict[str, int | None], scope: str) -> dict[str, int]:

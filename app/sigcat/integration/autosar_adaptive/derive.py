@@ -19,6 +19,7 @@ from sigcat.integration.autosar_adaptive.disagreements import report_disagreemen
 from sigcat.integration.autosar_adaptive.elements import Service, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import placed
+from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.unused import report_unused
@@ -57,12 +58,13 @@ def derive(
     all_services = services(sides, context)
     report_disagreements(all_services, types, context)
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
+    _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
         meta=_meta(context),
         info=_info(app),
         components=components,
         datatypes=types.entries or None,
-        deployment=_deployment_names(context),
+        deployment=_arxml_deployment(context),
         provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
         or None,
     )
@@ -70,6 +72,14 @@ def derive(
     targets = field_targets(context, sides, all_services)
     _report_not_carried(targets, context)
     return Derived(integration, context.findings.findings, targets)
+
+
+def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) -> None:
+    """Report arrays of open length where the deployment has no length sent before arrays."""
+    for entry in datatypes:
+        if entry.is_open and context.settings.transformation.array_length == 0:
+            message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
+            context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
 
 
 def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
@@ -153,8 +163,17 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
         service_id=service.id,
         instance_id=service.instance,
         event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
+        namespace=_own_namespace(service, context),
         origin=service.group.origin,
     )
+
+
+def _own_namespace(service: Service, context: Context) -> str | None:
+    """The namespace that the deployment gives a service which no function of the set provides."""
+    if service.group.provider is not None:
+        return None
+    named = (each.namespace for each in context.settings.services if each.name == service.group.name)
+    return next(named, None)
 
 
 def _provider_names(service: Service, content: model.Services) -> list[str]:
@@ -187,10 +206,14 @@ def _info(app: Application) -> model.FunctionInformation:
     )
 
 
-def _deployment_names(context: Context) -> model.DeploymentNames:
+def _arxml_deployment(context: Context) -> model.ArxmlDeployment:
     name, settings = short_name(context.application.name), context.settings
-    return model.DeploymentNames(
+    return model.ArxmlDeployment(
         package=settings.package or name,
         function_group=settings.function_group or short_name(f"{name}FunctionGroup"),
         release=settings.release,
+        namespace=settings.namespace or namespace_of(context.application.name),
+        type_namespace=settings.type_namespace,
+        transformation=settings.transformation,
+        service_discovery=settings.service_discovery,
     )

@@ -13,7 +13,14 @@ from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_adaptive.someip_settings import (
+    DEFAULT_SERVICE_DISCOVERY,
+    DEFAULT_TRANSFORMATION,
+    ServiceDiscoverySettings,
+    TransformationSettings,
+)
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 
@@ -117,6 +124,11 @@ class TypeEntry(WireModel):
     storage: str | None = own("StorageType", "Word for the integer that holds an enumeration.")
     vss_datatype: str | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
     description: str | None = own("Description", "What a struct is.")
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is an array of open length."""
+        return self.kind == "array" and not isinstance(self.dimension, int)
 
     @property
     def element(self) -> str:
@@ -286,6 +298,7 @@ class ServiceInterface(WireModel):
     service_id: Integer | None = own("ServiceID", "SOME/IP id of the service.")
     instance_id: Integer | None = own("ServiceInstanceID", "SOME/IP id of the instance.")
     event_groups: tuple[EventGroup, ...] | None = own("EventGroups", "Event groups.", strict=False)
+    namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")
     origin: str | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 
 
@@ -314,13 +327,24 @@ class Component(WireModel):
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
 
 
-class DeploymentNames(WireModel):
-    """Names that the ARXML takes beside those of the elements."""
+class ArxmlDeployment(WireModel):
+    """What the ARXML takes beside the elements, as the deployment file has it."""
 
     package: str = always("Package", "Outermost package of the ARXML.")
     function_group: str = always("FunctionGroup", "Function group of the executables.")
     release: ReleaseName = described(
         "Release", "Release of AUTOSAR that the ARXML is of.", default=DEFAULT_RELEASE, source=OWN
+    )
+    namespace: Namespace | None = own("Namespace", "C++ namespace of services.")
+    type_namespace: Namespace | None = own("TypeNamespace", "C++ namespace of datatypes; that of services if absent.")
+    transformation: TransformationSettings = described(
+        "Transformation", "How SOME/IP lays out what is sent.", default=DEFAULT_TRANSFORMATION, source=OWN
+    )
+    service_discovery: ServiceDiscoverySettings = described(
+        "ServiceDiscovery",
+        "When services are offered, looked for and subscribed to.",
+        default=DEFAULT_SERVICE_DISCOVERY,
+        source=OWN,
     )
 
 
@@ -331,7 +355,7 @@ class IntegrationModel(WireModel):
     info: FunctionInformation = published("FunctionInformation", "Identity of the application.")
     components: tuple[Component, ...] = published("ComponentList", "Components.", strict=False)
     datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
-    deployment: DeploymentNames | None = own("Deployment", "Names and ports of the deployment.")
+    deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
     provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
 
 

@@ -14,6 +14,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     Span,
 )
 from sigcat.integration.autosar_adaptive.model import (
+    ArxmlDeployment,
     Component,
     IntegrationModel,
     ServiceInterface,
@@ -41,6 +42,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     if model.deployment is not None:
         yield from _name(("Deployment", "Package"), model.deployment.package, "package")
         yield from _name(("Deployment", "FunctionGroup"), model.deployment.function_group, "function group")
+        yield from _lengths(model.deployment, model.datatypes or ())
     yield from _names(((("DataTypes", i), entry.name) for i, entry in enumerate(model.datatypes or ())), "datatype")
     yield from _type_references(model, types)
     at: Pointer = ("ComponentList",)
@@ -49,6 +51,14 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     for index, component in enumerate(model.components):
         yield from _in_component(component, (*at, index), types)
     yield from _identifiers(model)
+
+
+def _lengths(deployment: ArxmlDeployment, datatypes: Iterable[TypeEntry]) -> Iterator[Problem]:
+    if deployment.transformation.array_length == 0:
+        for entry in datatypes:
+            if entry.is_open:
+                message = f"`arrayLength` must not be 0: {entry.name} is an array of open length."
+                yield Problem(("Deployment", "Transformation", "arrayLength"), message, "Use 1, 2 or 4.")
 
 
 def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterator[Problem]:

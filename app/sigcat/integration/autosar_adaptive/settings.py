@@ -6,7 +6,14 @@ from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
+from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_adaptive.someip_settings import (
+    DEFAULT_SERVICE_DISCOVERY,
+    DEFAULT_TRANSFORMATION,
+    ServiceDiscoverySettings,
+    TransformationSettings,
+)
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
 """An AUTOSAR short name."""
@@ -25,6 +32,7 @@ class ServiceSettings(DeclarationModel):
     """A service interface that gathers the signals of some branches."""
 
     name: Identifier = Field(description="Name of the service interface.")
+    namespace: Namespace | None = Field(None, description="C++ namespace of the service; that of all if absent.")
     paths: list[Text] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
 
 
@@ -41,6 +49,12 @@ class AutosarAdaptiveSettings(DeclarationModel):
 
     release: ReleaseName = Field(DEFAULT_RELEASE, description="Release of AUTOSAR that the ARXML is of.")
     package: Identifier | None = Field(None, description="Outermost ARXML package; the application's name if absent.")
+    namespace: Namespace | None = Field(
+        None, description="C++ namespace of services, as eco::control; the application's name in snake case if absent."
+    )
+    type_namespace: Namespace | None = Field(
+        None, description="C++ namespace of datatypes; that of services if absent."
+    )
     function_group: Identifier | None = Field(
         None, description="Function group of the executables; <Application>FunctionGroup if absent."
     )
@@ -50,6 +64,12 @@ class AutosarAdaptiveSettings(DeclarationModel):
         [], description="Service interfaces of signals that no function of the set provides; by first branch if absent."
     )
     contract: Text = Field("AdaptiveAUTOSAR", description="Name of the middleware contract.")
+    transformation: TransformationSettings = Field(
+        DEFAULT_TRANSFORMATION, description="How SOME/IP lays out what is sent."
+    )
+    service_discovery: ServiceDiscoverySettings = Field(
+        DEFAULT_SERVICE_DISCOVERY, description="When services are offered, looked for and subscribed to."
+    )
     identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from sigcat.adapter.autosar_adaptive.arxml import someip
 from sigcat.adapter.autosar_adaptive.arxml.components import port_name, process_names, root_name
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.paths import (
@@ -38,6 +39,7 @@ def packages(model: IntegrationModel, services: Sequence[Whole], release: Releas
         Package(STARTUP, _startups(components, release)),
         Package(PROCESSES, tuple(_process(item, components, function_group, release, paths) for item in components)),
         Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
+        *someip.packages(model.deployment, services, release, paths),
         Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
         Package(MAPPINGS, tuple(_mapping(*pair, components, release, paths) for pair in pairs)),
     ]
@@ -219,6 +221,7 @@ def _instance(component: Component, interface: ServiceInterface, paths: Paths) -
         tag(
             f"SOMEIP-{word}-EVENT-GROUP",
             reference("EVENT-GROUP-REF", f"{own}/{group_name(group.name)}", "SOMEIP-EVENT-GROUP"),
+            someip.event_group_timing(provides=is_provider, paths=paths),
             name=group_name(group.name),
         )
         for group in interface.event_groups or ()
@@ -227,6 +230,7 @@ def _instance(component: Component, interface: ServiceInterface, paths: Paths) -
         f"{word}-SOMEIP-SERVICE-INSTANCE",
         reference("SERVICE-INTERFACE-DEPLOYMENT-REF", own, DEPLOYMENT),
         listed(f"{word}-EVENT-GROUPS", groups),
+        someip.instance_timing(provides=is_provider, paths=paths),
         tag("SERVICE-INSTANCE-ID" if is_provider else "REQUIRED-SERVICE-INSTANCE-ID", text=interface.instance_id),
         name=instance_name(component, interface),
     )

@@ -4,7 +4,16 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml.tree import (
+    Package,
+    Tag,
+    description,
+    listed,
+    namespaces,
+    reference,
+    tag,
+    trace,
+)
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.model import (
     Event,
@@ -15,6 +24,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceField,
     ServiceInterface,
 )
+from sigcat.integration.autosar_adaptive.namespaces import parts
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 
@@ -26,6 +36,7 @@ class Whole(NamedTuple):
     service_id: int
     instance_id: int
     origin: str
+    namespace: str
     events: tuple[Event, ...]
     methods: tuple[Method, ...]
     fields: tuple[ServiceField, ...]
@@ -34,17 +45,19 @@ class Whole(NamedTuple):
 
 def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
     """Every service of the model, by name. Of an element that several list, the provider's one counts."""
+    assert model.deployment is not None
+    namespace = model.deployment.namespace or ""
     by_name: dict[str, list[ServiceInterface]] = {}
     for component in model.components:
         for interface in component.services:
             by_name.setdefault(interface.name, []).append(interface)
     return tuple(
-        _whole(name, sorted(found, key=lambda interface: interface.role != "Provider"))
+        _whole(name, sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
         for name, found in sorted(by_name.items())
     )
 
 
-def _whole(name: str, found: list[ServiceInterface]) -> Whole:
+def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
     parts = [services for interface in found for services in interface.services]
     first = found[0]
     assert first.service_id is not None
@@ -54,6 +67,7 @@ def _whole(name: str, found: list[ServiceInterface]) -> Whole:
         first.service_id,
         first.instance_id,
         first.origin or "",
+        first.namespace or namespace,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),
@@ -75,9 +89,11 @@ def package(services: Iterable[Whole], known: Library) -> Package:
 
 
 def _interface(service: Whole, known: Library) -> Tag:
+    names = [item.name for items in (service.events, service.fields, service.methods) for item in items]
     return tag(
         "SERVICE-INTERFACE",
         trace([("Origin", service.origin)]),
+        namespaces(parts(service.namespace), names),
         tag("MAJOR-VERSION", text=1),
         tag("MINOR-VERSION", text=0),
         listed("EVENTS", (_event(event, known) for event in service.events)),

@@ -25,6 +25,8 @@ FUNCTION_GROUPS = "FunctionGroups"
 STARTUP = "StartupConfigurations"
 PROCESSES = "Processes"
 DEPLOYMENTS = "ServiceDeployments"
+TRANSFORMATION = "TransformationProperties"
+DISCOVERY = "ServiceDiscovery"
 INSTANCES = "ServiceInstances"
 MAPPINGS = "PortMappings"
 

@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
 
+from sigcat.integration.autosar_names import distinct
+
 _NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -34,6 +36,21 @@ def listed(tag_name: str, children: Iterable[Tag]) -> Tag | None:
 def reference(tag_name: str, path: str, kind: str) -> Tag:
     """A reference to an element by its path and kind."""
     return Tag(tag_name, (), path, None, (("DEST", kind),))
+
+
+def namespaces(names: Sequence[str], beside: Iterable[str] = ()) -> Tag | None:
+    """NAMESPACES of what is generated for an element, the outermost first; None without any.
+
+    A namespace has its own name as short name, unless what stands `beside` it in the element has that name.
+    """
+    short_names = distinct({f"{index:03d}": name for index, name in enumerate(names)}, beside)
+    return listed(
+        "NAMESPACES",
+        (
+            tag("SYMBOL-PROPS", tag("SYMBOL", text=name), name=short_names[f"{index:03d}"])
+            for index, name in enumerate(names)
+        ),
+    )
 
 
 def description(text: str | None) -> Tag | None:

@@ -5,8 +5,18 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.autosar_adaptive.arxml.paths import COMPU_METHODS, CONSTRAINTS, DATATYPES, TYPE, UNITS, Paths
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml.tree import (
+    Package,
+    Tag,
+    description,
+    listed,
+    namespaces,
+    reference,
+    tag,
+    trace,
+)
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
+from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
@@ -33,6 +43,8 @@ class Library(NamedTuple):
     methods: dict[tuple[str | None, str, str], str]
     limits: dict[tuple[float | None, float | None], str]
     types: dict[str, TypeEntry]
+    namespace: tuple[str, ...]
+    """Of datatypes, the outermost first."""
 
     def type_path(self, word: str) -> str:
         """Path of the implementation datatype of a word or a name."""
@@ -74,7 +86,15 @@ def library(model: IntegrationModel, paths: Paths) -> Library:
     limits = {
         (item.min, item.max): _limits_name(item) for item in shown if item.min is not None or item.max is not None
     }
-    return Library(paths, units, _unlike(methods, map(text_table_name, types.values())), _unlike(limits), types)
+    return Library(
+        paths, units, _unlike(methods, map(text_table_name, types.values())), _unlike(limits), types, _namespace(model)
+    )
+
+
+def _namespace(model: IntegrationModel) -> tuple[str, ...]:
+    assert model.deployment is not None
+    chosen = model.deployment.type_namespace or model.deployment.namespace
+    return tuple(parts(chosen)) if chosen else ()
 
 
 def _presentations(model: IntegrationModel) -> Iterable[Presentation]:
@@ -120,7 +140,7 @@ def _limits_name(shown: Presentation) -> str:
 def packages(known: Library, used: Iterable[str]) -> list[Package]:
     """The packages of the file of types. `used` are the words and names that elements refer to."""
     words = sorted({*_words(known.types.values()), *used} & set(BY_ADAPTIVE))
-    types = [_primitive(word) for word in words] + [_type(entry, known) for entry in known.types.values()]
+    types = [_primitive(word, known) for word in words] + [_type(entry, known) for entry in known.types.values()]
     texts = [_text_table(entry) for entry in known.types.values() if entry.symbols]
     methods = [_compu_method(key, name, known) for key, name in known.methods.items()]
     return [
@@ -137,9 +157,12 @@ def _words(entries: Iterable[TypeEntry]) -> Iterable[str]:
         yield from (word for word in (entry.type, entry.storage, entry.c_definition) if word)
 
 
-def _primitive(word: str) -> Tag:
-    row = BY_ADAPTIVE[word]
-    return tag(TYPE, tag("CATEGORY", text="STRING" if word == "string" else "VALUE"), name=row.autosar)
+def _primitive(word: str, known: Library) -> Tag:
+    """A primitive. Numbers are those of the standard library, and stand in no namespace of the application."""
+    name = BY_ADAPTIVE[word].autosar
+    if word != "string":
+        return tag(TYPE, tag("CATEGORY", text="VALUE"), name=name)
+    return tag(TYPE, tag("CATEGORY", text="STRING"), namespaces(known.namespace), name=name)
 
 
 def _type(entry: TypeEntry, known: Library) -> Tag:
@@ -150,7 +173,8 @@ def _type(entry: TypeEntry, known: Library) -> Tag:
         return _array(entry, admin, known)
     members = listed("SUB-ELEMENTS", (_member(field, known) for field in entry.fields or ()))
     text = description(entry.description)
-    return tag(TYPE, text, tag("CATEGORY", text="STRUCTURE"), admin, members, name=entry.name)
+    inside = namespaces(known.namespace, (field.name for field in entry.fields or ()))
+    return tag(TYPE, text, tag("CATEGORY", text="STRUCTURE"), admin, inside, members, name=entry.name)
 
 
 def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
@@ -165,19 +189,21 @@ def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
         tag("CATEGORY", text="TYPE_REFERENCE"),
         admin,
         properties,
+        namespaces(known.namespace),
         reference("TYPE-REFERENCE-REF", target, TYPE),
         name=entry.name,
     )
 
 
 def _array(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
-    size = entry.dimension if isinstance(entry.dimension, int) else None
+    size = None if entry.is_open else entry.dimension
     element = reference("TEMPLATE-TYPE-REF", known.type_path(entry.element), TYPE)
     return tag(
         TYPE,
         tag("CATEGORY", text="VECTOR" if size is None else "ARRAY"),
         admin,
         tag("ARRAY-SIZE", text=size) if size is not None else None,
+        namespaces(known.namespace),
         tag("TEMPLATE-ARGUMENTS", tag("CPP-TEMPLATE-ARGUMENT", element)),
         name=entry.name,
     )

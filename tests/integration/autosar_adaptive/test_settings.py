@@ -1,0 +1,33 @@
+"""What the deployment file may say for AUTOSAR adaptive, and where nonsense in it is told."""
+
+import pytest
+
+from sigcat.errors import InputRefused
+from sigcat.platforms.deployment_file import read_deployment
+
+BAD = {
+    "release: R19-11": (2, "`release` must be 'R20-11', 'R21-11'"),
+    "namespace: 'eco.control'": (2, "`namespace` must be C++ namespaces such as eco::control, not 'eco.control'."),
+    "namespace: 'eco::class'": (2, "`namespace` must have no word of C++, and not begin with ara or std"),
+    "typeNamespace: 'std::eco'": (2, "`typeNamespace` must have no word of C++, and not begin with ara or std"),
+    "transformation: {byteOrder: big}": (2, "`byteOrder` must be 'big-endian' or 'little-endian', not 'big'."),
+    "transformation: {stringLength: 0}": (2, "`stringLength` must be 1, 2 or 4, not 0."),
+    "transformation: {alignment: 7}": (2, "`alignment` must be 8, 16, 32, 64, 128 or 256, not 7."),
+    "serviceDiscovery:\n    initialDelayMin: 500\n    initialDelayMax: 50": (
+        4, "`initialDelayMax` must be at least `initialDelayMin`, 500 ms, not 50 ms.",
+    ),
+    "serviceDiscovery:\n    responseDelayMin: 500": (3, "`responseDelayMax` must be at least `responseDelayMin`, 500 ms"),
+    "serviceDiscovery:\n    repetitionsBaseDelay: 0": (3, "`repetitionsBaseDelay` must be more than 0"),
+    "serviceDiscovery:\n    offerCyclicDelay: 5000": (3, "`offerTimeToLive` must be longer than `offerCyclicDelay`, 5000 ms, not 3 s"),
+    "serviceDiscovery: {offerTimeToLive: 0}": (2, "`offerTimeToLive` must be 1 or more, not 0."),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_what_cannot_be_is_told_at_its_line(text):
+    line, message = BAD[text]
+    with pytest.raises(InputRefused) as refused:
+        read_deployment(f"autosarAdaptive:\n  {text}\n".encode(), "deployment.yaml")
+    (finding,) = refused.value.findings
+    assert finding.message.startswith(message)
+    assert finding.line == line
