@@ -6,7 +6,7 @@ import pytest
 
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.data import OVERLAYS, VSPEC
-from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_text, between
+from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_decimal, as_text, between, of_text
 
 UNITS = read_vocabulary([VSPEC / "units.yaml", OVERLAYS / "units.yaml"], [VSPEC / "quantities.yaml"])
 
@@ -58,7 +58,8 @@ def test_every_unit_of_the_table_is_one_of_the_vocabulary_and_of_one_kind():
         (Fraction(5), "5"),
         (Fraction("3.6"), "3.6"),
         (Fraction("-0.05"), "-0.05"),
-        (Fraction(1, 3), "0.3333333333333333"),
+        (Fraction(1, 3), "1/3"),
+        (Fraction(-160, 9), "-160/9"),
         (Fraction(1, 2**60), "0.000000000000000000867361737988403547205962240695953369140625"),
         (Fraction(0), "0"),
     ],
@@ -66,3 +67,57 @@ def test_every_unit_of_the_table_is_one_of_the_vocabulary_and_of_one_kind():
 def test_numbers_are_written_exactly_where_they_have_an_end(number, text):
     assert as_text(number) == text
     assert as_text(Linear(number).factor) == text
+    assert of_text(text) == number
+
+
+PAIRS = [(source, target) for units in _TO_BASE.values() for source in units for target in units if source != target]
+PI = Fraction("3.14159265358979323846264338327950288419716939937510")
+
+
+@pytest.mark.parametrize(("source", "target"), PAIRS)
+def test_what_is_carried_has_the_nearest_double_of_each_direction(source, target):
+    linear, back = between(source, target), between(target, source)
+    assert linear is not None
+    assert back is not None
+    factor, offset = of_text(as_text(linear.factor)), of_text(as_text(linear.offset))
+    assert factor is not None
+    assert offset is not None
+    carried = Linear(factor, offset)
+    assert carried == linear
+    assert carried.inverse == back
+    assert [float(as_decimal(end)) for end in (*carried, *carried.inverse)] == [float(end) for end in (*linear, *back)]
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "exact"),
+    [
+        ("degrees", "radians", PI / 180),
+        ("radians", "degrees", 180 / PI),
+        ("rpm", "rad/s", PI / 30),
+        ("rad/s", "rpm", 30 / PI),
+        ("rad/s", "degrees/s", 180 / PI),
+    ],
+)
+def test_the_ratio_of_radians_is_the_nearest_double(source, target, exact):
+    conversion = between(source, target)
+    assert conversion is not None
+    assert float(conversion.factor) == float(exact)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        (" 3.6 ", Fraction("3.6")),
+        ("1e-5", Fraction("1e-5")),
+        ("-5/18", Fraction(-5, 18)),
+        ("1e400", None),
+        ("1e999999999", None),
+        ("1e-999", 0),
+        ("1/0", None),
+        ("nan", None),
+        ("1_0", None),
+        ("", None),
+    ],
+)
+def test_a_number_of_a_document_is_read_as_it_stands_there(text, number):
+    assert of_text(text) == number

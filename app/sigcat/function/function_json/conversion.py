@@ -1,10 +1,11 @@
 """Conversion between units and between stored and physical values: exact, as fractions.
 
 The factors are those of ISO 80000 and of the definitions of the units; only the ratio of radian to degree is not
-rational, and is taken as the nearest double.
+rational, and is taken so near that both directions have the nearest double.
 """
 
-import math
+import re
+import sys
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -31,7 +32,8 @@ class Linear(NamedTuple):
 
 IDENTITY = Linear()
 
-_RADIAN = Fraction(180) / Fraction(math.pi)
+_PI = Fraction("3.14159265358979323846264338327950288419716939937510")
+_RADIAN = (180 / _PI).limit_denominator(10**10)
 _TO_BASE: dict[str, dict[str, Linear]] = {
     "length": {
         "mm": Linear(Fraction(1, 1000)), "cm": Linear(Fraction(1, 100)), "m": IDENTITY,
@@ -80,15 +82,40 @@ def same_kind(unit: str) -> tuple[str, ...]:
 
 
 def as_text(number: Fraction) -> str:
-    """A decimal number: exact where it has an end, else the nearest double."""
+    """A number, exactly: decimal where that has an end, else a fraction, `5/18`."""
+    return as_decimal(number) if _has_end(number) else f"{number.numerator}/{number.denominator}"
+
+
+def as_decimal(number: Fraction) -> str:
+    """A decimal number for code: exact where it has an end, else the nearest double."""
+    if number.denominator == 1 or abs(number) > _LARGEST:
+        return str(round(number))
+    value = repr(float(number))
+    return value if not _has_end(number) or Fraction(value) == number else _exact(number)
+
+
+def _has_end(number: Fraction) -> bool:
+    """Whether a decimal number has an end."""
     rest = number.denominator
     for prime in (2, 5):
         while rest % prime == 0:
             rest //= prime
-    value = float(number)
-    if number.denominator == 1:
-        return str(number.numerator)
-    return repr(value) if rest != 1 or Fraction(repr(value)) == number else _exact(number)
+    return rest == 1
+
+
+_NUMBER = re.compile(
+    r"[+-]?(?:[0-9]{1,400}(?:\.[0-9]{0,400})?|\.[0-9]{1,400})(?:[eE][+-]?[0-9]{1,3})?|[+-]?[0-9]{1,40}/0*[1-9][0-9]{0,39}"
+)
+"""A number, of a size that exact arithmetic bears."""
+_LARGEST = Fraction(sys.float_info.max)
+
+
+def of_text(text: str) -> Fraction | None:
+    """The number that a document has as text, decimal or a fraction; None if it is none, or larger than a double."""
+    number = Fraction(text.strip()) if _NUMBER.fullmatch(text.strip()) else None
+    if number is None or abs(number) > _LARGEST:
+        return None
+    return number if abs(number) * _LARGEST >= 1 else Fraction(0)
 
 
 def as_number(number: Fraction) -> float:

@@ -68,13 +68,14 @@ class Signal(WireModel):
     )
     conversion_factor: str | None = described(
         "ConversionFactor",
-        "Value in the catalogue's unit = physical value × factor + offset; absent where the units are the same.",
+        "Value in the catalogue's unit = physical value × factor + offset; absent where the units are the same. Exact: a "
+        "decimal number, or where that has no end a fraction, 5/18.",
         default=None,
         source=OWN,
     )
     conversion_offset: str | None = described(
         "ConversionOffset",
-        "Offset of the conversion, in the catalogue's unit.",
+        "Offset of the conversion, in the catalogue's unit; exact, too.",
         default=None,
         source=OWN,
         unit="that of `VssUnit`",

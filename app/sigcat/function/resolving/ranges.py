@@ -27,6 +27,7 @@ def range_of(code: CodeValue) -> Resolving[OpenRange]:
     yield from _widened(code, own)
     if code.symbols is None and not is_upside_down(low, high):
         yield from _lost(code, low, high)
+        yield from _digits_lost(code, low, high)
     yield from _symbols_beyond(code)
     return low, high
 
@@ -97,6 +98,27 @@ def _overflow(code: CodeValue, needed: Range, limits: Range, holder: str) -> Pro
     fix = "Choose a larger datatype or another scale, or narrow the range with `min` and `max`."
     at = code.first_written("datatype", "factor", "unit", "max", "min")
     return code.problem(codes.CONVERSION_LOSES_RANGE, at, message, fix)
+
+
+_DIGITS = {"float": 2**24, "double": 2**53}
+"""Up to where a floating-point number tells each integer from the next."""
+
+
+def _digits_lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+    """An integer that is read as a floating-point number, or sent as one, beyond where that has each integer."""
+    own, stored = element_of(code.own_datatype), element_of(code.datatype)
+    is_provided = isinstance(code.item, DataItem) and code.item.role == "provided"
+    integer, floating = (stored, own) if is_provided else (own, stored)
+    if integer not in INTEGER_RANGES or floating not in _DIGITS:
+        return
+    to_integer = (code.scale if is_provided else code.to_code).inverse
+    ends = [Fraction(end) for end in INTEGER_RANGES[integer]]
+    given = [None if end is None else to_integer(end) for end in (low, high)]
+    largest = max(abs(own if end is None else end) for own, end in zip(ends, given, strict=True))
+    if largest > _DIGITS[floating]:
+        message = f"{integer} up to {shown(largest)} is {'sent' if is_provided else 'held'} as {floating}, which has each integer only up to {_DIGITS[floating]}."
+        fix = "Use an integer or a larger datatype, or narrow the range with `min` and `max`."
+        yield code.problem(codes.DIGITS_LOST, code.first_written("datatype", "max", "min"), message, fix)
 
 
 def _is_wide(stored: str, own: str) -> bool:

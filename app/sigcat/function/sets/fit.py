@@ -8,6 +8,7 @@ from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
@@ -178,9 +179,8 @@ def _rounding(limit: Fraction) -> Fraction:
 
 def _range_of(datum: Datum) -> tuple[Fraction | None, Fraction | None]:
     """The range in the unit of the catalogue."""
-    try:
-        factor, offset = Fraction(datum.conversion_factor or 1), Fraction(datum.conversion_offset or 0)
-    except (ValueError, ZeroDivisionError):
+    factor, offset = of_text(datum.conversion_factor or "1"), of_text(datum.conversion_offset or "0")
+    if factor is None or offset is None:
         return None, None
     ends = [None if end is None else Fraction(end) * factor + offset for end in (datum.min, datum.max)]
     return (ends[1], ends[0]) if factor < 0 else (ends[0], ends[1])

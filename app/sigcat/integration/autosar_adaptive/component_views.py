@@ -1,9 +1,9 @@
 """What a component has of each service: its events, methods and fields, with what it uses of them."""
 
-import re
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
+from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument, Method
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
@@ -88,7 +88,7 @@ def sent(value: float | None, interface: Signal | DataQueue) -> int | float | No
     """A limit of the code, in the unit in which the value is sent, exact; None if it is not known."""
     if value is None or interface.conversion_factor is None:
         return value
-    factor, offset = _fraction(interface.conversion_factor), _fraction(interface.conversion_offset or "0")
+    factor, offset = of_text(interface.conversion_factor), of_text(interface.conversion_offset or "0")
     if factor is None or offset is None:
         return None
     exact = Fraction(value) * factor + offset
@@ -96,14 +96,6 @@ def sent(value: float | None, interface: Signal | DataQueue) -> int | float | No
         return int(exact) if exact.denominator == 1 else float(exact)
     except OverflowError:
         return None
-
-
-_DECIMAL = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,3}|/0*[1-9]\d{0,39})?")
-"""A number, of a size that exact arithmetic bears."""
-
-
-def _fraction(text: str) -> Fraction | None:
-    return Fraction(text) if _DECIMAL.fullmatch(text) else None
 
 
 def _text(number: str | float | None) -> str | None:

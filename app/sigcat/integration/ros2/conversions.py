@@ -1,11 +1,10 @@
 """From the variables of the code to the values of the catalogue, and back."""
 
-import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from sigcat import codes
-from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_decimal, as_number, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
 from sigcat.function.function_json.datatype import Datatype, Symbol
 from sigcat.function.function_json.primitive_types import value_range
@@ -53,8 +52,8 @@ def conversion(
         return_type=result,
         field=field,
         kind="Cast" if way == IDENTITY else "Linear",
-        factor=None if way == IDENTITY else as_text(way.factor),
-        offset=None if way == IDENTITY else as_text(way.offset),
+        factor=None if way == IDENTITY else as_decimal(way.factor),
+        offset=None if way == IDENTITY else as_decimal(way.offset),
         rounding="Nearest" if _rounds(source, target, way) else None,
         saturates=_narrows(source, target, way) or None,
     )
@@ -91,7 +90,8 @@ def _narrows(source: Spelling, target: Spelling, way: Linear) -> bool:
 def _linear(factor: object, offset: object, interface: Subject, findings: FindingCollector) -> Linear:
     if factor is None and offset is None:
         return IDENTITY
-    numbers = [_fraction(given, missing) for given, missing in ((factor, Fraction(1)), (offset, Fraction(0)))]
+    written = (str(missing if given is None or given == "" else given) for given, missing in ((factor, 1), (offset, 0)))
+    numbers = [of_text(text) for text in written]
     if numbers[0] is None or numbers[1] is None or numbers[0] == 0:
         message = (
             f"{interface}: the factor must be a non-zero number and the offset a number, not {factor!r} and {offset!r}."
@@ -99,17 +99,3 @@ def _linear(factor: object, offset: object, interface: Subject, findings: Findin
         findings.report(codes.CONVERSION_NOT_A_NUMBER, message, interface, "Correct them in the function.")
         return IDENTITY
     return Linear(numbers[0], numbers[1])
-
-
-def _fraction(given: object, missing: Fraction) -> Fraction | None:
-    """A number as it is written, if a double can hold it: exponents of a thousand digits stay out."""
-    if given is None or given == "":
-        return missing
-    text = str(given).strip()
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    if not math.isfinite(value):
-        return None
-    return Fraction(text.replace("_", "")) if value else Fraction(0)

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from sigcat.function.function_json.conversion import IDENTITY, Linear
+from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
 from sigcat.function.sets.wiring import End, Link
 from sigcat.web.template_filters import number, unit
 
@@ -29,11 +29,8 @@ def to_outside(end: End) -> str:
 
 def _to_catalogue(end: End) -> Linear | None:
     """None where a document has no number in its place."""
-    try:
-        linear = Linear(Fraction(end.signal.conversion_factor or 1), Fraction(end.signal.conversion_offset or 0))
-    except (ValueError, ZeroDivisionError):
-        return None
-    return linear if linear.factor else None
+    factor, offset = of_text(end.signal.conversion_factor or "1"), of_text(end.signal.conversion_offset or "0")
+    return Linear(factor, offset) if factor and offset is not None else None
 
 
 def _text(source: str | None, target: str | None, linear: Linear) -> str:
