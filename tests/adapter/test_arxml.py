@@ -213,20 +213,37 @@ def test_what_a_call_has_beyond_the_metamodel_stands_in_words_of_no_programming_
     assert not [text for text in facts.values() if text and text[0] in "[{"]
 
 
-def test_a_policy_of_posix_is_in_the_startup_configuration():
-    one = function(signals=[at("Vehicle.A.B")], call={"Scheduling": "FIFO", "Priority": "12"})
-    files = generate(derive([one]).model)
-    loaded(files)
-    assert texts(files, "SCHEDULING-POLICY") == ["SCHED_FIFO"]
-    assert texts(files, "SCHEDULING-PRIORITY") == ["12"]
+def test_a_process_is_started_as_the_deployment_says():
+    startup = {"policy": "SCHED_RR", "priority": 7, "enterTimeout": 1500, "exitTimeout": 250,
+               "arguments": ["-v", "eco.json"], "environment": {"LEVEL": "debug"}, "restartAttempts": 2}  # fmt: skip
+    model = with_settings(components={"Demo": {"startup": startup}})
+    found = model.get_element_by_path("/Eco/StartupConfigurations/Demo_Startup")
+    assert [str(e.character_data) for _, e in found.elements_dfs if e.element_name == "ARGUMENT"] == ["-v", "eco.json"]
+    stated = values(model, found.path)
+    assert (stated["KEY"], stated["VALUE"]) == ("LEVEL", "debug")
+    assert (stated["SCHEDULING-POLICY"], stated["SCHEDULING-PRIORITY"]) == ("SCHED_RR", "7")
+    assert (stated["ENTER-TIMEOUT-VALUE"], stated["EXIT-TIMEOUT-VALUE"]) == ("1.5", "0.25")
+    assert stated["TERMINATION-BEHAVIOR"] == "PROCESS-IS-NOT-SELF-TERMINATING"
+    assert values(model, "/Eco/Processes/DemoProcess")["NUMBER-OF-RESTART-ATTEMPTS"] == "2"
+
+
+def test_every_process_has_a_design_that_names_its_executable():
+    model = loaded(made("examples"))
+    root = "/CoreAcc_and_EcoControlMpc_and_WheelSpeedCalculation"
+    assert values(model, f"{root}/Processes/CoreAccProcess")["DESIGN-REF"] == f"{root}/ProcessDesigns/CoreAcc_Design"
+    design = values(model, f"{root}/ProcessDesigns/CoreAcc_Design")
+    assert design["EXECUTABLE-REF"] == f"{root}/Executables/CoreAccExecutable"
 
 
 def with_settings(**settings):
-    """ARXML of the function with every kind of element, as one model."""
-    model = loaded(generate(derive((every_kind(),), deployed(name="Eco", autosarAdaptive=settings)).model))
-    assert dangling(model) == []
-    assert misplaced(model) == []
-    return model
+    """ARXML of the function with every kind of element, as one model; it is right under every release."""
+    derived = derive((every_kind(),), deployed(name="Eco", autosarAdaptive=settings)).model
+    models = {release: loaded(generate(derived, release)) for release in RELEASES}
+    for model in models.values():
+        assert dangling(model) == []
+        assert misplaced(model) == []
+        assert doubled_names(model) == []
+    return models["R23-11"]
 
 
 def values(model, path):

@@ -20,6 +20,10 @@ BAD = {
     "serviceDiscovery:\n    repetitionsBaseDelay: 0": (3, "`repetitionsBaseDelay` must be more than 0"),
     "serviceDiscovery:\n    offerCyclicDelay: 5000": (3, "`offerTimeToLive` must be longer than `offerCyclicDelay`, 5000 ms, not 3 s"),
     "serviceDiscovery: {offerTimeToLive: 0}": (2, "`offerTimeToLive` must be 1 or more, not 0."),
+    "components: {Acc: {startup: {policy: SCHED_OTHER, priority: 5}}}": (2, "`priority` must be 0 for SCHED_OTHER, not 5."),
+    "components: {Acc: {startup: {policy: SCHED_RR, priority: 0}}}": (2, "`priority` must be from 1 to 99 for SCHED_RR, not 0."),
+    "components: {Acc: {startup: {priority: 100}}}": (2, "`priority` must be 99 or less, not 100."),
+    "components: {Acc: {startup: {policy: FIFO}}}": (2, "`policy` must be 'SCHED_FIFO', 'SCHED_RR' or 'SCHED_OTHER'"),
 }  # fmt: skip
 
 

@@ -23,6 +23,7 @@ from sigcat.integration.autosar_adaptive.model import (
     Services,
 )
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
+from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, startup
 from sigcat.integration.autosar_names import short_name
 
 
@@ -46,7 +47,12 @@ def completed(model: IntegrationModel) -> IntegrationModel:
         {name: _groups(name, listed) for name in names},
     )
     components = tuple(
-        component.model_copy(update={"services": tuple(_with_ids(item, numbers) for item in component.services)})
+        component.model_copy(
+            update={
+                "services": tuple(_with_ids(item, numbers) for item in component.services),
+                "startup": startup(component.startup or NO_STARTUP, component.wishes),
+            }
+        )
         for component in model.components
     )
     application = short_name(model.info.name)

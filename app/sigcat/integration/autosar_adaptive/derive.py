@@ -21,6 +21,12 @@ from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings
+from sigcat.integration.autosar_adaptive.startup import (
+    HIGHEST_PRIORITY,
+    StartupSettings,
+    startup,
+    unwritable,
+)
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.unused import report_unused
 from sigcat.integration.autosar_names import short_name
@@ -102,7 +108,7 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
     settings = context.settings.components.get(part.name) or ComponentSettings.model_validate({})
     made = calls(part, context)
     modes = tuple(dict.fromkeys(mode for call in made for mode in call.modes))
-    return model.Component(
+    component = model.Component(
         name=part.name,
         executable=settings.executable or short_name(f"{part.name}Executable"),
         header_files=_header_files(part, settings),
@@ -115,6 +121,18 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
         description=part.function.info.description,
         function_modes=function_modes(part),
     )
+    return component.model_copy(update={"startup": _startup(component, settings, part, context)})
+
+
+def _startup(component: model.Component, settings: ComponentSettings, part: Part, context: Context) -> StartupSettings:
+    """How the process of a component is started; a priority that cannot be written is reported."""
+    refused = unwritable(component.wishes) if settings.startup.priority is None else []
+    for call in part.component.runnables:
+        if call.priority in [wish.priority for wish in refused]:
+            message = f"Priority of {call.name} of {part.function_name} must be from 1 to {HIGHEST_PRIORITY} to be that of a process, not {call.priority!r}."
+            fix = f"Correct it in the function, or set `priority` under `startup` of component {part.name} in the deployment file."
+            context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, Subject(call.name, call), fix, key="Priority")
+    return startup(settings.startup, component.wishes)
 
 
 def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | None:

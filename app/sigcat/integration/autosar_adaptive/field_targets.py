@@ -14,6 +14,7 @@ from sigcat.integration.report import Entry, FieldTarget, entries
 _CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
 _RANGE = "the event has the catalogue's range, or else the provider's"
 _PLACE = "says which service and which side"
+_PROCESS = "the process has that of its most urgent call, in Startup"
 
 _DATA: dict[str, FieldTarget | str] = {
     "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
@@ -61,13 +62,14 @@ _REACTION: dict[str, FieldTarget | str] = {
 }  # fmt: skip
 _MODE: dict[str, FieldTarget | str] = {**_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE), "Modes": "Mode/Modes"}
 _CALL: dict[str, FieldTarget | str] = {
-    "Runtype": "RunType", "Cycletime": "CycleTime", "Scheduling": "Scheduling", "SupervisionType": "SupervisionType",
+    "Runtype": "RunType", "Cycletime": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
+    "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
     "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has entries of its own"),
     **{
         field: field
         for field in (
             "Name", "Description", "StackSize", "PrevRunnable", "ExecOffset", "ParallelProcessing", "AsilLevel",
-            "Watchdog", "DebounceDelay", "Priority", "EventList", "VssPath",
+            "Watchdog", "DebounceDelay", "EventList", "VssPath",
         )
     },
 }  # fmt: skip

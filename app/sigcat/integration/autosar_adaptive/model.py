@@ -21,6 +21,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     ServiceDiscoverySettings,
     TransformationSettings,
 )
+from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 
@@ -325,6 +326,12 @@ class Component(WireModel):
     version: str | None = own("Version", "Version of the function.")
     description: str | None = own("Description", "What the function does.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
+    startup: StartupSettings | None = own("Startup", "How the process is started.")
+
+    @property
+    def wishes(self) -> tuple[Wish, ...]:
+        """What its calls say of their scheduling."""
+        return tuple(Wish(call.scheduling, call.priority) for call in self.calls)
 
 
 class ArxmlDeployment(WireModel):

@@ -14,6 +14,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     ServiceDiscoverySettings,
     TransformationSettings,
 )
+from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
 """An AUTOSAR short name."""
@@ -26,6 +27,7 @@ class ComponentSettings(DeclarationModel):
     header_files: list[Text] | None = Field(
         None, description="Header files of the code; <Component>.h if the code's variables are known, else none."
     )
+    startup: StartupSettings = Field(NO_STARTUP, description="How the process is started.")
 
 
 class ServiceSettings(DeclarationModel):

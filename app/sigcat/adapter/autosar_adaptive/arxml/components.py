@@ -2,7 +2,16 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.autosar_adaptive.arxml.paths import COMPONENTS, EXECUTABLES, INTERFACES, STORAGES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.paths import (
+    COMPONENTS,
+    EXECUTABLES,
+    INTERFACES,
+    PROCESS_DESIGNS,
+    STORAGES,
+    TYPE,
+    Paths,
+)
+from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
 from sigcat.integration.autosar_adaptive.model import Call, Component, ParameterEntry, ServiceInterface
@@ -12,13 +21,14 @@ COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
 STORAGE = "PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
 
 
-def packages(components: Iterable[Component], known: Library) -> list[Package]:
+def packages(components: Iterable[Component], known: Library, release: Release) -> list[Package]:
     """The packages of the file of components."""
     listed_components = list(components)
     return [
         Package(STORAGES, tuple(_storage(item, known) for item in listed_components if item.parameters)),
         Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
         Package(EXECUTABLES, tuple(_executable(item, known) for item in listed_components)),
+        Package(PROCESS_DESIGNS, tuple(_process_design(item, release, known) for item in listed_components)),
     ]
 
 
@@ -134,6 +144,22 @@ def _executable(component: Component, known: Library) -> Tag:
         root,
         name=component.executable,
     )
+
+
+def _process_design(component: Component, release: Release, known: Library) -> Tag:
+    executable = executables(component, release, known.paths)
+    return tag("PROCESS-DESIGN", executable, name=design_name(component))
+
+
+def executables(component: Component, release: Release, paths: Paths) -> Tag:
+    """What a process, or its design, says of its executable."""
+    executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
+    return executable if release.has_one_executable else tag("EXECUTABLE-REFS", executable)
+
+
+def design_name(component: Component) -> str:
+    """Name of the design of a component's process."""
+    return short_name(f"{component.name}_Design")
 
 
 def process_names(components: Iterable[Component]) -> dict[str, str]:

@@ -3,7 +3,13 @@
 from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.autosar_adaptive.arxml import someip
-from sigcat.adapter.autosar_adaptive.arxml.components import port_name, process_names, root_name
+from sigcat.adapter.autosar_adaptive.arxml.components import (
+    design_name,
+    executables,
+    port_name,
+    process_names,
+    root_name,
+)
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.paths import (
     COMPONENTS,
@@ -13,13 +19,15 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     INSTANCES,
     INTERFACES,
     MAPPINGS,
+    PROCESS_DESIGNS,
     PROCESSES,
     STARTUP,
     Paths,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_names import short_name
 
 OFF = "Off"
@@ -92,24 +100,38 @@ def _startup_path(component: Component, release: Release, paths: Paths) -> str:
 
 
 def _startup(component: Component) -> Tag:
-    """POSIX scheduling, where a call asks for a policy that POSIX has."""
-    asked = next((call for call in component.calls if call.scheduling in ("RR", "FIFO")), None)
-    priority = asked.priority if asked and (asked.priority or "").isdecimal() else None
+    chosen = component.startup or NO_STARTUP
+    variables = (
+        tag("TAG-WITH-OPTIONAL-VALUE", tag("KEY", text=key), tag("VALUE", text=value))
+        for key, value in (chosen.environment or {}).items()
+    )
+    arguments = (tag("PROCESS-ARGUMENT", tag("ARGUMENT", text=each)) for each in chosen.arguments or ())
     return tag(
         "STARTUP-CONFIG",
-        tag("SCHEDULING-POLICY", text=f"SCHED_{asked.scheduling}") if asked else None,
-        tag("SCHEDULING-PRIORITY", text=priority) if priority else None,
+        listed("ENVIRONMENT-VARIABLES", variables),
+        listed("PROCESS-ARGUMENTS", arguments),
+        tag("SCHEDULING-POLICY", text=chosen.policy),
+        tag("SCHEDULING-PRIORITY", text=chosen.priority),
+        tag("TERMINATION-BEHAVIOR", text="PROCESS-IS-NOT-SELF-TERMINATING"),
+        _timeout(chosen),
         name=_startup_name(component),
     )
+
+
+def _timeout(chosen: StartupSettings) -> Tag | None:
+    limits = {"ENTER-TIMEOUT-VALUE": chosen.enter_timeout, "EXIT-TIMEOUT-VALUE": chosen.exit_timeout}
+    return listed("TIMEOUT", (tag(name, text=seconds(limit)) for name, limit in limits.items() if limit is not None))
 
 
 def _process(component: Component, components: Iterable[Component], group: str, release: Release, paths: Paths) -> Tag:
     states = listed("FUNCTION-GROUP-STATE-IREFS", (_state(mode, group, paths) for mode in component.modes))
     startup = reference("STARTUP-CONFIG-REF", _startup_path(component, release, paths), "STARTUP-CONFIG")
-    executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
+    attempts = component.startup.restart_attempts if component.startup else None
     return tag(
         "PROCESS",
-        executable if release.has_one_executable else tag("EXECUTABLE-REFS", executable),
+        reference("DESIGN-REF", paths.of(PROCESS_DESIGNS, design_name(component)), "PROCESS-DESIGN"),
+        executables(component, release, paths),
+        tag("NUMBER-OF-RESTART-ATTEMPTS", text=attempts) if attempts is not None else None,
         tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
         name=process_names(components)[component.name],
     )

@@ -32,7 +32,7 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
     content = {
         "types.arxml": types.packages(known, _words(whole)),
         "interfaces.arxml": [interfaces.package(services, known)],
-        "components.arxml": components.packages(whole.components, known),
+        "components.arxml": components.packages(whole.components, known, release),
         "deployment.arxml": deployment.packages(whole, services, release, paths),
     }
     try:

@@ -1,12 +1,11 @@
 """What all SOME/IP services share: how values become bytes, and the timing of service discovery."""
 
 from collections.abc import Iterable, Sequence
-from decimal import Decimal
 
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.paths import DISCOVERY, INTERFACES, TRANSFORMATION, Paths
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.integration.autosar_adaptive.model import ArxmlDeployment
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
@@ -123,8 +122,3 @@ def _initial(tag_name: str, chosen: ServiceDiscoverySettings) -> Tag:
         tag("INITIAL-REPETITIONS-BASE-DELAY", text=seconds(chosen.repetitions_base_delay)),
         tag("INITIAL-REPETITIONS-MAX", text=chosen.repetitions_max),
     )
-
-
-def seconds(milliseconds: float) -> str:
-    """A time as the metamodel has it: in seconds."""
-    return f"{Decimal(str(milliseconds)) / 1000:f}"

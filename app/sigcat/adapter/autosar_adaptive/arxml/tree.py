@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from decimal import Decimal
 from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
@@ -31,6 +32,11 @@ def listed(tag_name: str, children: Iterable[Tag]) -> Tag | None:
     """An element that holds a list; None if the list is empty, as the metamodel has no empty lists."""
     kept = tuple(children)
     return Tag(tag_name, kept) if kept else None
+
+
+def seconds(milliseconds: float) -> str:
+    """A time as the metamodel has it: in seconds."""
+    return f"{Decimal(str(milliseconds)) / 1000:f}"
 
 
 def reference(tag_name: str, path: str, kind: str) -> Tag:
