@@ -259,13 +259,13 @@ def quality(*functions, role="Subscription", deployment=None):
 
 
 def test_qm_values_that_come_again_are_best_effort():
-    made = quality(function(signal()))
+    made = quality(function(signal(role="Provider")), function(signal(), name="Hmi"))
     assert (made["Reliability"], made["Durability"], made["Depth"]) == ("best_effort", "volatile", 1)
 
 
 @pytest.mark.parametrize("asil", ["A", "B", "C", "D"])
 def test_values_with_an_asil_are_reliable(asil):
-    made = quality(function(signal(AsilLevel=asil)))
+    made = quality(function(signal(role="Provider")), function(signal(AsilLevel=asil), name="Hmi"))
     assert made["Reliability"] == "reliable"
     assert made["Liveliness"] == ("manual_by_topic" if asil in "CD" else "automatic")
 
@@ -281,7 +281,21 @@ def test_a_queue_is_reliable_and_as_deep_as_it_is_long_on_both_ends():
     consumer = function(name="Hmi", contract={"DataQList": [queue]})
     both = (function(signal(role="Provider")), consumer)
     assert [quality(*both, role=role)["Depth"] for role in ("Publisher", "Subscription")] == [8, 8]
-    assert quality(consumer)["Reliability"] == "reliable"
+    assert quality(*both)["Reliability"] == "reliable"
+
+
+@pytest.mark.parametrize("publisher", [(), (function(signal(role="Provider"), call={"Runtype": "EventTriggered"}),)])
+def test_a_deadline_is_requested_only_from_a_publisher_of_the_set_that_offers_one(publisher):
+    made = topics([*publisher, function(signal(Timeout="200", AsilLevel="D"), name="Hmi")])
+    end = made["Subscription", "/vehicle/speed"]
+    assert "Deadline" not in end["QualityOfService"]
+    assert "LeaseDuration" not in end["QualityOfService"]
+    assert end["DataMappingList"][0]["FieldList"][0]["Timeout"] == 200
+
+
+def test_of_a_publisher_outside_of_the_set_nothing_is_requested_that_it_may_not_offer():
+    made = quality(function(signal(Timeout="200", AsilLevel="D")))
+    assert (made["Reliability"], made["Liveliness"]) == ("best_effort", "automatic")
 
 
 def test_a_time_out_is_the_deadline_and_a_publisher_offers_twice_its_cycle_or_less():

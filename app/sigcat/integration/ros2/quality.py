@@ -7,6 +7,10 @@
 - deadline: the subscriber's time-out. A publisher offers twice its cycle, so that one lost or late value passes, or
   the shortest time-out of the set's subscribers, if that is shorter.
 - liveliness asserted by the publishing call itself for ASIL C and D, by the middleware otherwise.
+
+A subscription hears only publishers that offer what it requests. Of a publisher outside of the set nobody knows that, so
+that its subscriptions request nothing of it that an ordinary one may not offer: the adapter supervises the time-out.
+Attributes are the exception: a publisher that does not keep them has nothing for who starts late.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,10 +32,12 @@ def quality(
     """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
     asil = max((use.asil for use in everyone), key=rank)
-    is_strict = asil in ("C", "D")
+    is_heard = any(use.is_provider for use in everyone)
+    is_strict = asil in ("C", "D") and is_heard
+    reliability = _reliability(everyone, asil, reasons) if is_heard else _of_outsider(reasons)
     deadline = _deadline(mine, everyone, reasons)
     derived = QualityOfService(
-        reliability=_reliability(everyone, asil, reasons),
+        reliability=reliability,
         durability=_durability(everyone, reasons),
         history="keep_last",
         depth=_depth(mine, everyone, reasons),
@@ -58,6 +64,12 @@ def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -
     return "best_effort"
 
 
+def _of_outsider(reasons: list[str]) -> str:
+    """A subscription at best effort hears a reliable publisher too, and then misses values only as the network does."""
+    reasons.append("best effort: the publisher is not of the set, and may offer no more")
+    return "best_effort"
+
+
 def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> str:
     if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
         reasons.append("transient local: late subscribers need the last value")
@@ -76,6 +88,9 @@ def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons:
     timeouts = [use.timeout for use in everyone if not use.is_provider and use.timeout]
     if not any(use.is_provider for use in mine):
         own = [use.timeout for use in mine if use.timeout]
+        if own and not _is_offered(mine, everyone):
+            reasons.append("no deadline: no publisher of the set offers one; the adapter supervises the time-out")
+            return None
         if own:
             reasons.append("deadline: the time-out")
         return min(own, default=None)
@@ -85,6 +100,13 @@ def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons:
     shortest = min([*timeouts, max(cycles)])
     reasons.append("deadline: twice the cycle" if shortest == max(cycles) else "deadline: a subscriber's time-out")
     return shortest
+
+
+def _is_offered(mine: Sequence[SignalUse], everyone: Sequence[SignalUse]) -> bool:
+    """Whether every publisher of the signals is of the set, and has a cycle."""
+    cycles = [use.cycle for use in everyone if use.is_provider]
+    provided = {use.key for use in everyone if use.is_provider}
+    return bool(cycles) and all(cycles) and provided >= {use.key for use in mine}
 
 
 def _overridden(derived: QualityOfService, settings: Sequence[QualitySettings]) -> QualityOfService:
