@@ -116,6 +116,11 @@ class FunctionLibrary:
 @lru_cache(maxsize=16)
 def functions_over(files: HostedFiles, catalogue: Catalogue) -> tuple[HostedFunction, ...]:
     """Every function of a service, built over a catalogue. Those of one folder may use what others of it define."""
+    return built_over(files, catalogue)
+
+
+def built_over(files: HostedFiles, catalogue: Catalogue) -> tuple[HostedFunction, ...]:
+    """The same over a catalogue that does not last, such as one with an overlay that is tried."""
     groups = dict.fromkeys(file.group for file in files)
     built = [each for group in groups for each in _built([f for f in files if f.group == group], catalogue)]
     return tuple(sorted(built, key=lambda each: (each.file.is_shipped, each.id)))
@@ -137,8 +142,15 @@ def _named(function_id: str, known: Mapping[str, Found]) -> Found:
     return known[function_id]
 
 
-def has_interfaces(catalogue: Catalogue) -> bool:
-    """Whether a catalogue has interfaces of functions, without which no shipped function builds."""
+def buildable(files: HostedFiles, catalogue: Catalogue) -> HostedFiles:
+    """The files that may build over a catalogue: no shipped one does without a branch of functions.
+
+    To find out by trying takes time, since near names are looked for.
+    """
+    return files if _has_interfaces(catalogue) else tuple(file for file in files if not file.is_shipped)
+
+
+def _has_interfaces(catalogue: Catalogue) -> bool:
     return any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
 
 

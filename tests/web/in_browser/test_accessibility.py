@@ -13,12 +13,12 @@ PAGES = (
     "/tree/broken", "/search/small?q=speed", "/search/small?q=sped", "/functions?catalogue=interfaces",
     "/functions/core_acc?catalogue=interfaces", "/functions/core_acc?view=source&catalogue=interfaces",
     "/wiring?catalogue=interfaces", "/changes",
-    "/changes?old=vss&new=interfaces", "/try", "/try?kind=function&catalogue=interfaces", "/rules", "/rules/I201",
+    "/changes?old=vss&new=interfaces", "/try", "/try?kind=function&catalogue=interfaces", "/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
     "/units/interfaces", "/catalogues/interfaces", "/docs", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 """One page of each kind."""
 VARIANTS = (
-    "/tree/interfaces~folded", "/tree/small/Vehicle.Speed", "/search/small?q=zzz", "/search/interfaces", "/functions",
+    "/tree/interfaces~folded", "/functions?catalogue=vss", "/tree/small/Vehicle.Speed", "/search/small?q=zzz", "/search/interfaces", "/functions",
     "/functions/core_acc?view=function-json&catalogue=interfaces",
     "/functions/core_acc?view=arxml&catalogue=interfaces", "/functions/core_acc?catalogue=small",
     "/wiring?catalogue=small", "/changes?old=bare&new=small", "/changes?old=small&new=small", "/try?kind=tree",
@@ -68,6 +68,16 @@ def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_pa
     }
     page.set_content(page.request.post(f"{service}/try", form=form).text().replace('href="/', f'href="{service}/'))
     expect(page.locator(".marked.error")).to_have_count(1)
+    _check(page)
+
+
+@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+def test_axe_finds_nothing_in_completions(open_page: Opener) -> None:
+    page = open_page("/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Overlay")
+    field.fill("")
+    field.press_sequentially("Vehicle.")
+    expect(page.get_by_role("option").first).to_be_visible()
     _check(page)
 
 

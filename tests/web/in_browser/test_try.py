@@ -35,6 +35,67 @@ def test_a_function_is_drawn_as_one_types(open_page: Opener) -> None:
     expect(page.locator("#outcome .diagram").first).to_be_visible()
 
 
+def test_paths_units_and_datatypes_are_completed(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Overlay")
+    options = page.get_by_role("listbox", name="Completions").get_by_role("option")
+    field.fill("")
+    field.press_sequentially("Vehicle.Cha")
+    expect(options).to_have_count(1)
+    field.press("Enter")
+    expect(options.first).to_contain_text("Wheelbase")
+    field.press_sequentially("bra")
+    expect(options).to_have_text(["Brake branch", "ParkingBrake branch"])
+    field.press("Tab")
+    expect(options.first).to_contain_text("PedalPosition")
+    field.press("ArrowUp")
+    expect(options.last).to_have_attribute("aria-selected", "true")
+    field.press("ArrowDown")
+    expect(field).to_have_attribute("aria-activedescendant", "completion-0")
+    options.first.click()
+    expect(field).to_have_value("Vehicle.Chassis.Brake.PedalPosition:")
+    field.press("Enter")
+    field.press_sequentially("  unit: km/")
+    expect(options.first).to_contain_text("km/h")
+    field.press("Enter")
+    field.press("Enter")
+    field.press_sequentially("  datatype: flo")
+    field.press_sequentially("at")
+    expect(options).to_have_count(2)
+    field.press("Enter")
+    expect(field).to_have_value("Vehicle.Chassis.Brake.PedalPosition:\n  unit: km/h\n  datatype: float\n")
+    field.press_sequentially("  datatype: u")
+    field.press("Escape")
+    expect(options).to_have_count(0)
+    expect(field).to_be_focused()
+
+
+def test_a_completion_is_undone_like_what_is_typed(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Overlay")
+    field.fill("")
+    field.press_sequentially("Vehicle.Spe")
+    field.press("Tab")
+    expect(field).to_have_value("Vehicle.Speed:")
+    field.press("Control+z")
+    expect(field).to_have_value("Vehicle.Spe")
+
+
+def test_paths_of_a_function_are_those_of_instances(open_page: Opener) -> None:
+    page = open_page("/try?kind=function&catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Function")
+    field.fill("components: [{data: [{path: Vehicle.Cabin.Door.Row1")
+    field.press_sequentially(".")
+    expect(page.get_by_role("option")).to_have_text(["DriverSide branch", "PassengerSide branch"])
+
+
+def test_what_an_overlay_does_follows_what_one_types(open_page: Opener) -> None:
+    page = open_page("/try?catalogue=interfaces")
+    page.get_by_role("textbox", name="Overlay").fill("Vehicle.Chassis.Brake.CylP:\n  type: sensor\n  delete: true\n")
+    expect(page.locator("#outcome")).to_contain_text("no longer builds")
+    expect(page.locator("#outcome .class-breaking").first).to_be_visible()
+
+
 def test_without_javascript_a_text_is_checked_by_a_button(open_page: Opener) -> None:
     page = open_page("/try?catalogue=interfaces", java_script_enabled=False)
     page.get_by_role("textbox", name="Overlay").fill("Vehicle.Speed:\n  type: sensr\n")

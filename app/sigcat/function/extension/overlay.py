@@ -49,12 +49,13 @@ def overlay_of(data: bytes, name: str, catalogue: Catalogue) -> Overlay:
 
 def overlay_text(nodes: Iterable[DefinedNode], title: str) -> str:
     """Nodes as vspec, one paragraph for each; nothing if there are none."""
-    paragraphs = [_paragraph(node.path, node.values) for node in nodes]
+    paragraphs = [statement_text(node.path, node.values) for node in nodes]
     made = "# Made by `sigcat function overlay` from what a function.yaml defines: change it there."
     return "\n".join([f"# {title} of a function\n#\n{made}\n", *paragraphs]) if paragraphs else ""
 
 
-def _paragraph(path: str, values: Mapping[str, Any]) -> str:
+def statement_text(path: str, values: Mapping[str, Any]) -> str:
+    """One node as vspec."""
     text = _dumped({path: dict(values)}, _WIDTH)
     return text if not _UNSAFE.search(text) else _dumped({path: dict(values)}, _ENDLESS, quoted=True)
 

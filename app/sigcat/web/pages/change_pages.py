@@ -1,7 +1,7 @@
 """Two catalogues beside each other: what was added, removed, moved and changed."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
 from typing import Annotated, NamedTuple
 
@@ -15,21 +15,11 @@ from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import find_hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.web.rendering import page
+from sigcat.web.views.change_trees import SIGNS, place_of, trees_of, worst_first
 
 router = APIRouter()
 _MOST = 1_000
 """Changes on one page; filters narrow them."""
-SIGNS = {"added": "+", "removed": "−", "changed": "~", "moved": "→"}
-
-
-class Branch(NamedTuple):
-    """A branch of the tree of changes, with the changes that stand directly in it."""
-
-    name: str
-    path: str
-    changes: tuple[Change, ...]
-    branches: tuple["Branch", ...]
-    total: int
 
 
 class Facet(NamedTuple):
@@ -56,7 +46,7 @@ async def show_changes(
     before, after = await queue.run(partial(_sides, library, old, new))
     changes = await queue.run(partial(changes_between, before.catalogue, after.catalogue))
     filters = {"class": compatibility, "kind": kind}
-    within = [change for change in changes if not below or f"{_place(change)}.".startswith(f"{below}.")]
+    within = [change for change in changes if not below or f"{place_of(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]
     by_class = Counter(change.compatibility for change in changes)
     return page(
@@ -71,7 +61,7 @@ async def show_changes(
         total=len(changes),
         shown=len(shown),
         most=_MOST,
-        trees=_trees(worst_first(shown)[:_MOST]),
+        trees=trees_of(worst_first(shown)[:_MOST]),
         whole=[(name, number) for name in CLASSES if (number := by_class[name])],
     )
 
@@ -82,38 +72,6 @@ def changes_between(old: Catalogue, new: Catalogue) -> tuple[Change, ...]:
     return compare(old, new)
 
 
-def worst_first(changes: Iterable[Change]) -> list[Change]:
-    """Breaking changes before those of the other classes; otherwise in their order."""
-    return sorted(changes, key=lambda change: CLASSES.index(change.compatibility))
-
-
-def _trees(changes: Sequence[Change]) -> list[tuple[str, Branch]]:
-    """A tree for each class that has changes, the worst first."""
-    by_class = {name: [change for change in changes if change.compatibility == name] for name in CLASSES}
-    return [(name, tree_of(members)) for name, members in by_class.items() if members]
-
-
-def tree_of(changes: Sequence[Change]) -> Branch:
-    """Changes below the branches in which they stand, by the path that users of the old tree know.
-
-    A branch that holds nothing but one branch is drawn together with it.
-    """
-    return _branch("", "", [(_place(change).split(".")[:-1], change) for change in changes])
-
-
-def _branch(name: str, path: str, changes: Sequence[tuple[list[str], Change]]) -> Branch:
-    here = tuple(change for names, change in changes if not names)
-    below: dict[str, list[tuple[list[str], Change]]] = {}
-    for names, change in changes:
-        if names:
-            below.setdefault(names[0], []).append((names[1:], change))
-    if not here and len(below) == 1:
-        ((only, rest),) = below.items()
-        return _branch(f"{name}.{only}" if name else only, f"{path}.{only}" if path else only, rest)
-    branches = (_branch(each, f"{path}.{each}" if path else each, rest) for each, rest in below.items())
-    return Branch(name, path, here, tuple(branches), len(changes))
-
-
 def _sides(library: Library, old: str | None, new: str | None) -> tuple[Hosted, Hosted]:
     """The two catalogues; without names, the second one and the default one."""
     hosted = list(library)
@@ -121,10 +79,6 @@ def _sides(library: Library, old: str | None, new: str | None) -> tuple[Hosted, 
     others = [each for each in hosted if each.source.id != after.source.id]
     before = find_hosted(library, old) if old else (others[0] if others else after)
     return before, after
-
-
-def _place(change: Change) -> str:
-    return change.former or change.path
 
 
 def _fits(change: Change, filters: Mapping[str, str], but: str = "") -> bool:

@@ -14,14 +14,18 @@ from sigcat.api.requests.dependencies import (
     TheLibrary,
     TheRules,
     TheWorkQueue,
+    functions_of,
     settings_of,
 )
+from sigcat.api.routes.catalogues import find_node
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import choice_of, expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.data import OVERLAYS
 from sigcat.errors import NotFound, UsageError
-from sigcat.file_kind import is_json
+from sigcat.file_kind import holds_function, is_json
 from sigcat.findings import Finding
 from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import check_function_json, checked_file
@@ -34,13 +38,18 @@ from sigcat.web.forms import Form, form_catalogue, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
+from sigcat.web.views.change_trees import SIGNS
+from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, documents_of
+from sigcat.web.views.overlay_draft import adding_draft, changing_draft
+from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter()
 Kind = Literal["overlay", "function", "tree"]
 KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
 _VIEWS = {"interfaces": "Interfaces", **VIEWS}
+_EXAMPLE = "core_acc"
 _OVERLAY = """\
 # An overlay changes or adds nodes. Findings appear as you type.
 Vehicle.Speed:
@@ -72,10 +81,11 @@ Vehicle.Speed:
 
 
 class Tried(NamedTuple):
-    """What was found in a text, and the function that it declares, if it does."""
+    """What was found in a text, the function that it declares, if it does, and what it does as an overlay."""
 
     findings: tuple[Finding, ...]
     resolved: ResolvedFunction | None = None
+    outcome: OverlayOutcome | None = None
 
 
 @router.get("/try")
@@ -87,12 +97,19 @@ async def show_try(
     queue: TheWorkQueue,
     kind: Kind = "overlay",
     example: Annotated[str, Query(max_length=100)] = "",
+    change: Annotated[str, Query(max_length=1000, description="Path of a node to change.")] = "",
+    below: Annotated[str, Query(max_length=1000, description="Path of a node to add one to.")] = "",
 ) -> Response:
-    """The page with a text to begin with: a hosted function, a shipped overlay, or a few lines."""
+    """The page with a text to begin with: a hosted function, a shipped overlay, what a node says, or a few lines."""
 
     def work() -> Response:
-        text = _beginning(kind, example, functions.files)
-        return _page(request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode()))
+        if change or below:
+            text = _draft(hosted.catalogue, change, below)
+        else:
+            text = _beginning(kind, example, functions.files)
+        return _page(
+            request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode("utf-8", "replace"))
+        )
 
     return await queue.run(work)
 
@@ -133,7 +150,12 @@ def _download(function: ResolvedFunction | None, document_id: str) -> Response:
 
 
 def _judged(request: Request, hosted: Hosted, rules: ServiceRules, kind: Kind, data: bytes) -> Tried:
-    return tried(data, kind, hosted.catalogue, rules, settings_of(request).limits)
+    limits = settings_of(request).limits
+    result = tried(data, kind, hosted.catalogue, rules, limits)
+    if kind != "overlay" or holds_function(data):
+        return result
+    files = functions_of(request).files
+    return result._replace(outcome=overlay_outcome(data, expanded_of(hosted.catalogue), files, limits))
 
 
 def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:
@@ -167,12 +189,26 @@ def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried
         views=_VIEWS,
         view=shown,
         documents=documents_of(resolved, shown) if resolved and shown in VIEWS else (),
+        outcome=result.outcome,
+        commands=overlay_commands(hosted) if result.outcome else (),
+        old=hosted,
+        new=hosted,
+        signs=SIGNS,
+        completed_from=choice_of(hosted.source.id).folded(kind != "function").id,
+        datatypes=sorted(PRIMITIVES | {f"{each}[]" for each in PRIMITIVES}),
     )
+
+
+def _draft(catalogue: Catalogue, change: str, below: str) -> str:
+    node = find_node(catalogue, change or below)
+    return changing_draft(node) if change else adding_draft(catalogue, node)
 
 
 def _beginning(kind: Kind, example: str, files: HostedFiles) -> str:
     if kind == "function":
-        return shown_text(file_of(files, example or files[-1].id).data) if example or files else scaffold("NewFunction")
+        known = [file.id for file in files]
+        chosen = example or (_EXAMPLE if _EXAMPLE in known else next(iter(known), ""))
+        return shown_text(file_of(files, chosen).data) if chosen else scaffold("NewFunction")
     if kind == "overlay" and example:
         shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
         if example in shipped:

@@ -1,5 +1,6 @@
 // The page to try a text: line numbers beside it with findings marked, and the findings as one types.
 import { fail, progress, say, settle } from "./asking.js";
+import { mountCompletion } from "./completion.js";
 
 const PAUSE = 250;
 
@@ -106,6 +107,7 @@ export const mountTry = () => {
     number();
     if (text.value !== text.defaultValue) check();
   });
+  mountCompletion(form, text);
   readMarks();
   number();
 };

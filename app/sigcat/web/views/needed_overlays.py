@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import overlay_name
-from sigcat.function.hosting import HostedFiles, HostedFunction, functions_over, has_interfaces
+from sigcat.function.hosting import HostedFiles, HostedFunction, buildable, functions_over
 from sigcat.web.views.node_uses import uses_of
 
 
@@ -24,9 +24,9 @@ def need_of(each: HostedFunction, files: HostedFiles, catalogue: Catalogue, libr
         return None
     for hosted in library:
         other = hosted.catalogue
-        if other is catalogue or (each.file.is_shipped and not has_interfaces(other)):
+        if other is catalogue:
             continue
-        there = next((one for one in functions_over(files, other) if one.id == each.id), None)
+        there = next((one for one in functions_over(buildable(files, other), other) if one.id == each.id), None)
         if there is not None and there.function is not None:
             paths = (use.path for use in uses_of(there.id, there.function))
             return Need(hosted, _overlays(paths, other, catalogue))

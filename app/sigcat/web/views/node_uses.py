@@ -9,7 +9,7 @@ from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.hosting import HostedFiles, functions_over, has_interfaces
+from sigcat.function.hosting import HostedFiles, buildable, functions_over
 from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.names import parent_path
 
@@ -73,9 +73,7 @@ def uses_in(files: HostedFiles, catalogue: Catalogue) -> Uses:
 
 @lru_cache(maxsize=16)
 def _uses(files: HostedFiles, catalogue: Catalogue) -> tuple[NodeUse, ...]:
-    """Every use. Shipped functions need a branch of functions: to try without it takes time and yields nothing."""
-    tried = files if has_interfaces(catalogue) else tuple(file for file in files if not file.is_shipped)
-    built = functions_over(tried, catalogue)
+    built = functions_over(buildable(files, catalogue), catalogue)
     return tuple(use for each in built if each.function for use in uses_of(each.id, each.function))
 
 

@@ -15,6 +15,7 @@ from sigcat.names import last_name
 from sigcat.rules.record import Rule
 from sigcat.web.pictures.range_bar import RangeBar, range_bar
 from sigcat.web.views.node_uses import NodeUse, UseBelow, Uses
+from sigcat.web.views.overlay_draft import may_be_overlaid
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")
 _PARTS = re.compile(r"[A-Za-z0-9]+|[^A-Za-z0-9]+")
@@ -51,6 +52,8 @@ class NodeView(NamedTuple):
     instances: int
     """In how many places of the tree the node stands, where instances are folded."""
     child_count: int
+    may_be_overlaid: bool
+    """Whether an overlay can change the node."""
     field_units: Mapping[str, str]
     """Units of the fields that the interfaces of functions have beside those of VSS."""
 
@@ -73,6 +76,7 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str], 
         tuple(uses.below.get(node.path, ())),
         0 if catalogue.is_expanded else instance_counts(catalogue).get(node.path, 0),
         len(node.children),
+        may_be_overlaid(catalogue, node),
         field_units,
     )
 

@@ -1,0 +1,25 @@
+"""An overlay to begin with: one that changes a node, or adds one below a branch."""
+
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import BRANCH
+from sigcat.function.extension.overlay import statement_text
+
+_NEW = {"type": "sensor", "datatype": "float", "unit": "percent", "description": "What the value means."}
+
+
+def may_be_overlaid(catalogue: Catalogue, node: Node) -> bool:
+    """Whether an overlay can change a node: those of struct types it cannot."""
+    return node.path.partition(".")[0] == catalogue.roots[0].name
+
+
+def changing_draft(node: Node) -> str:
+    """An overlay with all that a node says now, to be edited."""
+    return f"# Edit what is to be different; the rest may go.\n{statement_text(node.path, node.values)}"
+
+
+def adding_draft(catalogue: Catalogue, node: Node) -> str:
+    """An overlay that adds a signal below a branch, or beside a signal; of instances, below their definition."""
+    branch = node if node.type == BRANCH else catalogue.parent(node) or node
+    names = {child.name for child in branch.children}
+    name = next(f"NewSignal{n or ''}" for n in range(len(names) + 1) if f"NewSignal{n or ''}" not in names)
+    return f"# Give it its name, and say what it is.\n{statement_text(f'{branch.template}.{name}', _NEW)}"

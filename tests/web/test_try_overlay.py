@@ -1,0 +1,141 @@
+"""What the page shows of an overlay that is tried, and how one comes to it from the page of a node."""
+
+import re
+from pathlib import Path
+from urllib.parse import urlencode
+
+import pytest
+
+from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
+from sigcat.catalogue.hosting.sources import SHIPPED_UNITS
+from sigcat.cli import main
+from sigcat.data import OVERLAYS, ROOT_FILE
+from sigcat.function.hosting import FunctionLibrary
+from sigcat.web.site import create_site
+from tests.api.conftest import SOURCES, Ask, asker
+from tests.function.test_hosting import noise
+
+SPEED = "Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, max: 300, description: Speed.}\n"
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Ask:
+    folder = tmp_path_factory.mktemp("functions")
+    (folder / "hum.function.yaml").write_text(noise("Hum", "Vehicle.Cabin.Hum"))
+    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",), SHIPPED_UNITS)
+    return asker(create_site(Library([*shipped_sources(), acme, *SOURCES]), functions=FunctionLibrary([folder])))
+
+
+def tried(site: Ask, text: str, catalogue: str = "interfaces") -> str:
+    page = site("/try?part=", "POST", content=urlencode({"kind": "overlay", "catalogue": catalogue, "text": text}))
+    assert page.status_code == 200
+    return page.text
+
+
+def section(page: str, title: str) -> str:
+    """The text of the section with this title."""
+    found = re.search(rf"<h2>{title}.*?</section>", page, re.DOTALL)
+    assert found, title
+    return " ".join(re.sub(r"<[^>]+>", " ", found[0]).split())
+
+
+def test_nodes_are_new_or_changed(site: Ask) -> None:
+    page = tried(site, SPEED + "Vehicle.Cabin.Door.Hum: {type: sensor, datatype: uint8, description: A hum.}\n")
+    nodes = section(page, "Nodes")
+    assert "Vehicle. Speed changed float km/h" in nodes
+    assert "Vehicle. Cabin. Door. Hum new ×4 uint8" in nodes
+    assert re.search(r'href="/tree/interfaces/Vehicle.Speed">Vehicle', page)
+
+
+def test_changes_stand_in_their_classes(site: Ask) -> None:
+    page = tried(site, "Vehicle.Speed: {type: sensor, datatype: uint8, unit: km/h, description: Speed.}\n")
+    changes = section(page, "Changes")
+    assert "1 breaking" in changes
+    assert "datatype from float → to uint8" in changes
+
+
+def test_functions_that_use_a_changed_node_are_named_with_what_becomes_of_them(site: Ask) -> None:
+    page = tried(site, "Vehicle.Chassis.Brake.CylP: {type: sensor, datatype: double, unit: km/h}\n")
+    affected = section(page, "Functions affected")
+    assert "CoreAcc builds to other Function JSON uses Vehicle. Chassis. Brake. CylP" in affected
+    assert "EcoControlMpc" not in affected
+    told = tried(site, 'Vehicle.Chassis.Brake.CylP: {type: sensor, datatype: double, comment: "P."}\n')
+    assert "CoreAcc builds as before" in section(told, "Functions affected")
+
+
+def test_a_function_that_waits_for_what_an_overlay_adds_builds_with_it(site: Ask) -> None:
+    page = tried(site, "Vehicle.Cabin.Hum: {type: sensor, datatype: float, description: A hum.}\n")
+    assert "Hum builds now" in section(page, "Functions affected")
+
+
+def test_a_node_that_is_deleted_is_missed_by_its_functions(site: Ask) -> None:
+    page = tried(site, "Vehicle.Chassis.Brake.CylP: {type: sensor, datatype: double, delete: true}\n")
+    assert "CoreAcc no longer builds" in section(page, "Functions affected")
+
+
+def test_an_overlay_that_does_nothing_says_so(site: Ask) -> None:
+    page = tried(site, "# nothing\n")
+    assert "It changes nothing." in section(page, "Changes")
+    assert "None." in section(page, "Functions affected")
+
+
+@pytest.mark.parametrize(
+    "text", ["", "function: Noise\n", "a: [", "Vehicle.X: 1\n", "- a\n", "Vehicle: {type: branch, delete: true}"]
+)
+def test_any_text_has_a_page(site: Ask, text: str) -> None:
+    for catalogue in ("interfaces", "interfaces~folded", "broken"):
+        assert "data-tally" in tried(site, text, catalogue)
+
+
+@pytest.mark.parametrize(
+    ("catalogue", "options"),
+    [
+        ("interfaces", "-s interfaces"),
+        ("vss~folded", "-s vss"),
+        ("acme", "-s vss -l overlays/ecocontrol.vspec -u vspec/units.yaml -u overlays/units.yaml"),
+        ("acme~without.ecocontrol", "-s vss -u vspec/units.yaml -u overlays/units.yaml"),
+    ],
+)
+def test_the_commands_do_the_same(
+    site: Ask, catalogue: str, options: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    page = section(tried(site, SPEED, catalogue), "On the command line")
+    assert f"sigcat try overlay.vspec {options}" in page
+    assert f"sigcat lint overlay.vspec {options}" in page
+    monkeypatch.chdir(ROOT_FILE.parents[1])
+    (tmp_path / "overlay.vspec").write_text(SPEED)
+    assert main(["try", str(tmp_path / "overlay.vspec"), *options.split()]) == 0
+    assert "~ Speed  [compatible]" in capsys.readouterr().out
+    assert main(["lint", str(tmp_path / "overlay.vspec"), *options.split()]) == 0
+
+
+@pytest.mark.parametrize("path", ["Vehicle.Speed", "Vehicle.Cabin", "Vehicle.Cabin.Door.Row1.DriverSide.IsOpen"])
+def test_a_node_can_be_changed_from_its_page(site: Ask, path: str) -> None:
+    page = site(f"/tree/interfaces/{path}").text
+    (link,) = re.findall(r'href="([^"]+)">Change</a>', page)
+    text = site(link.replace("&amp;", "&")).text.partition("data-lines>")[2].partition("</textarea>")[0]
+    assert f"\n{path}:\n  type: " in text
+    assert "changes nothing" in tried(site, text)
+
+
+@pytest.mark.parametrize(
+    ("path", "word", "added"),
+    [
+        ("Vehicle.Cabin", "Add below", "Vehicle.Cabin.NewSignal"),
+        ("Vehicle.Speed", "Add beside", "Vehicle.NewSignal"),
+        ("Vehicle.Cabin.Door.Row1.DriverSide", "Add below", "Vehicle.Cabin.Door.NewSignal"),
+    ],
+)
+def test_a_signal_is_added_below_a_branch(site: Ask, path: str, word: str, added: str) -> None:
+    page = site(f"/tree/interfaces/{path}").text
+    (link,) = re.findall(rf'href="([^"]+)">{word}</a>', page)
+    shown = site(link.replace("&amp;", "&")).text
+    assert f"\n{added}:\n" in shown
+    assert "Nothing is wrong with it." in shown
+
+
+def test_what_is_not_there_cannot_be_changed(site: Ask) -> None:
+    answer = site("/try?change=Vehicle.Sped")
+    assert answer.status_code == 404
+    assert "Vehicle.Speed" in answer.text
