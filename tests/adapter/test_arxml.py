@@ -227,6 +227,42 @@ def test_a_process_is_started_as_the_deployment_says():
     assert values(model, "/Eco/Processes/DemoProcess")["NUMBER-OF-RESTART-ATTEMPTS"] == "2"
 
 
+def test_a_unit_has_its_dimension_and_its_factor_to_si_units():
+    model = with_settings()
+    assert values(model, "/Eco/Units/km_h") == {
+        "SHORT-NAME": "km_h", "DISPLAY-NAME": "km/h", "FACTOR-SI-TO-UNIT": "3.6", "OFFSET-SI-TO-UNIT": "0.0",
+        "PHYSICAL-DIMENSION-REF": "/Eco/PhysicalDimensions/Length_per_Time",
+    }  # fmt: skip
+    assert values(model, "/Eco/Units/celsius")["OFFSET-SI-TO-UNIT"] == "-273.15"
+    assert values(model, "/Eco/PhysicalDimensions/Length_per_Time") == {
+        "SHORT-NAME": "Length_per_Time", "LENGTH-EXP": "1", "TIME-EXP": "-1",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("stated", "name"),
+    [
+        ({"factor": 2}, "Dimensionless"),
+        ({"factor": 0.5, "time": -1}, "One_per_Time"),
+        ({"factor": 1e-9, "offset": 5, "mass": 1, "length": 2, "time": -3}, "Length2_Mass_per_Time3"),
+        ({"factor": -1e300, "molarAmount": 1, "luminousIntensity": -2}, "MolarAmount_per_LuminousIntensity2"),
+    ],
+)
+def test_a_unit_of_a_company_is_as_the_deployment_describes_it(stated, name):
+    one = function(signals=[at("Vehicle.A.B") | {"VssUnit": "u"}])
+    files = generate(derive([one], deployed(name="Eco", autosarAdaptive={"units": {"u": stated}})).model)
+    model = loaded(files)
+    assert dangling(model) == []
+    found = values(model, "/Eco/Units/u")
+    assert found["PHYSICAL-DIMENSION-REF"] == f"/Eco/PhysicalDimensions/{name}"
+    assert float(found["FACTOR-SI-TO-UNIT"]) == stated["factor"]
+
+
+def test_a_unit_that_nothing_is_known_of_has_its_name_alone():
+    files = generate(derive([function(signals=[at("Vehicle.A.B") | {"VssUnit": "knots"}])], deployed(name="Eco")).model)
+    assert values(loaded(files), "/Eco/Units/knots") == {"SHORT-NAME": "knots", "DISPLAY-NAME": "knots"}
+
+
 def test_every_process_has_a_design_that_names_its_executable():
     model = loaded(made("examples"))
     root = "/CoreAcc_and_EcoControlMpc_and_WheelSpeedCalculation"

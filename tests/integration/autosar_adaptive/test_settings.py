@@ -23,6 +23,8 @@ BAD = {
     "components: {Acc: {startup: {policy: SCHED_OTHER, priority: 5}}}": (2, "`priority` must be 0 for SCHED_OTHER, not 5."),
     "components: {Acc: {startup: {policy: SCHED_RR, priority: 0}}}": (2, "`priority` must be from 1 to 99 for SCHED_RR, not 0."),
     "components: {Acc: {startup: {priority: 100}}}": (2, "`priority` must be 99 or less, not 100."),
+    "units: {knots: {factor: 0}}": (2, "`factor` must not be 0."),
+    "units: {knots: {length: 1}}": (2, "'factor' is missing."),
     "components: {Acc: {startup: {policy: FIFO}}}": (2, "`policy` must be 'SCHED_FIFO', 'SCHED_RR' or 'SCHED_OTHER'"),
 }  # fmt: skip
 

@@ -28,7 +28,8 @@ from sigcat.integration.autosar_adaptive.startup import (
     unwritable,
 )
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_adaptive.unused import report_unused
+from sigcat.integration.autosar_adaptive.units import units_of
+from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
@@ -75,6 +76,7 @@ def derive(
         or None,
     )
     report_unused(sides, all_services, context)
+    report_units(units_of(integration), context)
     targets = field_targets(context, sides, all_services)
     _report_not_carried(targets, context)
     return Derived(integration, context.findings.findings, targets)
@@ -234,4 +236,5 @@ def _arxml_deployment(context: Context) -> model.ArxmlDeployment:
         type_namespace=settings.type_namespace,
         transformation=settings.transformation,
         service_discovery=settings.service_discovery,
+        units=dict(settings.units) or None,
     )

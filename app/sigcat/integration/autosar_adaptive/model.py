@@ -15,6 +15,7 @@ from sigcat.function.function_json.status_interfaces import Error, ModeInterface
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_adaptive.si_units import UnitSettings
 from sigcat.integration.autosar_adaptive.someip_settings import (
     DEFAULT_SERVICE_DISCOVERY,
     DEFAULT_TRANSFORMATION,
@@ -353,6 +354,7 @@ class ArxmlDeployment(WireModel):
         default=DEFAULT_SERVICE_DISCOVERY,
         source=OWN,
     )
+    units: dict[str, UnitSettings] | None = own("Units", "Units that are not those of VSS, in SI units.")
 
 
 class IntegrationModel(WireModel):

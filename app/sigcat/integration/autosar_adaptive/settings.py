@@ -8,6 +8,7 @@ from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_adaptive.si_units import UnitSettings
 from sigcat.integration.autosar_adaptive.someip_settings import (
     DEFAULT_SERVICE_DISCOVERY,
     DEFAULT_TRANSFORMATION,
@@ -72,6 +73,7 @@ class AutosarAdaptiveSettings(DeclarationModel):
     service_discovery: ServiceDiscoverySettings = Field(
         DEFAULT_SERVICE_DISCOVERY, description="When services are offered, looked for and subscribed to."
     )
+    units: dict[Text, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
     identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "

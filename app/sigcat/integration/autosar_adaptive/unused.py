@@ -1,4 +1,4 @@
-"""What a deployment says about something that is not there: most likely a typing error."""
+"""What a deployment says about something that is not there, most likely a typing error; and what it should say of units."""
 
 from collections.abc import Collection, Iterator, Sequence
 
@@ -7,6 +7,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.si_units import WITHOUT_SI, si_unit
 from sigcat.names import did_you_mean
 
 
@@ -26,6 +27,17 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
                 context.findings.report(
                     codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths))
                 )
+
+
+def report_units(units: Collection[str], context: Context) -> None:
+    """A finding for each unit that nothing is known of, and for each that the deployment describes in vain."""
+    described = context.settings.units
+    _report_unknown("autosarAdaptive: units", described, units, context)
+    for unit in sorted(units):
+        if unit not in described and unit not in WITHOUT_SI and si_unit(unit) is None:
+            message = f"Unit {unit!r} must be one of VSS to have a dimension and a factor to SI units in ARXML."
+            fix = "Describe it under `units` in the deployment file."
+            context.findings.report(codes.UNIT_WITHOUT_SI, message, unit, fix)
 
 
 def _report_unknown(section: str, keys: Collection[str], known: Collection[str], context: Context) -> None:

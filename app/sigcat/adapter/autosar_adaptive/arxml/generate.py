@@ -30,7 +30,7 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
     services = interfaces.wholes(whole)
     release = BY_NAME[release_name or whole.deployment.release]
     content = {
-        "types.arxml": types.packages(known, _words(whole)),
+        "types.arxml": types.packages(known, _words(whole), whole.deployment.units or {}),
         "interfaces.arxml": [interfaces.package(services, known)],
         "components.arxml": components.packages(whole.components, known, release),
         "deployment.arxml": deployment.packages(whole, services, release, paths),

@@ -16,6 +16,7 @@ class Paths(NamedTuple):
 DATATYPES = "DataTypes"
 COMPU_METHODS = "CompuMethods"
 UNITS = "Units"
+DIMENSIONS = "PhysicalDimensions"
 CONSTRAINTS = "DataConstraints"
 INTERFACES = "ServiceInterfaces"
 STORAGES = "PersistencyInterfaces"

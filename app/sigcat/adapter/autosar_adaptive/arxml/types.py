@@ -1,9 +1,10 @@
 """Implementation datatypes, units, compu methods and data constraints."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple, TypeVar
 
+from sigcat.adapter.autosar_adaptive.arxml import units
 from sigcat.adapter.autosar_adaptive.arxml.paths import COMPU_METHODS, CONSTRAINTS, DATATYPES, TYPE, UNITS, Paths
 from sigcat.adapter.autosar_adaptive.arxml.tree import (
     Package,
@@ -17,6 +18,8 @@ from sigcat.adapter.autosar_adaptive.arxml.tree import (
 )
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
 from sigcat.integration.autosar_adaptive.namespaces import parts
+from sigcat.integration.autosar_adaptive.si_units import UnitSettings
+from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
@@ -72,22 +75,15 @@ def library(model: IntegrationModel, paths: Paths) -> Library:
     """Everything that elements of the model refer to, by name."""
     shown = list(dict.fromkeys(_presentations(model)))
     types = {entry.name: entry for entry in model.datatypes or ()}
-    members = {field.unit for entry in types.values() for field in entry.fields or () if field.unit}
-    arguments = {
-        argument.unit
-        for component in model.components for interface in component.services
-        for services in interface.services for method in services.methods
-        for argument in (*(method.inputs or ()), *(method.outputs or ())) if argument.unit
-    }  # fmt: skip
-    units = distinct({unit: short_name(unit) for unit in {*members, *arguments, *(s.unit for s in shown if s.unit)}})
+    names = distinct({unit: short_name(unit) for unit in units_of(model)})
     methods = {
-        _method_key(item): _method_name(item, units) for item in shown if item.unit or _coefficients(item) != IDENTICAL
+        _method_key(item): _method_name(item, names) for item in shown if item.unit or _coefficients(item) != IDENTICAL
     }
     limits = {
         (item.min, item.max): _limits_name(item) for item in shown if item.min is not None or item.max is not None
     }
     return Library(
-        paths, units, _unlike(methods, map(text_table_name, types.values())), _unlike(limits), types, _namespace(model)
+        paths, names, _unlike(methods, map(text_table_name, types.values())), _unlike(limits), types, _namespace(model)
     )
 
 
@@ -127,8 +123,8 @@ def _method_key(shown: Presentation) -> tuple[str | None, str, str]:
     return shown.unit, *_coefficients(shown)
 
 
-def _method_name(shown: Presentation, units: dict[str, str]) -> str:
-    unit, coefficients = units.get(shown.unit or "", "NoUnit"), _coefficients(shown)
+def _method_name(shown: Presentation, names: dict[str, str]) -> str:
+    unit, coefficients = names.get(shown.unit or "", "NoUnit"), _coefficients(shown)
     return short_name(f"CM_{unit}" if coefficients == IDENTICAL else "_".join(("CM", unit, *coefficients)))
 
 
@@ -137,7 +133,7 @@ def _limits_name(shown: Presentation) -> str:
     return short_name(f"DC_{ends}")
 
 
-def packages(known: Library, used: Iterable[str]) -> list[Package]:
+def packages(known: Library, used: Iterable[str], described: Mapping[str, UnitSettings]) -> list[Package]:
     """The packages of the file of types. `used` are the words and names that elements refer to."""
     words = sorted({*_words(known.types.values()), *used} & set(BY_ADAPTIVE))
     types = [_primitive(word, known) for word in words] + [_type(entry, known) for entry in known.types.values()]
@@ -146,7 +142,7 @@ def packages(known: Library, used: Iterable[str]) -> list[Package]:
     return [
         Package(DATATYPES, tuple(types)),
         Package(COMPU_METHODS, (*methods, *texts)),
-        Package(UNITS, tuple(tag("UNIT", tag("DISPLAY-NAME", text=unit), name=name) for unit, name in known.units.items())),
+        *units.packages(known.units, described, known.paths),
         Package(CONSTRAINTS, tuple(_limits(ends, name) for ends, name in known.limits.items())),
     ]  # fmt: skip
 
