@@ -179,12 +179,15 @@ def test_a_scale_is_written_as_factor_and_offset():
 
 def test_a_queued_signal_goes_to_the_queues():
     function, _ = build_function(
-        declared("{path: Vehicle.Speed, role: consumed, queueLength: 8, asil: QM}"), "f.yaml", interfaces()
+        declared("{path: Vehicle.Speed, role: consumed, queueLength: 8, asil: QM, access: Buffered}"),
+        "f.yaml",
+        interfaces(),
     )
     contract = step(json.loads(to_json(function)))["funcContractList"][0]
     assert contract["SignalList"] is None
     assert contract["DataQList"][0]["QueueLength"] == 8
     assert contract["DataQList"][0]["Units"] == "km/h"
+    assert contract["DataQList"][0]["Access"] == "Buffered"
 
 
 def test_allowed_texts_become_an_enumeration_numbered_by_position():

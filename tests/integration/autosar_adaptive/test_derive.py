@@ -202,7 +202,8 @@ def test_calls_keep_every_field_of_the_paper():
 def test_a_call_on_events_is_told():
     derived = derive([function(signals=[at("Vehicle.A.B")], call={"Runtype": "EventTriggered", "Cycletime": None})])
     assert rules(derived) == ["A010"]
-    assert derived.model.components[0].calls[0].trigger == "Event"
+    call = derived.model.components[0].calls[0]
+    assert (call.trigger, call.triggers) == ("Event", ("VehicleAService/A_B",))
 
 
 def test_a_run_type_that_does_not_exist_is_told_by_another_code():

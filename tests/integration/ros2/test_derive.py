@@ -354,6 +354,18 @@ def test_an_event_triggered_call_runs_on_what_it_consumes():
     (step,) = node([function(signal(), call=call)])["Schedules"]
     assert (step["Trigger"], step["Topics"], step["Debounce"]) == ("Topics", ["/vehicle/speed"], 5)
     assert ("N215", "Acc_Step") in rules([function(call=call)])
+    other = signal("Mass", "Vehicle.Mass")
+    for event in ("Speed", "Vehicle.Speed"):
+        (step,) = node([function(signal(), other, call=call | {"EventList": event})])["Schedules"]
+        assert step["Topics"] == ["/vehicle/speed"]
+
+
+def test_queued_data_keeps_what_signals_have():
+    queue = signal() | {"AsilInfo": "QM", "QueueLength": 8, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}
+    queue |= {"Default": 5, "Access": "Buffered"}
+    end = topics([function(contract={"DataQList": [queue]})])["Subscription", "/vehicle/speed"]
+    field = end["DataMappingList"][0]["FieldList"][0]
+    assert (field["Default"], field["Access"]) == (5, "Buffered")
 
 
 def test_modes_have_topics_with_a_constant_for_each_mode():

@@ -90,7 +90,7 @@ def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> P
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*pointer, "Units"), message, subject=Subject("data", node.path))
         return
     yield from _outside(pointer, item, node, conversion)
-    default, own = _number(node.values.get("default")), item.default if not isinstance(item, DataQueue) else None
+    default, own = _number(node.values.get("default")), item.default
     if own is not None and default is not None and not _close(Fraction(own), conversion(default)):
         yield _stale((*pointer, "Default"), "Default", own, float(conversion(default)), node)
 

@@ -12,6 +12,7 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, consumed_by, events_of
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import either
 
@@ -23,6 +24,7 @@ def check_calls(function: FunctionJson) -> Problems:
     yield from _complete(function)
     yield from _cycles(function)
     yield from _debounces(function)
+    yield from _events(function)
     yield from _order(function)
     yield from _asil(function)
 
@@ -56,6 +58,22 @@ def _debounces(function: FunctionJson) -> Problems:
             fix = "Make it shorter: it would hold back calls that are due."
             subject = Subject("scheduling", runnable.name, ("debounceTime", "cycleTime"))
             yield Problem(codes.DEBOUNCE_BEYOND_CYCLE, (*pointer, "DebounceDelay"), message, fix, subject)
+
+
+def _events(function: FunctionJson) -> Problems:
+    hint = Hints()
+    for pointer, _, call in runnables(function):
+        known = [name for item in consumed_by(call) for name in (item.vss_path, item.name) if name]
+        at, subject = (*pointer, "EventList"), Subject("scheduling", call.name, ("runType",))
+        for event in events_of(call):
+            if event not in known:
+                message = f"The event {event!r} of {call.name} must be a signal that the call consumes."
+                fix = hint(event, known) or "List the signal under the data of the call, as consumed."
+                yield Problem(codes.EVENT_UNKNOWN, at, message, fix, Subject("scheduling", call.name))
+        if call.events and call.run_type != EVENT_TRIGGERED:
+            message = f"{call.name} must be {EVENT_TRIGGERED} to run on events, not {call.run_type}."
+            fix = "Change its run type, or remove the events."
+            yield Problem(codes.EVENTS_OF_TIMED_CALL, at, message, fix, subject)
 
 
 def _order(function: FunctionJson) -> Problems:

@@ -44,8 +44,7 @@ def _range(pointer: Pointer, item: Item) -> Problems:
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
     """What is to replace a value out of range has to be known. Texts and arrays stand in the catalogue alone."""
     action = item.range_error_action
-    default = None if isinstance(item, DataQueue) else item.default
-    known = {"Default": default, "Init": item.init_value}.get(action or "", 0)
+    known = {"Default": item.default, "Init": item.init_value}.get(action or "", 0)
     if known is None and not (item.vss_datatype or "").endswith(("string", "[]")):
         what, fix = _REPLACEMENTS[action or ""]
         message = f"{item.name!r} must have {what} to replace values out of range."

@@ -126,7 +126,10 @@ class RunnableItem(DeclarationModel):
     interface: Text = Field(description="Interface name or path of the call: <FunctionName>_Init, _Step, _Terminate.")
     contract: Text | None = Field(None, description="How data is handed over, such as: Global variables.")
     parallel: bool | None = Field(None, description="Whether calls may run at the same time.")
-    events: list[Text] = Field([], description="Events that trigger the call.")
+    events: list[Text] = Field(
+        [],
+        description="Events that trigger the call: paths or names of signals that it consumes; all of them if absent.",
+    )
     data: list[DataItem] = Field([], description="Signals that the call reads and writes.")
     parameters: list[ParameterItem] = Field([], description="Parameters that the call reads.")
     errors: list[Annotated[ErrorItem, BeforeValidator(_reference, json_schema_input_type=str | ErrorItem)]] = Field(

@@ -107,6 +107,13 @@ class DataQueue(WireModel):
     max: Number | None = described(
         "Max", "Largest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
     )
+    default: Number | None = described(
+        "Default", "Value that stands in for a missing one.", default=None, source=OWN, unit=PHYSICAL
+    )
+    resolution: Number | None = described(
+        "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
+    )
+    access: str | None = described("Access", "As in a signal.", default=None, source=OWN)
     timeout: str | None = described(
         "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms", source=OWN
     )

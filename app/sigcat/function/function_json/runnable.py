@@ -65,7 +65,11 @@ class Runnable(WireModel):
         "DebounceDelay", "Shortest time between two calls, as a number in a text.", default=None, unit="ms"
     )
     priority: str = described("Priority", "Priority relative to other calls; a higher number runs first.")
-    events: str | None = described("EventList", "Events that trigger the call.", default=None)
+    events: str | None = described(
+        "EventList",
+        "Events that trigger the call: names or paths of signals that it consumes, separated by commas.",
+        default=None,
+    )
     contracts: tuple[Contract, ...] | None = described(
         "funcContractList", "What the call reads and writes.", default=None, strict=False
     )

@@ -32,7 +32,8 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
     """A call. One that could not be resolved takes the errors with it that it would have declared."""
     node = yield from interface_node(item.interface, "scheduling", at, context, own=True)
     made = yield from contract(item, at, context)
-    origin = Origin(at, {"funcContractList": Origin(at, {0: made.origin})})
+    events: dict[str | int, Origin] = {"EventList": Origin((*at, "events"))} if item.events else {}
+    origin = Origin(at, {"funcContractList": Origin(at, {0: made.origin}), **events})
     if node is None:
         errors = made.value.errors if made.value and made.value.errors else ()
         lost = (Subject("scheduling", item.interface), *(Subject("error", error.name) for error in errors))

@@ -73,6 +73,14 @@ def _catalogue_range(value: Value) -> dict[str, Any]:
     return {key: as_number(fraction(limit)) for key, limit in limits.items() if isinstance(limit, int | float)}
 
 
+def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
+    """What a signal and a queue have beyond what a parameter has."""
+    resolution = value.node.values.get("resolution")
+    scale = abs(value.conversion.factor) if value.conversion else 1
+    step = as_number(fraction(resolution) / scale) if isinstance(resolution, int | float) else None
+    return {"access": item.access, "default": value.default, "resolution": step, **_catalogue_range(value)}
+
+
 def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolving[Level | None]:
     return item.asil or (yield from asil_of(value.node, at))
 
@@ -86,21 +94,17 @@ def _time_out(item: DataItem, at: Pointer, context: Context) -> Resolving[dict[s
 
 
 def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[Signal]:
-    resolution = value.node.values.get("resolution")
     return Signal(
         role=ROLES[item.role],
         asil_level=(yield from _asil(item, value, at)),
-        access=item.access,
         factor=plain_text(item.factor),
         offset=plain_text(item.offset),
-        default=value.default,
         init_value=value.init,
         units=value.unit,
         type=value.node.type,
         external_provider=item.provider,
-        resolution=resolution if isinstance(resolution, int | float) else None,
         **_common(item, value),
-        **_catalogue_range(value),
+        **_also_known(item, value),
         **(yield from _time_out(item, at, context)),
     )
 
@@ -118,7 +122,7 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resol
         type=value.node.type,
         external_provider=item.provider,
         **_common(item, value),
-        **_catalogue_range(value),
+        **_also_known(item, value),
         **(yield from _time_out(item, at, context)),
     )
 

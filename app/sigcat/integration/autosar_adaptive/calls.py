@@ -1,11 +1,12 @@
 """Calls, modes and parameters of a component."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
 from sigcat import codes
 from sigcat.function.function_json.data_interfaces import Parameter
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.context import Context
@@ -25,13 +26,14 @@ _RUN_TYPES = {
 _SCHEDULING = {"preemptive": "Preemptive", "nonpreemptive": "Non-preemptive", "rr": "RR", "fifo": "FIFO"}
 
 
-def calls(part: Part, context: Context) -> tuple[model.Call, ...]:
-    """The calls of a component, in the order of the document."""
-    return tuple(_call(call, part, context) for call in part.component.runnables)
+def calls(part: Part, events: Mapping[int, str], context: Context) -> tuple[model.Call, ...]:
+    """The calls of a component, in the order of the document. `events` are those of signals, by identity."""
+    return tuple(_call(call, part, events, context) for call in part.component.runnables)
 
 
-def _call(call: Runnable, part: Part, context: Context) -> model.Call:
+def _call(call: Runnable, part: Part, events: Mapping[int, str], context: Context) -> model.Call:
     run_type = _run_type(call, part, context)
+    is_triggered = call.run_type == EVENT_TRIGGERED
     modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
     return model.Call(
         name=call.name,
@@ -41,8 +43,9 @@ def _call(call: Runnable, part: Part, context: Context) -> model.Call:
         scheduling=_scheduling(call, part, context),
         function=part.function_name,
         description=call.description,
-        trigger="Event" if call.run_type == "EventTriggered" else None,
+        trigger="Event" if is_triggered else None,
         events=call.events,
+        triggers=tuple(events[id(item)] for item in triggers(call)) or None if is_triggered else None,
         function_modes=modes or None,
         previous_runnable=call.previous_runnable,
         execution_offset=call.execution_offset,

@@ -16,7 +16,7 @@ from sigcat.integration.autosar_adaptive.calls import calls, function_modes, par
 from sigcat.integration.autosar_adaptive.component_views import view
 from sigcat.integration.autosar_adaptive.context import Context, items, named_parts
 from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
-from sigcat.integration.autosar_adaptive.elements import Service, services
+from sigcat.integration.autosar_adaptive.elements import Service, element_paths, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
@@ -108,7 +108,7 @@ def _holder(entry: Entry, context: Context) -> BaseModel | None:
 
 def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
     settings = context.settings.components.get(part.name) or ComponentSettings.model_validate({})
-    made = calls(part, context)
+    made = calls(part, element_paths(all_services), context)
     modes = tuple(dict.fromkeys(mode for call in made for mode in call.modes))
     component = model.Component(
         name=part.name,

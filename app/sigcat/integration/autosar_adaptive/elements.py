@@ -71,6 +71,16 @@ def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
     )
 
 
+def element_paths(all_services: Iterable[Service]) -> dict[int, str]:
+    """`Service/Event` of each interface, by the identity of the interface."""
+    return {
+        id(side.item.interface): f"{service.name}/{element.name}"
+        for service in all_services
+        for element in service.elements
+        for side in element.sides
+    }
+
+
 def _key(group: Group) -> str:
     return f"{'component' if group.provider else 'outside'} {group.origin}"
 

@@ -7,7 +7,7 @@ from sigcat.function.function_json.methods import Method
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
-from sigcat.integration.autosar_adaptive.elements import Service
+from sigcat.integration.autosar_adaptive.elements import Service, element_paths
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.report import Entry, FieldTarget, entries
 
@@ -69,9 +69,10 @@ _CALL: dict[str, FieldTarget | str] = {
         field: field
         for field in (
             "Name", "Description", "StackSize", "PrevRunnable", "ExecOffset", "ParallelProcessing", "AsilLevel",
-            "Watchdog", "DebounceDelay", "EventList", "VssPath",
+            "Watchdog", "DebounceDelay", "VssPath",
         )
     },
+    "EventList": FieldTarget("EventList and Triggers", "each event as the event of a service"),
 }  # fmt: skip
 _PARAMETER: dict[str, FieldTarget | str] = {
     "Datatype": "Datatype and CodeDatatype", "Asillevel": "AsilLevel", "Min": "Datatype/MinValue",
@@ -116,12 +117,7 @@ PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
 
 def field_targets(context: Context, sides: Sequence[Placed], all_services: Sequence[Service]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
-    names = {
-        id(side.item.interface): f"{service.name}/{element.name}"
-        for service in all_services
-        for element in service.elements
-        for side in element.sides
-    }
+    names = element_paths(all_services)
     made: list[Entry] = []
     for part in context.parts:
         made.extend(_of_part(part))

@@ -72,6 +72,9 @@ class Call(WireModel):
     description: str | None = own("Description", "What the call does.")
     trigger: str | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
     events: str | None = own("EventList", "Events that trigger the call.")
+    triggers: tuple[str, ...] | None = own(
+        "Triggers", "Events whose values trigger the call, as `Service/Event`.", strict=False
+    )
     function_modes: tuple[str, ...] | None = own(
         "FunctionModes", "Modes of the function in which the call runs.", strict=False
     )

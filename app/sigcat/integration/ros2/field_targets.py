@@ -115,7 +115,7 @@ _CALL: Targets = {
     "Scheduling": "{schedule}: CallbackGroup",
     "DebounceDelay": "{schedule}: Debounce",
     "Priority": FieldTarget("{schedule}: ThreadPriority", "if it is a priority of a thread"),
-    "EventList": FieldTarget("ComponentList", "topics trigger calls"),
+    "EventList": FieldTarget("{schedule}: Topics", "the topics that bring these signals"),
     "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
     "SupervisionType": FieldTarget("{schedule}: Alive…, Deadline…", "the limits say which there are"),
     "VssPath": _VERBATIM,

@@ -9,6 +9,7 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.triggers import triggers
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
@@ -19,6 +20,7 @@ from sigcat.integration.ros2.model import (
     MessageField,
     ModeTopic,
     RosNode,
+    RosTopic,
     Schedule,
     Transition,
 )
@@ -137,13 +139,19 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
 
 
 def _triggers(call: Runnable, part: Part, exchanged: Sequence[Communication]) -> tuple[str, ...]:
+    """Topics that bring a signal on which the call runs."""
+    names = {item.name for item in triggers(call)}
     return tuple(
         topic.name
         for communication in exchanged
         if communication.runnable == call.name
         for topic in communication.topics
-        if topic.role == SUBSCRIPTION and topic.node == part.name
+        if topic.role == SUBSCRIPTION and topic.node == part.name and names.intersection(_signals(topic))
     )
+
+
+def _signals(topic: RosTopic) -> Iterable[str]:
+    return (mapping.signal for data_map in topic.data_maps for mapping in data_map.mappings or ())
 
 
 def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None:

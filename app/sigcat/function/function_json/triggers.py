@@ -1,0 +1,27 @@
+"""What an event-triggered call runs on: the events that it lists are signals that it consumes."""
+
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.runnable import Runnable
+
+EVENT_TRIGGERED = "EventTriggered"
+"""Run type of a call that events trigger."""
+
+
+def events_of(call: Runnable) -> tuple[str, ...]:
+    """Names or paths of the events that a call lists."""
+    return tuple(filter(None, (event.strip() for event in (call.events or "").split(","))))
+
+
+def consumed_by(call: Runnable) -> tuple[Signal | DataQueue, ...]:
+    """Signals and queues that a call reads."""
+    listed: list[Signal | DataQueue] = []
+    for contract in call.contracts or ():
+        listed += [*(contract.signals or ()), *(contract.queues or ())]
+    return tuple(item for item in listed if item.role == CONSUMER)
+
+
+def triggers(call: Runnable) -> tuple[Signal | DataQueue, ...]:
+    """Signals whose values trigger an event-triggered call: those that it lists as events, or else all that it reads."""
+    events, consumed = events_of(call), consumed_by(call)
+    return tuple(item for item in consumed if item.name in events or item.vss_path in events) or consumed
