@@ -77,6 +77,7 @@ def test_an_overlay_that_does_nothing_says_so(site: Ask) -> None:
     page = tried(site, "# nothing\n")
     assert "It changes nothing." in section(page, "Changes")
     assert "None." in section(page, "Functions affected")
+    assert "It changes nothing as it stands." in section(tried(site, "Vehicle.\n"), "Changes")
 
 
 @pytest.mark.parametrize(

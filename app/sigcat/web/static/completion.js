@@ -1,7 +1,7 @@
 // Completion of paths, units and datatypes in a text, by the list of the W3C's ARIA guide. Without it one types the whole.
 import { say } from "./asking.js";
 
-const MOST = 60;
+const SHOWN = 9; // at once; the list moves with what is chosen, and needs no scrolling
 const LINE = 20; // as the style sheet has it
 const EDGE = 12;
 
@@ -18,7 +18,7 @@ const fitting = (offers, typed) => {
   const sought = typed.toLowerCase();
   const begin = offers.filter(({ name }) => name.toLowerCase().startsWith(sought));
   const hold = offers.filter(({ name, words = "" }) => !name.toLowerCase().startsWith(sought) && `${name} ${words}`.toLowerCase().includes(sought));
-  return [...begin, ...(sought ? hold : [])].slice(0, MOST);
+  return [...begin, ...(sought ? hold : [])];
 };
 
 export const mountCompletion = (form, text) => {
@@ -35,6 +35,7 @@ export const mountCompletion = (form, text) => {
   text.setAttribute("autocomplete", "off");
   let offered = [];
   let active = 0;
+  let first = 0;
   let asked = null;
   let turn = 0;
 
@@ -77,19 +78,29 @@ export const mountCompletion = (form, text) => {
     text.removeAttribute("aria-activedescendant");
   };
 
-  const mark = (index) => {
-    active = index;
-    for (const [number, option] of [...list.children].entries()) option.setAttribute("aria-selected", number === index);
-    list.children[index].scrollIntoView({ block: "nearest" });
-    text.setAttribute("aria-activedescendant", list.children[index].id);
-  };
-
-  const optionOf = ({ name, hint }, index) => {
+  const optionOf = (index) => {
+    const { name, hint } = offered[index];
     const option = Object.assign(document.createElement("li"), { id: `completion-${index}` });
     option.setAttribute("role", "option");
+    option.setAttribute("aria-posinset", index + 1);
+    option.setAttribute("aria-setsize", offered.length);
+    option.setAttribute("aria-selected", index === active);
     option.append(Object.assign(document.createElement("b"), { textContent: name }));
     if (hint) option.append(" ", Object.assign(document.createElement("span"), { className: "hint", textContent: hint }));
     return option;
+  };
+
+  const paint = () => {
+    const count = Math.min(SHOWN, offered.length - first);
+    list.replaceChildren(...Array.from({ length: count }, (_, number) => optionOf(first + number)));
+    list.dataset.place = offered.length > SHOWN ? `${active + 1} of ${offered.length}` : "";
+    text.setAttribute("aria-activedescendant", `completion-${active}`);
+  };
+
+  const mark = (index) => {
+    active = index;
+    first = Math.min(Math.max(first, index - SHOWN + 1), index);
+    paint();
   };
 
   /** Below the place where the name begins; above it where there is no room below. */
@@ -107,11 +118,10 @@ export const mountCompletion = (form, text) => {
   };
 
   const show = () => {
-    list.replaceChildren(...offered.map(optionOf));
     list.hidden = false;
-    list.scrollTop = 0;
-    place();
+    first = 0;
     mark(0);
+    place();
     say(`${offered.length} completion${offered.length === 1 ? "" : "s"}`);
   };
 
@@ -181,6 +191,10 @@ export const mountCompletion = (form, text) => {
   list.addEventListener("mousedown", (event) => {
     event.preventDefault(); // the text keeps the focus
     const option = event.target.closest("[role=option]");
-    if (option) accept([...list.children].indexOf(option));
+    if (option) accept(first + [...list.children].indexOf(option));
+  });
+  list.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    mark(Math.min(Math.max(active + Math.sign(event.deltaY), 0), offered.length - 1));
   });
 };
