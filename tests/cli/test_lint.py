@@ -212,7 +212,7 @@ def test_what_is_no_file_is_refused_by_name_and_passed_over_beside_others(name, 
     assert main(["lint", "more.vspec"]) == 0
     assert main(["lint", "."]) == 0
     assert main(["lint", name]) == 2
-    assert f"{name!r}" in capsys.readouterr().err
+    assert f"sigcat: {name}" in capsys.readouterr().err
 
 
 def test_an_included_pipe_is_not_waited_for(capsys):

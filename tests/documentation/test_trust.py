@@ -12,7 +12,7 @@ TESTS = Path(__file__).parents[1]
 MARKED = {
     (judge, question)
     for file in TESTS.rglob("test_*.py")
-    for judge, question in re.findall(r'^@judged_by\("([^"]+)", "([^"]+)"\)', file.read_text(encoding="utf-8"), re.MULTILINE)
+    for judge, question in re.findall(r'^@judged_by\(\s*"([^"]+)",\s*"([^"]+)",?\s*\)', file.read_text(encoding="utf-8"), re.MULTILINE)
 }  # fmt: skip
 
 

@@ -293,7 +293,7 @@ def test_an_example_with_definitions_reads_back():
             "interface: LaneKeeping_DetectStep",
             "interface: LaneKeeping_DetectStap",
             "F013",
-            "/components/0/runnables/1",
+            "/components/0/runnables/1/interface",
             "Did you mean 'LaneKeeping_DetectStep'?",
         ),
         (

@@ -78,7 +78,9 @@ def test_the_sound_scaffold_has_no_findings():
 
 def test_a_mistyped_call_is_one_finding_wherever_else_it_is_named():
     """Its component lacks a step, a mode runs it, and with it go the errors that it declares."""
-    assert found(("interface: Parking_Step", "interface: Parking_Stepp")) == [("F013", "/components/0/runnables/1")]
+    assert found(("interface: Parking_Step", "interface: Parking_Stepp")) == [
+        ("F013", "/components/0/runnables/1/interface")
+    ]
 
 
 def test_a_call_that_runs_after_a_mistyped_one_is_no_finding_of_its_own():
@@ -97,7 +99,7 @@ def test_the_value_that_stands_in_for_a_missing_default_is_not_judged():
 
 
 def test_a_circle_that_the_file_defines_is_reported_once():
-    circle = ("previousRunnable: Init", "previousRunnable: Step")
+    circle = ("      cycleTime: 20\n", "      cycleTime: 20\n      previousRunnable: Step\n")
     assert found(circle) == [("I510", "/define/scheduling/Step/previousRunnable")]
 
 

@@ -77,6 +77,8 @@ _UNRESOLVED = frozenset(
 """Rules that leave out of a function what breaks them."""
 
 
+_MISSPELLED = codes.VALUE_MISSPELLED.id
+"""What VSS takes with a warning a function may be unable to hold: that is then said instead."""
 _ABOUT_REFERENCES = frozenset(
     rule.id
     for rule in (
@@ -111,10 +113,12 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
         partial(_is_reported, definitions, defined, _attributes_of(unresolved), context),
         context.path_of,
     )
+    about_references = [_finding(each, each.pointer, definitions, document, context) for each in unresolved]
+    explained = {finding.pointer for finding in about_references}
     findings = in_order([
         *declared.findings,
-        *defined.findings,
-        *(_finding(each, each.pointer, definitions, document, context) for each in unresolved),
+        *(finding for finding in defined.findings if finding.rule != _MISSPELLED or finding.pointer not in explained),
+        *about_references,
         *(_finding(each, resolved.source(each.pointer), definitions, document, context) for each in problems),
     ])  # fmt: skip
     return CheckedFunction(document, resolved, findings, is_declaration=True)

@@ -37,7 +37,9 @@ Of `instances`, the nodes that they made are compared.
 """
 _REPEATED = ("type", "description", "comment")
 """What older exports repeat of a branch in its instances; those of today repeat everything."""
-_REFERS_OUTSIDE = frozenset((codes.DATATYPE_UNKNOWN.id, codes.UNIT_UNKNOWN.id, codes.UNIT_OF_WRONG_DATATYPE.id))
+_REFERS_OUTSIDE = frozenset(
+    rule.id for rule in (codes.DATATYPE_UNKNOWN, codes.UNIT_UNKNOWN, codes.UNIT_OF_WRONG_DATATYPE, codes.UNITS_MISSING)
+)
 """Findings about units and struct types, which an export may not carry along."""
 _TYPES = "ComplexDataTypes"
 _HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F]{2})|\\u[dD][89a-fA-F][0-9a-fA-F]{2}")
