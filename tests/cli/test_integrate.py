@@ -54,6 +54,24 @@ def test_a_report_can_be_json():
     assert {"function", "interface", "kind", "field", "target"} <= set(written("report.json")[0])
 
 
+def test_ids_are_those_of_an_id_catalogue_and_of_earlier_arxml():
+    Path("ids.csv").write_text("name,id\nVehicleChassisService,0x1234\n")
+    assert main(["integrate", "autosar-adaptive", CORE_ACC, "--identifiers", "ids.csv", "-o", "one.json"]) == 0
+    chassis = [s for s in written("one.json")["ComponentList"][0]["ServiceInterfaceList"] if "Chassis" in s["Name"]]
+    assert [service["ServiceID"] for service in chassis] == [0x1234]
+    assert main(["generate", "arxml", "one.json", "-o", "arxml"]) == 0
+    earlier = str(Path("arxml") / "deployment.arxml")
+    assert main(["integrate", "autosar-adaptive", CORE_ACC, "--identifiers", earlier, "-o", "two.json"]) == 0
+    assert Path("one.json").read_bytes() == Path("two.json").read_bytes()
+
+
+def test_an_id_catalogue_that_is_none_is_refused_at_its_line(capsys):
+    Path("ids.csv").write_text("name,id\nVehicleChassisService,many\n")
+    assert main(["integrate", "autosar-adaptive", CORE_ACC, "--identifiers", "ids.csv"]) == 1
+    assert "ids.csv:2:1: error A009" in capsys.readouterr().err
+    assert main(["integrate", "autosar-adaptive", CORE_ACC, "--identifiers", "none.csv"]) == 2
+
+
 def test_a_deployment_file_changes_what_it_names():
     Path("deployment.yaml").write_text("name: EcoControl\nros2: {namespace: /ego}\n")
     assert main(["integrate", "ros2", CORE_ACC, "--deployment", "deployment.yaml", "-o", "out.json"]) == 0

@@ -35,6 +35,15 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         one.add_argument(
             "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
         )
+        if platform.with_identifiers is not None:
+            one.add_argument(
+                "--identifiers",
+                type=Path,
+                action="append",
+                default=[],
+                metavar="FILE",
+                help="ids that are given away, as CSV or ARXML; may be repeated",
+            )
         add_tree_options(one)
         one.set_defaults(run=run, platform=platform)
 
@@ -44,7 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.platforms.integrate import integrate
 
     functions = _functions(arguments)
-    integrated = integrate(arguments.platform, functions, _deployment(arguments.deployment))
+    integrated = integrate(arguments.platform, functions, _deployment(arguments))
     _print(integrated.findings)
     write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
@@ -61,10 +70,15 @@ def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
     return functions
 
 
-def _deployment(path: Path | None) -> "Deployment":
+def _deployment(arguments: argparse.Namespace) -> "Deployment":
+    """What differs from the defaults, with the ids of the files that are named."""
+    from sigcat.limits import DEFAULT_LIMITS
     from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 
-    return DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
+    path, with_identifiers = arguments.deployment, arguments.platform.with_identifiers
+    deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(existing_file(path).read_bytes(), str(path))
+    files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
+    return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
 
 
 def _written(report: "tuple[Entry, ...]", path: Path) -> bytes:

@@ -43,6 +43,19 @@ def _generate_arxml(data: bytes, name: str, limits: "Limits", release: str | Non
     return generate(read_integration(data, name, limits), release)
 
 
+def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, str]]", limits: "Limits") -> "Deployment":
+    from sigcat.adapter.autosar_adaptive.arxml.reading import read_arxml
+    from sigcat.integration.autosar_adaptive.id_catalogue import merged, read_csv
+
+    read = [
+        (read_arxml if data.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"<" else read_csv)(data, name, limits)
+        for data, name in files
+    ]
+    settings: AutosarAdaptiveSettings = deployment.autosar_adaptive  # type: ignore[attr-defined]
+    ids = merged([settings.identifier_catalogue, *read], ["the deployment file", *(name for _, name in files)])
+    return deployment.model_copy(update={"autosar_adaptive": settings.model_copy(update={"identifier_catalogue": ids})})
+
+
 ARXML = Generator(
     name="arxml",
     title="ARXML",
@@ -52,4 +65,6 @@ ARXML = Generator(
     generate=_generate_arxml,
     releases=RELEASES,
 )
-AUTOSAR_ADAPTIVE = Platform("autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML,))
+AUTOSAR_ADAPTIVE = Platform(
+    "autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML,), _with_identifiers
+)

@@ -55,6 +55,9 @@ class Platform(NamedTuple):
     schema: Callable[[], dict[str, Any]]
     """JSON Schema of its Integration JSON."""
     generators: tuple[Generator, ...] = ()
+    with_identifiers: "Callable[[Deployment, Sequence[tuple[bytes, str]], Limits], Deployment] | None" = None
+    """A deployment with the ids of files, given as content and name; None if the platform has no ids. Raises
+    InputRefused if a file cannot be used."""
 
     @property
     def section(self) -> str:

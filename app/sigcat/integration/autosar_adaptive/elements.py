@@ -16,9 +16,8 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     INSTANCES,
     METHODS,
     SERVICES,
-    Span,
-    assign,
 )
+from sigcat.integration.autosar_adaptive.numbering import Names, numbers
 from sigcat.integration.autosar_names import distinct, event_name, short_name
 from sigcat.integration.finding_collector import Subject
 
@@ -63,10 +62,10 @@ def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
     names = distinct({key: sides[0].group.name for key, sides in by_origin.items()})
     for key, sides in by_origin.items():
         _report_renamed(names[key], Subject(sides[0].group.name, sides[0].item.interface), context)
-    numbers = _numbers(names.values(), SERVICES, context, "", "")
-    instances = _numbers(names.values(), INSTANCES, context, "", ":instance")
+    service_ids = numbers(Names(sorted(names.values()), SERVICES), context)
+    instances = numbers(Names(sorted(names.values()), INSTANCES, suffix=":instance"), context)
     return tuple(
-        _service(by_origin[key], name, numbers[name], instances[name], context)
+        _service(by_origin[key], name, service_ids[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])
     )
 
@@ -91,12 +90,18 @@ def _service(sides: Sequence[Placed], name: str, number: int, instance: int, con
     fields = {element.name for element in elements if element.kind is Error}
     methods = {element.name for element in elements if element.kind is Method}
     ids = {
-        **_numbers(events | fields, EVENTS, context, f"{name}.", ""),
-        **_numbers(methods | {f"Get{field}" for field in fields}, METHODS, context, f"{name}.", ""),
+        **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
+        **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
     }
     groups = {group_of(element) for element in elements} - {""}
     return Service(
-        sides[0].group, name, number, instance, elements, ids, _numbers(groups, EVENT_GROUPS, context, f"{name}.", "")
+        sides[0].group,
+        name,
+        number,
+        instance,
+        elements,
+        ids,
+        numbers(Names(sorted(groups), EVENT_GROUPS, f"{name}."), context),
     )
 
 
@@ -134,39 +139,6 @@ def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
     if name != wanted.name:
         message = f"{wanted} is the name of another interface too: short names have no dots, and case does not count. This one is {name}."
         context.findings.report(codes.NAME_TAKEN, message, wanted)
-
-
-def _numbers(names: Iterable[str], span: Span, context: Context, scope: str, suffix: str) -> dict[str, int]:
-    """Ids, those of the deployment first; what is wrong with them is reported."""
-    listed = sorted(set(names))
-    given = context.settings.identifiers
-    fixed: dict[str, int] = {}
-    for name in listed:
-        number = given.get(f"{scope}{name}{suffix}")
-        if number is None:
-            continue
-        if not span.first <= number <= span.last or number in fixed.values():
-            reason = (
-                "must not be used twice"
-                if number in fixed.values()
-                else f"must be from 0x{span.first:04X} to 0x{span.last:04X}"
-            )
-            message = f"Id 0x{number:04X} of {scope}{name}{suffix} in the deployment file {reason}."
-            context.findings.report(codes.ID_REFUSED, message, f"{scope}{name}", "Use another one.")
-            continue
-        fixed[name] = number
-    if len(listed) > span.last - span.first + 1:
-        message = (
-            f"At most {span.last - span.first + 1} names can have an id of this kind in SOME/IP, not {len(listed)}."
-        )
-        context.findings.report(codes.ID_REFUSED, message, scope.rstrip("."), "Spread them over several services.")
-        return dict.fromkeys(listed, span.first)
-    assigned = assign(listed, span, fixed, f"{scope}{suffix}")
-    for name, other, number in assigned.collisions:
-        message = f"{scope}{name} and {scope}{other} have the same digest: id 0x{number:04X} changes if one of them is removed."
-        fix = f"To keep it, fix it in the deployment file: identifiers: {{{scope}{name}{suffix}: {number}}}."
-        context.findings.report(codes.ID_DEPENDS_ON_OTHERS, message, f"{scope}{name}", fix)
-    return assigned.ids
 
 
 def group_of(element: Element) -> str:

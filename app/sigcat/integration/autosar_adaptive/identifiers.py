@@ -38,15 +38,21 @@ class Assigned(NamedTuple):
     collisions: tuple[Collision, ...]
 
 
-def assign(names: Iterable[str], span: Span, fixed: Mapping[str, int] | None = None, scope: str = "") -> Assigned:
+def assign(
+    names: Iterable[str],
+    span: Span,
+    fixed: Mapping[str, int] | None = None,
+    scope: str = "",
+    reserved: Mapping[int, str] | None = None,
+) -> Assigned:
     """An id for each name, unique among them.
 
-    What is fixed comes first. Of two names that ask for the same id, the first in the alphabet has it; the other one
+    What is fixed comes first, and none gets what is reserved for a name that is not among them. Of two names that ask for the same id, the first in the alphabet has it; the other one
     takes the next that its own digest proposes.
     """
     ordered = sorted(set(names))
     ids = {name: fixed[name] for name in ordered if fixed and name in fixed}
-    taken = {number: name for name, number in ids.items()}
+    taken = {**(reserved or {}), **{number: name for name, number in ids.items()}}
     collisions = []
     for name in ordered:
         if name in ids:

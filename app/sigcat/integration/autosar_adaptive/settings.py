@@ -79,6 +79,11 @@ class AutosarAdaptiveSettings(DeclarationModel):
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
         "method, field or eventgroup); the others follow the rule.",
     )
+    identifier_catalogue: dict[Text, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+        {},
+        description="SOME/IP ids that are given away, by the same keys: a name of the set has its own, and nothing else "
+        "gets them. `identifiers` go before. `--identifiers` adds those of files.",
+    )
 
 
 NO_SETTINGS = AutosarAdaptiveSettings.model_validate({})

@@ -33,6 +33,7 @@ from sigcat.integration.autosar_names import short_name
 OFF = "Off"
 """State in which nothing of a function group runs; AUTOSAR wants every function group to have it and to begin in it."""
 STARTUP_SET = "StartupConfigurationSet"
+GROUP_SUFFIX = "_Group"
 DEPLOYMENT = "SOMEIP-SERVICE-INTERFACE-DEPLOYMENT"
 EVENT = "SOMEIP-EVENT-DEPLOYMENT"
 
@@ -212,7 +213,7 @@ def _method(name: str, number: int | None, interface: str) -> Tag:
 
 def group_name(name: str) -> str:
     """Name of an event group; no deployment of an event ends like it."""
-    return short_name(f"{name}_Group")
+    return short_name(f"{name}{GROUP_SUFFIX}")
 
 
 def _group(name: str, number: int, service: Whole, own: str) -> Tag:
