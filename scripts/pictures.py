@@ -64,6 +64,14 @@ def open_show(page: Page) -> None:
     page.get_by_text("Show", exact=True).click()
 
 
+def complete_path(page: Page) -> None:
+    """Begin a path, so that its completions show."""
+    field = page.get_by_role("textbox", name="Overlay")
+    field.fill("Vehicle.Chassis.Brake.CylP:\n  type: sensor\n  unit: kPa\n")
+    field.press_sequentially("Vehicle.Chassis.")
+    page.wait_for_selector("#completions:not([hidden])")
+
+
 def write_functions(page: Page) -> None:
     """Open the form for functions of one's own."""
     page.get_by_text("Functions of your own").click()
@@ -91,6 +99,7 @@ PAGES = (
     Picture("functions", "/functions"),
     Picture("function", "/functions/wheel_speed_calculation"),
     Picture("function-dark", "/functions/core_acc", "dark"),
+    Picture("functions-elsewhere", "/functions?catalogue=vss"),
     Picture("function-findings", "/functions/core_acc?catalogue=vss"),
     Picture("function-arxml", "/functions/core_acc?view=arxml"),
     Picture("function-wall", "/functions/core_acc", width=2560, height=1440),
@@ -103,6 +112,8 @@ PAGES = (
     Picture("changes-dark", "/changes?old=vss&new=interfaces", "dark"),
     Picture("changes-narrow", "/changes?old=vss&new=interfaces", width=360, height=780),
     Picture("try", "/try"),
+    Picture("try-change", "/try?change=Vehicle.Chassis.Brake.CylP", "dark", 1600, 1000),
+    Picture("try-completion", "/try", prepare=complete_path),
     Picture("try-function", "/try?kind=function"),
     Picture("try-function-dark", "/try?kind=function", "dark", 2560, 1440),
     Picture("try-narrow", "/try", width=360, height=780),

@@ -123,9 +123,9 @@ def test_a_node_can_be_changed_from_its_page(site: Ask, path: str) -> None:
 @pytest.mark.parametrize(
     ("path", "word", "added"),
     [
-        ("Vehicle.Cabin", "Add below", "Vehicle.Cabin.NewSignal"),
-        ("Vehicle.Speed", "Add beside", "Vehicle.NewSignal"),
-        ("Vehicle.Cabin.Door.Row1.DriverSide", "Add below", "Vehicle.Cabin.Door.NewSignal"),
+        ("Vehicle.Cabin", "Add below", "Vehicle.Cabin.New"),
+        ("Vehicle.Speed", "Add beside", "Vehicle.New"),
+        ("Vehicle.Cabin.Door.Row1.DriverSide", "Add below", "Vehicle.Cabin.Door.New"),
     ],
 )
 def test_a_signal_is_added_below_a_branch(site: Ask, path: str, word: str, added: str) -> None:
@@ -134,6 +134,12 @@ def test_a_signal_is_added_below_a_branch(site: Ask, path: str, word: str, added
     shown = site(link.replace("&amp;", "&")).text
     assert f"\n{added}:\n" in shown
     assert "Nothing is wrong with it." in shown
+
+
+def test_an_interface_is_added_with_the_attributes_that_one_of_its_kind_needs(site: Ask) -> None:
+    text = site("/try?below=Vehicle.Function.CoreAcc.Error").text
+    assert "\nVehicle.Function.CoreAcc.Error.New:\n" in text
+    assert "\n  resetCondition: " in text
 
 
 def test_what_is_not_there_cannot_be_changed(site: Ask) -> None:

@@ -161,3 +161,18 @@ def box_of(what: Locator) -> FloatRect:
     box = what.bounding_box()
     assert box
     return box
+
+
+@pytest.mark.parametrize(
+    ("address", "targets"),
+    [
+        ("/tree/interfaces/Vehicle.Chassis.Axle", ".tools a, .tools summary, .crumbs a, .row .name, .overlay-links a"),
+        ("/units/interfaces", ".wide tbody th a"),
+        ("/wiring?catalogue=interfaces", ".choose label, .side nav a"),
+    ],
+)
+def test_what_is_touched_is_24_pixels_high(open_page: Opener, address: str, targets: str) -> None:
+    page = open_page(address)
+    page.set_viewport_size({"width": 390, "height": 800})
+    heights = page.locator(targets).evaluate_all("each => each.map((one) => one.getBoundingClientRect().height)")
+    assert min(height for height in heights if height) >= 24

@@ -32,7 +32,6 @@ export const mountCompletion = (form, text) => {
   text.setAttribute("aria-autocomplete", "list");
   text.setAttribute("aria-haspopup", "listbox");
   text.setAttribute("aria-controls", list.id);
-  text.setAttribute("autocomplete", "off");
   let offered = [];
   let active = 0;
   let first = 0;
