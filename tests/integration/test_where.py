@@ -3,10 +3,12 @@
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.function.declaration.form import key_of
 from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
 from sigcat.function.sets.check_set import check_functions
+from sigcat.integration.declared_fields import TARGETS
 from sigcat.integration.reading import read_functions
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
@@ -93,3 +95,23 @@ def test_function_json_is_compared_with_the_catalogue_too():
     gone = data.replace(b'"Vehicle.Speed"', b'"Vehicle.Haste"')
     assert gone != data
     assert refused((gone, "parking.json")) == ["F010"]
+
+
+@pytest.mark.parametrize("model", TARGETS)
+def test_each_field_of_a_function_yaml_has_a_place_in_function_json(model):
+    parts = {key_of(name) for name, info in model.model_fields.items() if "Item" in str(info.annotation)}
+    parts |= {"active"} & {key_of(name) for name in model.model_fields}
+    assert {key_of(name) for name in model.model_fields} - parts == TARGETS[model].keys()
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_the_report_begins_with_what_the_author_wrote(platform):
+    read = read_functions([(TEXT.encode(), "some/parking.yaml")], interfaces())
+    report = integrate(PLATFORMS[platform], read.functions).report
+    written = {entry.field: entry for entry in report if entry.kind == "declaration"}
+    assert report[0].kind == "declaration"
+    asil = written["components.0.runnables.1.data.0.asil"]
+    line = TEXT.splitlines().index("            asil: QM") + 1
+    assert (asil.function, asil.interface) == ("Parking", f"parking.yaml:{line}")
+    assert "AsilLevel" in asil.target
+    assert [entry for entry in written.values() if entry.target == "Function JSON, "] == []

@@ -28,6 +28,9 @@ def _add_kind(
     )
     one.add_argument("integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {platform.title}")
     one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
+    one.add_argument(
+        "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
+    )
     if generator.releases:
         one.add_argument(
             "--release",
@@ -40,6 +43,7 @@ def _add_kind(
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the files; the folder is made if its parent exists. Raises InputRefused if the document cannot be used."""
+    from sigcat.integration.report import written_as
     from sigcat.limits import DEFAULT_LIMITS
 
     source = existing_file(arguments.integration)
@@ -48,6 +52,9 @@ def run(arguments: argparse.Namespace) -> int:
     _make(arguments.output)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)
+    if arguments.report is not None:
+        report = arguments.generator.report(source.read_bytes(), str(source), DEFAULT_LIMITS)
+        write_bytes(written_as(report, arguments.report.suffix), arguments.report)
     return 0
 
 

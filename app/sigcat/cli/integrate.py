@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from sigcat.findings import Finding
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
-    from sigcat.integration.report import Entry
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -50,6 +49,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the Integration JSON; findings go to standard error. Raises InputRefused if there are errors."""
+    from sigcat.integration.report import written_as
     from sigcat.platforms.integrate import integrate
 
     functions = _functions(arguments)
@@ -57,7 +57,7 @@ def run(arguments: argparse.Namespace) -> int:
     _print(integrated.findings)
     write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
-        write_bytes(_written(integrated.report, arguments.report), arguments.report)
+        write_bytes(written_as(integrated.report, arguments.report.suffix), arguments.report)
     return 0
 
 
@@ -79,12 +79,6 @@ def _deployment(arguments: argparse.Namespace) -> "Deployment":
     deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(existing_file(path).read_bytes(), str(path))
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
     return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
-
-
-def _written(report: "tuple[Entry, ...]", path: Path) -> bytes:
-    from sigcat.integration.report import to_json, to_markdown
-
-    return to_json(report) if path.suffix.lower() == ".json" else to_markdown(report).encode()
 
 
 def _print(findings: "Iterable[Finding]") -> None:

@@ -65,6 +65,11 @@ def to_markdown(report: Iterable[Entry]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def written_as(report: Iterable[Entry], ending: str) -> bytes:
+    """The report as JSON for `.json`, or else as a Markdown table."""
+    return to_json(report) if ending.lower() == ".json" else to_markdown(report).encode()
+
+
 def _cell(text: str) -> str:
     escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     for character in "\\|`*_[]":

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
     from sigcat.integration.deployment import Deployment
+    from sigcat.integration.report import Entry
     from sigcat.limits import Limits
 
 
@@ -56,12 +57,20 @@ def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, st
     return deployment.model_copy(update={"autosar_adaptive": settings.model_copy(update={"identifier_catalogue": ids})})
 
 
+def _report_of_arxml(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
+    from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
+    from sigcat.integration.autosar_adaptive.document import read_integration
+
+    return field_targets(read_integration(data, name, limits))
+
+
 ARXML = Generator(
     name="arxml",
     title="ARXML",
     target="AUTOSAR adaptive",
     contents="types, interfaces, components and deployment",
     media_type="application/xml",
+    report=_report_of_arxml,
     generate=_generate_arxml,
     releases=RELEASES,
 )

@@ -6,6 +6,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.declared_fields import declared_fields
 from sigcat.integration.deployment import Deployment
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from sigcat.platforms.platform import Integrated, Platform
@@ -19,4 +20,4 @@ def integrate(
     integrated = platform.derive(functions, deployment, getattr(deployment, platform.section))
     if has_errors(integrated.findings):
         raise InputRefused("The functions cannot be integrated: they have errors.", integrated.findings)
-    return integrated
+    return integrated._replace(report=(*declared_fields(functions), *integrated.report))

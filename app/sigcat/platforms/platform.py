@@ -33,6 +33,8 @@ class Generator(NamedTuple):
     contents: str
     """What the files hold, for help texts."""
     media_type: str
+    report: "Callable[[bytes, str, Limits], tuple[Entry, ...]]"
+    """Where each field of an Integration JSON goes. Raises InputRefused if it cannot be used."""
     generate: "Callable[[bytes, str, Limits, str | None], tuple[GeneratedFile, ...]]"
     """The files, from the bytes and the name of an Integration JSON, for a release of the platform; for None that of
     the Integration JSON. Raises InputRefused if it cannot be used."""

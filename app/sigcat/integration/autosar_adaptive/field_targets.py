@@ -95,6 +95,21 @@ _FUNCTION: dict[str, FieldTarget | str] = {
     "FunctionResponsible": "FunctionInformation/Responsible", "Description": "Component/Description",
     "Version": FieldTarget("Component/Version", "the version of the document is that of the deployment"),
 }  # fmt: skip
+_META: dict[str, FieldTarget | str] = {
+    "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
+    **dict.fromkeys(
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has a version and a description of its own"),
+    ),
+}  # fmt: skip
+_COMPONENT: dict[str, FieldTarget | str] = {"Name": "Name", "functionList": "FunctionList"}
+_CONTRACT: dict[str, FieldTarget | str] = {
+    "Type": "ContractTypes",
+    **dict.fromkeys(
+        ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
+        FieldTarget("ServiceInterfaceList", "each interface has entries of its own"),
+    ),
+    "ParameterList": FieldTarget("ParameterList", "each interface has entries of its own"),
+}
 _MODES: dict[str, FieldTarget | str] = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
 
 TABLES: Mapping[type, tuple[str, Mapping[str, FieldTarget | str]]] = {
@@ -149,14 +164,17 @@ def _below(prefix: str, table: Mapping[str, FieldTarget | str], of: str = "") ->
 def _of_part(part: Part) -> Iterator[Entry]:
     function = part.function
     if part.is_first:
+        yield from entries(part.function_name, part.function_name, "document", function.meta, _META)
         yield from entries(part.function_name, part.function_name, "function", function.info, _FUNCTION)
         for mode in function.modes or ():
             prefix = f"{part.name}/FunctionModes/{mode.name}"
             yield from entries(part.function_name, mode.name, "active mode", mode, _below(prefix, _MODES))
+    yield from entries(part.function_name, part.name, "component", part.component, _below(part.name, _COMPONENT))
     for call in part.component.runnables:
         prefix = f"{part.name}/FunctionList/{call.name}"
         yield from entries(part.function_name, call.name, "call", call, _below(prefix, _CALL))
         for contract in call.contracts or ():
+            yield from entries(part.function_name, call.name, "contract", contract, _below(prefix, _CONTRACT))
             for parameter in contract.parameters or ():
                 below = _below(f"{part.name}/ParameterList/{parameter.name}", _PARAMETER)
                 if parameter.datatype in ("DT_Bool", "DT_String"):

@@ -153,10 +153,26 @@ _INFO: Targets = dict.fromkeys(
     ("FunctionName", "FunctionResponsible", "Description", "Version"), "FunctionInfo, packages"
 )
 
+_META: Targets = {
+    "Authority": "MetaInfo: Authority", "SchemaAuthor": "MetaInfo: SchemaAuthor", "Date": "MetaInfo: Date",
+    **dict.fromkeys(
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("MetaInfo", "each document has a version and a description of its own"),
+    ),
+}  # fmt: skip
+_COMPONENT: Targets = {"Name": "node {node}: ComponentName", "functionList": "node {node}: Lifecycle and Schedules"}
+_CONTRACT: Targets = {
+    "Type": _VERBATIM,
+    **dict.fromkeys(
+        ("SignalList", "DataQList", "MethodList", "ParameterList", "ErrorList", "SafetyReactionList"),
+        FieldTarget("CommunicationList, node {node}", "each interface has entries of its own"),
+    ),
+}
+
 TABLES: Mapping[str, Targets] = {
     "signal": _DATA, "queue": _DATA, "parameter": _PARAMETER, "method": _METHOD, "error": _ERROR,
     "safety reaction": _REACTION, "call": _CALL, "transition": _TRANSITIONS, "mode interface": _MODE_INTERFACE,
-    "mode": _MODE, "datatype": _DATATYPE, "function": _INFO,
+    "mode": _MODE, "datatype": _DATATYPE, "function": _INFO, "document": _META, "component": _COMPONENT,
+    "contract": _CONTRACT,
 }  # fmt: skip
 
 
@@ -169,6 +185,7 @@ def field_targets(
     for part in parts:
         if part.is_first:
             made.extend(_of_function(part, nodes[part.name]))
+        made.extend(_entries(part, part.component.name, "component", part.component, node=part.name))
         for call in part.component.runnables:
             made.extend(_of_call(call, part))
             made.extend(_of_contracts(call, part, nodes[part.name], exchanged))
@@ -226,6 +243,7 @@ def _left_out(part: Part, interface: str, kind: str, model: BaseModel) -> list[E
 
 def _of_function(part: Part, node: RosNode) -> Iterator[Entry]:
     function = part.function
+    yield from _entries(part, part.function_name, "document", function.meta)
     yield from _entries(part, part.function_name, "function", function.info)
     for datatype in function.datatypes:
         yield from _entries(part, datatype.reference, "datatype", datatype)
@@ -252,6 +270,7 @@ def _of_call(call: Runnable, part: Part) -> list[Entry]:
 def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchanged) -> Iterator[Entry]:
     parameters = {parameter.parameter: parameter.name for parameter in node.parameters}
     for contract in call.contracts or ():
+        yield from _entries(part, call.name, "contract", contract, node=part.name)
         for kind, items in (("signal", contract.signals), ("queue", contract.queues)):
             for item in items or ():
                 found = exchanged.fields.get((part.name, call.name, item.name, item.role))

@@ -14,7 +14,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
-from sigcat.integration.autosar_adaptive.model import Call, Component, ParameterEntry, ServiceInterface
+from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ParameterEntry, ServiceInterface, Use
 from sigcat.integration.autosar_names import distinct, short_name
 
 COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
@@ -54,10 +54,16 @@ def _component(component: Component, known: Library) -> Tag:
     return tag(
         COMPONENT,
         description(component.description),
-        trace([("Function", component.function), *_headers(component), *_modes(component), *_calls(component.calls)]),
+        trace(_facts(component)),
         listed("PORTS", ports),
         name=component.name,
     )
+
+
+def _facts(component: Component) -> list[tuple[str, object]]:
+    """What the metamodel has no place for at a component."""
+    identity = [("Function", component.function), ("Version", component.version)]
+    return [*identity, *_headers(component), *_modes(component), *_calls(component.calls)]
 
 
 def _headers(component: Component) -> list[tuple[str, object]]:
@@ -65,9 +71,11 @@ def _headers(component: Component) -> list[tuple[str, object]]:
 
 
 def _modes(component: Component) -> list[tuple[str, object]]:
-    return [
-        ("Mode", f"{mode.name}: {', '.join(mode.calls or ()) or 'no call'}") for mode in component.function_modes or ()
-    ]
+    facts: list[tuple[str, object]] = []
+    for mode in component.function_modes or ():
+        facts.append(("Mode", f"{mode.name}: {', '.join(mode.calls or ()) or 'no call'}"))
+        facts.append((f"Mode.{mode.name}.Description", mode.description))
+    return facts
 
 
 def _calls(calls: Iterable[Call]) -> list[tuple[str, object]]:
@@ -90,15 +98,30 @@ def _port(interface: ServiceInterface, known: Library) -> Tag:
 
 
 def _mapped(interface: ServiceInterface) -> Tag | None:
-    """Which expressions of the code hold the events."""
-    return trace(
-        [
-            (f"{event.name}.DataMapping", variable)
-            for services in interface.services
-            for event in services.events
-            for variable in event.data_mapping or ()
-        ]
-    )
+    """What the component does with the service: which of its calls use what, and how its code holds the values."""
+    facts: list[tuple[str, object]] = [
+        fact for provider in interface.providers or () for fact in (("Provider", provider.name), ("Contract", provider.contract))
+    ]  # fmt: skip
+    for services in interface.services:
+        for event in services.events:
+            facts.extend((f"{event.name}.DataMapping", variable) for variable in event.data_mapping or ())
+            facts.extend((f"{event.name}.{use.call}", _used(use)) for use in event.uses or ())
+        facts.extend((f"{field.name}.Calls", field.calls) for field in services.fields)
+        facts.extend((f"{method.name}.Calls", method.calls) for method in services.methods)
+        facts.extend(fact for method in services.methods for fact in _arguments(method))
+    return trace(facts)
+
+
+def _used(use: Use) -> dict[str, object]:
+    """The interface of the function, and how its code holds the value."""
+    interface = use.signal or use.queue
+    written = use.model_dump(mode="json", exclude={"call", "component", "signal", "queue"}, exclude_none=True)
+    return written | (interface.model_dump(mode="json", exclude_none=True) if interface else {})
+
+
+def _arguments(method: Method) -> Iterable[tuple[str, object]]:
+    for argument in (*(method.inputs or ()), *(method.outputs or ())):
+        yield f"{method.name}.{argument.name}.CodeDatatype", argument.code_datatype
 
 
 def _storage_port(component: Component, known: Library) -> Tag:
@@ -120,6 +143,9 @@ def _parameter(parameter: ParameterEntry, known: Library) -> Tag:
         ("VssPath", parameter.vss_path), ("InterfaceType", parameter.interface_type), ("Attribute", parameter.attribute),
         ("Default", kind.default), ("InitValue", kind.init_value), ("RangeErrorAction", parameter.range_error_action),
         ("AsilLevel", parameter.asil_level), ("Variable", parameter.variable),
+        ("Function", parameter.function), ("Calls", parameter.calls), ("CodeDatatype", parameter.code_datatype),
+        ("VssDatatype", parameter.vss_datatype), ("VssUnit", parameter.vss_unit),
+        ("VssSymbols", [each.model_dump(mode="json") for each in parameter.vss_symbols or ()]),
         ("ConversionFactor", parameter.conversion_factor), ("ConversionOffset", parameter.conversion_offset),
     ]  # fmt: skip
     return tag(

@@ -7,7 +7,7 @@ from autosar_data import AutosarDataError
 from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, types
 from sigcat.adapter.autosar_adaptive.arxml.paths import Paths
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
-from sigcat.adapter.autosar_adaptive.arxml.tree import written
+from sigcat.adapter.autosar_adaptive.arxml.tree import trace, written
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
@@ -35,13 +35,21 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
         "components.arxml": components.packages(whole.components, known, release),
         "deployment.arxml": deployment.packages(whole, services, release, paths),
     }
+    about = {"components.arxml": trace(_document(model))}
     try:
         return tuple(
-            GeneratedFile(name, written(name, paths.root, packages, release.schema))
+            GeneratedFile(name, written(name, paths.root, packages, release.schema, about.get(name)))
             for name, packages in content.items()
         )
     except AutosarDataError as error:
         raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+
+
+def _document(model: IntegrationModel) -> list[tuple[str, object]]:
+    """Who answers for the document, and what it was made from."""
+    parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
+    made_from = [("Provenance", model.provenance)] if model.provenance else []
+    return [*(fact for part in parts for fact in part.items()), *made_from]
 
 
 def _words(model: IntegrationModel) -> Iterable[str]:

@@ -118,13 +118,20 @@ def _field(field: ServiceField, known: Library) -> Tag:
     return tag(
         "FIELD",
         description(field.description),
-        trace([("VssPath", field.vss_path)]),
+        trace([("VssPath", field.vss_path), *_status(field)]),
         reference("TYPE-TREF", known.type_path(field.datatype or "uint8_t"), TYPE),
         tag("HAS-GETTER", text="true"),
         tag("HAS-NOTIFIER", text="true"),
         tag("HAS-SETTER", text="false"),
         name=field.name,
     )
+
+
+def _status(field: ServiceField) -> Iterable[tuple[str, object]]:
+    """The error, safety reaction or mode that a field stands for, whole."""
+    for key, status in (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode)):
+        if status is not None:
+            yield key, status.model_dump(mode="json", exclude_none=True)
 
 
 def _method(method: Method, known: Library) -> Tag:

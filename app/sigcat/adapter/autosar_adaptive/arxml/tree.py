@@ -97,11 +97,15 @@ class Package(NamedTuple):
     elements: tuple[Tag, ...]
 
 
-def written(filename: str, root: str, packages: Sequence[Package], schema: str) -> bytes:
-    """An ARXML file with the packages that hold anything. Elements land in the order of the metamodel."""
+def written(filename: str, root: str, packages: Sequence[Package], schema: str, about: Tag | None = None) -> bytes:
+    """An ARXML file with the packages that hold anything. Elements land in the order of the metamodel.
+
+    `about`: admin data of the outermost package.
+    """
     model = AutosarModel()
     file = model.create_file(filename, getattr(AutosarVersion, schema))
     outermost = model.root_element.create_sub_element("AR-PACKAGES").create_named_sub_element("AR-PACKAGE", root)
+    _fill(outermost, [about] if about else [])
     filled = [package for package in packages if package.elements]
     if filled:
         inner = outermost.create_sub_element("AR-PACKAGES")
