@@ -51,6 +51,11 @@ def test_a_declaration_that_cannot_be_built_is_refused_with_every_finding(shippe
     assert {f["message"] for f in linted.json()["findings"]} >= {f["message"] for f in problem["findings"]}
 
 
+def test_a_declaration_is_validated_as_it_is_without_a_name(shipped: Ask) -> None:
+    report = shipped("/api/v1/functions/validate", "POST", content=DECLARATION).json()
+    assert report["ok"], report
+
+
 @published_files
 def test_the_published_function_json_is_accepted_with_warnings(shipped: Ask) -> None:
     content = published("function_model_core_acc.json")

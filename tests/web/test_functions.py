@@ -1,7 +1,8 @@
 """Pages of functions, of sets, of changes and to try a text, as the server writes them."""
 
 import re
-from urllib.parse import urlencode
+from html import unescape
+from urllib.parse import parse_qs, urlencode
 
 import pytest
 
@@ -28,6 +29,22 @@ def test_a_function_shows_its_interfaces_as_a_diagram(site: Ask) -> None:
     page = site("/functions/core_acc").text
     assert "CoreAcc_BrakePressureTimeout_ErrorSts" in page
     assert re.search(r'href="/tree/interfaces/Vehicle.Chassis.Brake.CylP"><text', page)
+
+
+def test_a_set_beside_a_function_leads_to_the_wiring_of_all_of_it(site: Ask) -> None:
+    page = site("/functions/core_acc?catalogue=vss").text
+    address = next(unescape(link) for link in re.findall(r'href="(/wiring\?f=[^"]+)"', page))
+    assert parse_qs(address.partition("?")[2]) == {"f": ["core_acc", "eco_control_mpc"], "catalogue": ["vss"]}
+    assert site(address).status_code == 200
+
+
+@pytest.mark.parametrize(
+    "address", ["/functions", "/wiring", "/rules", "/changes?old=bare&new=small", "/catalogues/interfaces"]
+)
+def test_links_are_escaped_once(site: Ask, address: str) -> None:
+    links = re.findall(r'href="([^"]+)"', site(address).text)
+    assert len(links) > 5
+    assert not [link for link in links if "&" in unescape(link) and "amp;" in unescape(link)]
 
 
 @pytest.mark.parametrize("view", ["source", *VIEWS])

@@ -74,7 +74,7 @@ async def validate_function(
     hosted: NamedCatalogue,
     settings: TheSettings,
     queue: TheWorkQueue,
-    name: FileName = "function.json",
+    name: FileName = "function",
 ) -> schemas.LintReport:
     """Check functions, alone and together. Errors make them unusable; warnings are departures from the conventions.
 
