@@ -128,9 +128,10 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
 
 def _startup(component: model.Component, settings: ComponentSettings, part: Part, context: Context) -> StartupSettings:
     """How the process of a component is started; a priority that cannot be written is reported."""
-    refused = unwritable(component.wishes) if settings.startup.priority is None else []
+    wishes = component.wishes if settings.startup.priority is None else ()
+    refused = {wish.call for wish in unwritable(wishes)}
     for call in part.component.runnables:
-        if call.priority in [wish.priority for wish in refused]:
+        if call.name in refused:
             message = f"Priority of {call.name} of {part.function_name} must be from 1 to {HIGHEST_PRIORITY} to be that of a process, not {call.priority!r}."
             fix = f"Correct it in the function, or set `priority` under `startup` of component {part.name} in the deployment file."
             context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, Subject(call.name, call), fix, key="Priority")

@@ -14,7 +14,7 @@ from sigcat.integration.report import Entry, FieldTarget, entries
 _CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
 _RANGE = "the event has the catalogue's range, or else the provider's"
 _PLACE = "says which service and which side"
-_PROCESS = "the process has that of its most urgent call, in Startup"
+_PROCESS = "the process has that of its most urgent cyclic call, in Startup"
 
 _DATA: dict[str, FieldTarget | str] = {
     "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),

@@ -334,8 +334,9 @@ class Component(WireModel):
 
     @property
     def wishes(self) -> tuple[Wish, ...]:
-        """What its calls say of their scheduling."""
-        return tuple(Wish(call.scheduling, call.priority) for call in self.calls)
+        """What its cyclic calls say of their scheduling: they run all the time. Without any, what all calls say."""
+        cyclic = [call for call in self.calls if call.run_type == "Cyclic"]
+        return tuple(Wish(call.name, call.scheduling, call.priority) for call in cyclic or self.calls)
 
 
 class ArxmlDeployment(WireModel):

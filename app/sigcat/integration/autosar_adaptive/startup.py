@@ -1,9 +1,9 @@
 """How the process of a component is started: its scheduling by that of its calls, unless the deployment says it."""
 
 from collections.abc import Iterable, Sequence
-from typing import Literal, NamedTuple, Self
+from typing import Any, Literal, NamedTuple, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from sigcat.function.declaration.form import DeclarationModel, Duration, Natural, Text
 from sigcat.function.document.structure import unfit
@@ -22,13 +22,20 @@ class StartupSettings(DeclarationModel):
         description="Scheduling policy of POSIX; SCHED_FIFO, or SCHED_RR if the call of the highest priority has it.",
     )
     priority: Integer | None = Field(
-        None, ge=0, le=HIGHEST_PRIORITY, description="Priority within the policy; the highest of the calls if absent."
+        None,
+        ge=0,
+        le=HIGHEST_PRIORITY,
+        description="Priority within the policy; the highest of the cyclic calls if absent.",
     )
     enter_timeout: Duration | None = Field(None, description="Longest time until the process runs, in ms.")
     exit_timeout: Duration | None = Field(None, description="Longest time until the process has ended, in ms.")
     arguments: list[Text] | None = Field(None, description="Arguments of the executable.")
     environment: dict[Text, str] | None = Field(None, description="Environment variables of the process.")
     restart_attempts: Natural | None = Field(None, description="How often a process that fails is started again.")
+
+    @model_serializer(mode="wrap")
+    def _without_absent(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        return {key: value for key, value in handler(self).items() if value is not None}
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
@@ -46,6 +53,7 @@ NO_STARTUP = StartupSettings.model_validate({})
 class Wish(NamedTuple):
     """What a call says of its scheduling."""
 
+    call: str
     scheduling: str | None
     priority: str | None
 
@@ -62,11 +70,11 @@ def unwritable(wishes: Iterable[Wish]) -> list[Wish]:
 
 
 def startup(stated: StartupSettings, wishes: Sequence[Wish]) -> StartupSettings:
-    """How a process is started, with policy and priority: what is stated, and else as its most urgent call wants it.
+    """How a process is started, with policy and priority: what is stated, and else as its most urgent cyclic call wants it.
 
     A fixed priority is what SCHED_FIFO has, whether the call may be preempted by others of its executable or not.
     """
-    most_urgent = max(wishes, key=lambda wish: wish.number, default=Wish(None, None))
+    most_urgent = max(wishes, key=lambda wish: wish.number, default=Wish("", None, None))
     wanted = min(most_urgent.number, HIGHEST_PRIORITY)
     priority = wanted if stated.priority is None else stated.priority
     policy = stated.policy or _policy(most_urgent, priority)

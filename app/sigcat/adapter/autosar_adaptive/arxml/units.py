@@ -15,7 +15,7 @@ def packages(names: Mapping[str, str], described: Mapping[str, UnitSettings], pa
     known = {unit: described[unit].si if unit in described else si_unit(unit) for unit in names}
     dimensions = {si.dimension for si in known.values() if si is not None}
     return [
-        Package(DIMENSIONS, tuple(map(_dimension, sorted(dimensions)))),
+        Package(DIMENSIONS, tuple(map(_dimension, sorted(dimensions, key=dimension_name)))),
         Package(
             UNITS, tuple(tag("UNIT", *_content(unit, known[unit], paths), name=name) for unit, name in names.items())
         ),
