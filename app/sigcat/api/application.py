@@ -1,6 +1,6 @@
 """The REST service: routes over a library, and nothing else."""
 
-from fastapi import FastAPI
+from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.routing import APIRoute
@@ -10,9 +10,12 @@ from sigcat.api.answers.problems import install_problems
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
+from sigcat.api.middleware.list_headers import ListHeaders
 from sigcat.api.middleware.metrics import Metrics
 from sigcat.api.middleware.request_log import RequestLog
 from sigcat.api.openapi_document import openapi_document
+from sigcat.api.requests.held_bodies import HeldBodies
+from sigcat.api.requests.query_parameters import refuse_unknown
 from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
@@ -30,7 +33,7 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 
 
 _ROUTERS = (
-    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
+    catalogues.listing, catalogues.router, changes.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router,
 )  # fmt: skip
 
@@ -53,9 +56,12 @@ def create_app(
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.work_queue = WorkQueue(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
     app.state.export_queue = WorkQueue(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
-    for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
-        app.include_router(router)
+    for router in _ROUTERS:
+        app.include_router(router, dependencies=[Depends(refuse_unknown)])
+    for router in (exports.router, *([metrics.router] if settings.metrics else [])):
+        app.include_router(router)  # exporters know their own options
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)
@@ -66,6 +72,7 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
+    app.add_middleware(ListHeaders)
     if settings.reading == "token":
         app.add_middleware(ReadAccess, settings=settings)
     app.add_middleware(RequestLog, settings=settings, metrics=app.state.metrics)

@@ -52,6 +52,11 @@ class Settings(BaseModel):
         default=4 * _MEBIBYTE, description="Bytes of a posted text; more is answered with 413.", ge=1
     )
     body_seconds: float = Field(default=20.0, description="Seconds in which a body has to arrive; later: 408.", gt=0)
+    bodies_bytes: int = Field(
+        default=64 * _MEBIBYTE,
+        description="Bytes of bodies that are held at once, of one client a quarter; more: 503 with `Retry-After`.",
+        ge=1,
+    )
     nesting: int = Field(
        default=64, description="Levels of collections inside each other in a posted text; more is an error (R004).",
         ge=4, le=256,

@@ -2,7 +2,9 @@
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from http import HTTPStatus
 from itertools import chain, islice
 from typing import Any
@@ -15,6 +17,9 @@ from starlette.exceptions import HTTPException
 
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+_LONGEST = 1000
+"""Characters of a header that count."""
+_QUALITY = re.compile(r"[01](\.\d{0,3})?")
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -85,12 +90,28 @@ def yaml_text(data: Any) -> str:
 
 def chosen_type(accepted: str, offered: Sequence[str]) -> str:
     """The offered media type that an `Accept` header likes best; the first offered of equals. Raises a 406 if none."""
-    wishes = [_wish(part) for part in accepted[:1000].split(",") if part.strip()] or [("*/*", 1.0)]
-    weights = {media_type: _weight(media_type, wishes) for media_type in offered}
-    best = max(offered, key=lambda media_type: weights[media_type])
-    if weights[best] <= 0:
+    liked = liked_types(accepted, tuple(offered))
+    if not liked:
         raise HTTPException(HTTPStatus.NOT_ACCEPTABLE, f"The header `Accept` must allow {' or '.join(offered)}.")
-    return best
+    return liked[0]
+
+
+@lru_cache(256)
+def liked_types(accepted: str, offered: tuple[str, ...] = (JSON, YAML, CSV)) -> tuple[str, ...]:
+    """The offered media types that an `Accept` header allows, the best one first, of equals in the order of the offer.
+
+    Two headers for which this is equal get the same answer, whatever a route offers of these types.
+    """
+    wishes = _wishes(accepted) or [("*/*", 1.0)]
+    weights = {media_type: _weight(media_type, wishes) for media_type in offered}
+    return tuple(sorted((each for each in offered if weights[each] > 0), key=lambda each: -weights[each]))
+
+
+@lru_cache(256)
+def accepts_gzip(accepted: str) -> bool:
+    """Whether an `Accept-Encoding` header allows gzip: by name, or by `*` where it is not named (RFC 9110, 12.5.3)."""
+    weights = dict(_wishes(accepted))
+    return weights.get("gzip", weights.get("*", 0.0)) > 0
 
 
 def csv_text(rows: Sequence[Mapping[str, Any]]) -> str:
@@ -114,13 +135,15 @@ def _cell(value: Any) -> Any:
     return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
 
 
+def _wishes(header: str) -> list[tuple[str, float]]:
+    """Names with their quality, of a header that lists what a client accepts."""
+    return [_wish(part) for part in header[:_LONGEST].split(",") if part.strip()]
+
+
 def _wish(part: str) -> tuple[str, float]:
-    media_type, *parameters = part.split(";")
-    quality = next((p.strip()[2:] for p in parameters if p.strip().startswith("q=")), "1")
-    try:
-        return media_type.strip().lower(), float(quality)
-    except ValueError:
-        return media_type.strip().lower(), 1.0
+    name, *parameters = (each.strip().lower() for each in part.split(";"))
+    quality = next((each[2:] for each in parameters if each.startswith("q=")), "1")
+    return name, float(quality) if _QUALITY.fullmatch(quality) else 1.0
 
 
 def _weight(media_type: str, wishes: Iterable[tuple[str, float]]) -> float:

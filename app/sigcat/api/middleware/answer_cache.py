@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from sigcat.api.answers.negotiation import liked_types
 from sigcat.api.requests.dependencies import is_known
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import NotFound
@@ -16,7 +17,8 @@ _LARGEST = 256 * 1024
 _ASKED = (b"accept", b"accept-encoding", b"if-none-match")
 _SENT_WITH_304 = (b"etag", b"cache-control", b"vary")
 
-Key = tuple[str, bytes, bytes, bytes]
+Key = tuple[str, bytes, tuple[str, ...], bytes]
+"""Path and query; the forms that the client allows, the best first; how the answer may be packed (`ListHeaders`)."""
 
 
 class CachedAnswer(NamedTuple):
@@ -46,7 +48,8 @@ class AnswerCache:
             await self._app(scope, receive, send)
             return
         asked = {name: value for name, value in scope["headers"] if name in _ASKED}
-        key = (scope["path"], scope["query_string"], asked.get(b"accept", b""), asked.get(b"accept-encoding", b""))
+        forms = liked_types(asked.get(b"accept", b"*/*").decode("latin-1"))
+        key = (scope["path"], scope["query_string"], forms, asked.get(b"accept-encoding", b""))
         cached = self._cached.get(key)
         if cached is not None and self._is_present(cached.hosted):
             await self._send_cached(cached, key, asked.get(b"if-none-match"), scope, send)

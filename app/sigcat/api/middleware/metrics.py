@@ -1,6 +1,7 @@
 """What happens, for Prometheus: requests by route template, so that there are as many series as routes."""
 
 from collections.abc import Iterable
+from http import HTTPMethod
 
 from fastapi import APIRouter, Request
 from fastapi.responses import Response
@@ -14,6 +15,7 @@ from sigcat.catalogue.hosting.library import Library
 
 router = APIRouter()
 
+_METHODS = frozenset(HTTPMethod)
 _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60)
 
 
@@ -36,8 +38,8 @@ class Metrics:
         self.registry.register(_Hosted(library))
 
     def count(self, method: str, route: str, status: int, seconds: float) -> None:
-        """Note one answered request."""
-        self._requests.labels(method, route, str(status)).inc()
+        """Note one answered request. Methods that HTTP does not have are one: a client must not invent series."""
+        self._requests.labels(method if method in _METHODS else "(other)", route, str(status)).inc()
         self._seconds.labels(route).observe(seconds)
 
 

@@ -38,6 +38,7 @@ class RequestLog:
         method = scope["method"]
         asked = {**scope, "method": "GET"} if method == "HEAD" else scope
         state: dict[str, Any] = asked.setdefault("state", {})
+        state["is_head"] = method == "HEAD"
         request_id = state["request_id"] = _request_id(asked)
         header = (b"x-request-id", request_id.encode())
         status = 0

@@ -1,6 +1,7 @@
 """What the routes take from a request: the hosted catalogue, the posted text."""
 
 import asyncio
+from collections.abc import AsyncIterator
 from functools import partial
 from http import HTTPStatus
 from typing import Annotated, Any
@@ -10,6 +11,7 @@ from starlette.exceptions import HTTPException
 
 from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.answers.versions import state_of, version_of
+from sigcat.api.requests.held_bodies import HeldBodies, Hold
 from sigcat.api.service_rules import ServiceRules
 from sigcat.api.settings import Settings
 from sigcat.api.work_queue import WorkQueue
@@ -193,16 +195,25 @@ NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
 FileName = Annotated[str, Query(max_length=300, description="What findings call the text.")]
 
 
-async def posted_text(request: Request) -> bytes:
-    """The body, not longer than the limit. Its media type does not matter, as long as it is the bare text."""
+async def posted_body(request: Request) -> AsyncIterator[bytes]:
+    """The body, whatever it is, not longer than the limit and within its time. It counts until the request is answered."""
+    held: HeldBodies = request.app.state.held_bodies
+    with held.of(request.client.host if request.client else "") as hold:
+        yield await _body(request, hold)
+
+
+async def _refuse_form(request: Request) -> None:
     if request.headers.get("content-type", "").startswith("multipart/"):
         detail = "The body must be the text itself, not a form. Use `curl --data-binary @FILE`."
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
-    return await posted_body(request)
 
 
-async def posted_body(request: Request) -> bytes:
-    """The body, whatever it is, not longer than the limit and within its time."""
+async def posted_text(_: Annotated[None, Depends(_refuse_form)], body: Annotated[bytes, Depends(posted_body)]) -> bytes:
+    """The same; its media type does not matter, as long as it is the bare text."""
+    return body
+
+
+async def _body(request: Request, hold: Hold) -> bytes:
     settings = settings_of(request)
     if request.headers.get("content-encoding", "identity") != "identity":
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "The body must not be compressed. Send it as it is.")
@@ -213,15 +224,16 @@ async def posted_body(request: Request) -> bytes:
         _check_length(settings.body_bytes + 1, settings)
     try:
         async with asyncio.timeout(settings.body_seconds):
-            return await _read(request, settings)
+            return await _read(request, settings, hold)
     except TimeoutError:
         detail = f"The body must arrive within {settings.body_seconds:g} seconds."
         raise BodyRefused(HTTPStatus.REQUEST_TIMEOUT, detail, headers={"Connection": "close"}) from None
 
 
-async def _read(request: Request, settings: Settings) -> bytes:
+async def _read(request: Request, settings: Settings, hold: Hold) -> bytes:
     body = bytearray()
     async for chunk in request.stream():
+        hold(len(chunk))
         body += chunk
         _check_length(len(body), settings)
     return bytes(body)

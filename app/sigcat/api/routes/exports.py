@@ -95,6 +95,9 @@ async def export_catalogue(
     exporter = exporter_named(format)
     options = _options(exporter, request.query_params.multi_items())
     catalogue = hosted.catalogue
+    if request.state.is_head:
+        media_type = "application/zip" if exporter.is_folder else exporter.media_type
+        return Response(media_type=media_type, headers=caching_headers(request))
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)

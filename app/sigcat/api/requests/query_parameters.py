@@ -1,0 +1,33 @@
+"""Query parameters that an operation does not have are refused, in the same way by all of them: none is ignored silently."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from fastapi import Request
+from fastapi.dependencies.models import Dependant
+from fastapi.exceptions import RequestValidationError
+from pydantic import BaseModel
+
+
+def parameter_names(dependant: Dependant) -> Iterator[str]:
+    """Names of all query parameters that a route takes, those of what it depends on included."""
+    for field in dependant.query_params:
+        kind: Any = field.field_info.annotation
+        is_model = isinstance(kind, type) and issubclass(kind, BaseModel)
+        yield from kind.model_fields if is_model else (field.alias,)
+    for each in dependant.dependencies:
+        yield from parameter_names(each)
+
+
+async def refuse_unknown(request: Request) -> None:
+    """A dependency: raises RequestValidationError for parameters that the route does not have."""
+    if not request.scope["query_string"]:
+        return
+    known = set(parameter_names(request.scope["route"].dependant))
+    unknown = dict.fromkeys(name for name in request.query_params if name not in known)
+    if unknown:
+        raise RequestValidationError([_unknown(name[:100]) for name in unknown])
+
+
+def _unknown(name: str) -> dict[str, Any]:
+    return {"type": "extra_forbidden", "loc": ("query", name), "msg": "Unknown parameter", "input": ""}

@@ -1,0 +1,147 @@
+"""What one client sends changes nothing for others: what is kept, what is counted, what is held in memory."""
+
+import contextlib
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from sigcat.api.answers.negotiation import accepts_gzip, liked_types
+from sigcat.api.application import create_app
+from sigcat.catalogue.hosting.library import Library
+from tests.api.conftest import SOURCES, Ask, asker
+from tests.clients.generating import ROOT
+from tests.waiting import DEADLINE, wait_until
+
+SPEED = "/api/v1/catalogues/small/nodes/Vehicle.Speed"
+LISTED = "/api/v1/catalogues/small/nodes?limit=3"
+JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
+
+
+@pytest.fixture
+def fresh() -> Ask:
+    """A service of which nothing is kept yet."""
+    return asker(create_app(Library(SOURCES)))
+
+
+@pytest.mark.parametrize("sent", [[JSON, CSV], [CSV, JSON], [f"{JSON};q=0.1", CSV], [f"{CSV};q=0", "*/*"]])
+def test_what_is_kept_for_repeated_headers_is_given_to_nobody_who_asks_otherwise(fresh: Ask, sent: list[str]) -> None:
+    fresh(LISTED, headers=[("Accept", each) for each in sent])
+    for form in (JSON, YAML, CSV):
+        assert fresh(LISTED, headers={"Accept": form}).headers["content-type"].startswith(form)
+
+
+def test_repeated_headers_are_one_list(fresh: Ask) -> None:
+    repeated = fresh(LISTED, headers=[("Accept", f"{JSON};q=0.5"), ("Accept", CSV)])
+    assert repeated.headers["content-type"].startswith(CSV)
+    etag = repeated.headers["etag"]
+    assert fresh(LISTED, headers=[("If-None-Match", etag), ("If-None-Match", '"other"')]).status_code == 304
+
+
+@pytest.mark.parametrize(
+    ("sent", "packed"),
+    [
+        (["gzip"], True), (["identity", "gzip"], True), (["gzip", "identity"], True), (["gzip;q=0"], False), (["*"], True),
+        (["*;q=0"], False), (["gzip;q=0", "*"], False), (["br"], False), (["x-gzip"], False), ([""], False),
+    ],
+)  # fmt: skip
+def test_gzip_is_sent_to_those_who_allow_it_whoever_asked_before(fresh: Ask, sent: list[str], packed: bool) -> None:
+    headers = [("Accept-Encoding", each) for each in sent]
+    for before in ([("Accept-Encoding", "gzip")], [("Accept-Encoding", "identity")]):
+        fresh(SPEED, headers=before)
+        answer = fresh(SPEED, headers=headers)
+        assert ("content-encoding" in answer.headers) == packed
+        assert answer.json()["path"] == "Vehicle.Speed"
+
+
+@pytest.mark.parametrize(
+    ("accepted", "liked"),
+    [
+        ("*/*", (JSON, YAML, CSV)), ("text/*", (CSV,)), (f"{YAML}, {JSON};q=0.9", (YAML, JSON)), ("", (JSON, YAML, CSV)),
+        (f"{JSON};q=0", ()), (f"{JSON};q=nan", (JSON,)), (f"{JSON};q=-1", (JSON,)), ("TEXT/CSV", (CSV,)), ("," * 5000, (JSON, YAML, CSV)),
+    ],
+)  # fmt: skip
+def test_what_a_client_likes_is_read_as_rfc_9110_has_it(accepted: str, liked: tuple[str, ...]) -> None:
+    assert liked_types(accepted) == liked
+
+
+@pytest.mark.parametrize(("accepted", "allowed"), [("gzip;q=0.001", True), ("GZIP", True), ("gzip; q=0.000", False)])
+def test_so_are_encodings(accepted: str, allowed: bool) -> None:
+    assert accepts_gzip(accepted) == allowed
+
+
+def test_invented_methods_are_one_in_the_metrics(fresh: Ask) -> None:
+    for number in range(50):
+        fresh(SPEED, f"INVENTED{number}")
+        fresh(f"/{number}")
+    counted = [line for line in fresh("/metrics").text.splitlines() if line.startswith("sigcat_requests_total")]
+    assert "INVENTED" not in "".join(counted)
+    assert len(counted) < 5
+
+
+@pytest.mark.parametrize(
+    "address",
+    [SPEED, LISTED, "/api/v1/catalogues", "/api/v1/catalogues/small/tree", "/api/v1/rules", "/api/v1/schemas", "/health/live",
+     "/api/v1/catalogues/small/units", "/api/v1/catalogues/bare/diff?to=small", "/api/v1/catalogues/bare/export/json"],
+)  # fmt: skip
+def test_a_parameter_that_an_operation_does_not_have_is_refused(fresh: Ask, address: str) -> None:
+    assert fresh(address).status_code == 200
+    answer = fresh(address + ("&" if "?" in address else "?") + "colour=red&shape=")
+    assert answer.status_code in (400, 422)
+    assert "colour" in answer.json()["detail"]
+
+
+def test_a_head_of_an_export_runs_none(fresh: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sigcat.api.routes.exports.exported", None)
+    answer = fresh("/api/v1/catalogues/small/export/csv", "HEAD")
+    assert (answer.status_code, answer.content) == (200, b"")
+    assert answer.headers["content-type"].startswith("text/csv")
+    assert answer.headers["etag"]
+
+
+_SERVE = """
+from sigcat.api.application import create_app
+from sigcat.api.server import run
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library
+from tests.api.conftest import SOURCES
+settings = Settings(port=0, body_seconds=60, bodies_bytes=8_000_000, body_bytes=4_000_000, log="none")
+run(create_app(Library(SOURCES), settings), settings)
+"""
+
+
+@pytest.fixture
+def address() -> Iterator[str]:
+    """A service in a process of its own, which holds few bytes of bodies."""
+    command = [sys.executable, "-c", _SERVE]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().split()[3]
+        process.kill()
+
+
+@contextlib.contextmanager
+def stalled(address: str, size: int) -> Iterator[None]:
+    """A request of whose body the last byte does not come."""
+    parts = urlsplit(address)
+    head = f"POST /api/v1/lint HTTP/1.1\r\nHost: sigcat\r\nContent-Length: {size}\r\n\r\n".encode()
+    with socket.create_connection((parts.hostname, parts.port), timeout=DEADLINE) as connection:
+        connection.sendall(head + b" " * (size - 1))
+        yield
+
+
+def test_bodies_that_stall_are_bounded_in_all_and_given_back(address: str) -> None:
+    def lint() -> httpx.Response:
+        return httpx.post(f"{address}/api/v1/lint", content=b"#" * 1_500_000, timeout=DEADLINE)
+
+    with stalled(address, 1_000_000), stalled(address, 1_000_000):
+        wait_until(lambda: lint().status_code == 503, "the bytes that have arrived are counted")
+        refused = lint()
+        assert refused.headers["retry-after"]
+        assert "bodies" in refused.json()["detail"]
+        assert httpx.get(f"{address}/health/live", timeout=DEADLINE).status_code == 200
+    wait_until(lambda: lint().status_code == 200, "the bytes of requests that are gone are given back")
