@@ -78,6 +78,8 @@ def test_axe_finds_nothing_in_completions(open_page: Opener) -> None:
     field.fill("")
     field.press_sequentially("Vehicle.")
     expect(page.get_by_role("option").first).to_be_visible()
+    expect(page.locator("[data-tally]")).to_contain_text("error")
+    expect(page.locator(".verdict")).to_have_css("opacity", "1")
     _check(page)
 
 
