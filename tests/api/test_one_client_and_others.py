@@ -5,6 +5,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx
@@ -12,7 +13,7 @@ import pytest
 
 from sigcat.api.answers.negotiation import accepts_gzip, liked_types
 from sigcat.api.application import create_app
-from sigcat.catalogue.hosting.library import Library
+from sigcat.catalogue.hosting.library import Library, Source
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.clients.generating import ROOT
 from tests.waiting import DEADLINE, wait_until
@@ -86,7 +87,7 @@ def test_invented_methods_are_one_in_the_metrics(fresh: Ask) -> None:
 @pytest.mark.parametrize(
     "address",
     [SPEED, LISTED, "/api/v1/catalogues", "/api/v1/catalogues/small/tree", "/api/v1/rules", "/api/v1/schemas", "/health/live",
-     "/api/v1/catalogues/small/units", "/api/v1/catalogues/bare/diff?to=small", "/api/v1/catalogues/bare/export/json"],
+     "/api/v1/catalogues/small/units", "/api/v1/catalogues/bare/diff?to=small"],
 )  # fmt: skip
 def test_a_parameter_that_an_operation_does_not_have_is_refused(fresh: Ask, address: str) -> None:
     assert fresh(address).status_code == 200
@@ -95,12 +96,27 @@ def test_a_parameter_that_an_operation_does_not_have_is_refused(fresh: Ask, addr
     assert "colour" in answer.json()["detail"]
 
 
-def test_a_head_of_an_export_runs_none(fresh: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def sound(tmp_path: Path) -> Ask:
+    """A service with a tree that can be exported."""
+    (tmp_path / "tree.vspec").write_text("Vehicle: {type: branch, description: A vehicle.}\n")
+    return asker(create_app(Library([Source("sound", "A sound tree", tmp_path / "tree.vspec")])))
+
+
+def test_an_exporter_refuses_options_that_it_does_not_have(sound: Ask) -> None:
+    assert sound("/api/v1/catalogues/sound/export/json").status_code == 200
+    answer = sound("/api/v1/catalogues/sound/export/json?colour=red")
+    assert answer.status_code == 400
+    assert "colour" in answer.json()["detail"]
+
+
+def test_a_head_of_an_export_runs_none(sound: Ask, fresh: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sigcat.api.routes.exports.exported", None)
-    answer = fresh("/api/v1/catalogues/small/export/csv", "HEAD")
+    answer = sound("/api/v1/catalogues/sound/export/csv", "HEAD")
     assert (answer.status_code, answer.content) == (200, b"")
     assert answer.headers["content-type"].startswith("text/csv")
     assert answer.headers["etag"]
+    assert fresh("/api/v1/catalogues/broken/export/csv", "HEAD").status_code == 422
 
 
 _SERVE = """

@@ -96,6 +96,7 @@ async def export_catalogue(
     options = _options(exporter, request.query_params.multi_items())
     catalogue = hosted.catalogue
     if request.state.is_head:
+        refuse_unfit(catalogue, exporter)
         media_type = "application/zip" if exporter.is_folder else exporter.media_type
         return Response(media_type=media_type, headers=caching_headers(request))
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
