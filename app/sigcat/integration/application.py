@@ -28,6 +28,10 @@ class Application(NamedTuple):
     """The latest of the functions' dates."""
     version: str | None
     """As the deployment states it: functions have versions of their own."""
+    safety_manager: str | None
+    """Who informs functions of safety conditions."""
+    mode_manager: str | None
+    """Who sends functions their mode."""
     paths: Mapping[str, str]
     """VSS paths of signals that name none, by `Function.Signal`."""
 
@@ -67,6 +71,8 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
         author=deployment.author or joined(function.meta.schema_author for function in wholes),
         date=deployment.date or max(filter(None, map(_date, wholes)), default=None),
         version=deployment.version,
+        safety_manager=deployment.safety_manager,
+        mode_manager=deployment.mode_manager,
         paths=deployment.paths,
     )
 

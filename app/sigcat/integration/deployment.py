@@ -20,6 +20,12 @@ class Deployment(DeclarationModel):
     version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = Field(
         None, description="Version of the documents, as 1.2.3."
     )
+    safety_manager: Text | None = Field(
+        None, description="Who informs functions of safety conditions: the provider of every safety reaction."
+    )
+    mode_manager: Text | None = Field(
+        None, description="Who sends functions their mode: the provider of every mode in."
+    )
     paths: dict[str, Text] = Field(
         {}, description="VSS paths of signals that name none, by `Function.Signal`; for Function JSON from elsewhere."
     )

@@ -49,8 +49,8 @@ def rules(derived):
 # -- the examples -------------------------------------------------------------------------------------------------
 
 
-def test_the_examples_are_integrated_without_a_finding():
-    assert derive(examples()).findings == ()
+def test_the_examples_are_integrated_without_a_finding_but_for_their_asil():
+    assert {finding.rule for finding in derive(examples()).findings} == {"A019"}
 
 
 @judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
@@ -494,3 +494,36 @@ def test_what_is_wrong_with_a_deployment_is_told_in_the_order_of_its_lines():
     with pytest.raises(InputRefused) as refused:
         read_deployment(b"pakage: X\nautosarAdaptive: {identifiers: {A: 99999999}}\nros2: {topics: x}\n", "d.yaml")
     assert [finding.line for finding in refused.value.findings] == [1, 2, 3]
+
+
+def failing(name, *dependencies):
+    """A function that reports an error, which errors of others set too."""
+    error = {
+        "Name": f"{name}_Bad_ErrorSts", "Description": "Is bad.", "Datatype": "DT_Bool", "Dependancy": dependencies,
+        "OccurenceCountLimit": 0, "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "Error",
+    }  # fmt: skip
+    return function(name, contract={"ErrorList": [error]})
+
+
+def test_a_component_consumes_the_errors_that_set_its_own():
+    one, other = failing("Sense"), failing("Act", "Sense_Bad_ErrorSts", "Base_Gone_ErrorSts")
+    derived = derive([other, one])
+    found = services(derived.model)["SenseService", "Consumer"]
+    assert [field.name for field in found.services[0].fields] == ["Sense_Bad_ErrorSts"]
+    assert [provider.name for provider in found.providers or ()] == ["Sense"]
+    (act,) = [component for component in derived.model.components if component.name == "Act"]
+    assert {service.name for service in act.services} == {"SenseService", "ActService"}
+    told = [entry for entry in derived.report if entry.interface == "Sense_Bad_ErrorSts"]
+    assert {entry.function for entry in told} == {"Sense"}
+
+
+def test_the_deployment_names_who_provides_safety_conditions_and_modes():
+    derived = derive([example("CoreAcc")], deployed(safetyManager="SafetyCluster", modeManager="StateManagement"))
+    found = services(derived.model)
+    named = {service: [each.name for each in interface.providers or ()] for (service, _), interface in found.items()}
+    assert named["SafetyManagementService"] == ["SafetyCluster"]
+    assert named["ModeManagementService"] == ["StateManagement"]
+
+
+def test_an_interface_above_qm_has_no_protection():
+    assert rules(derive([function(signals=[at("Vehicle.A.B", AsilLevel="C")])])) == ["A019"]

@@ -537,3 +537,10 @@ def test_what_is_not_carried_has_a_reason():
     not_carried = [entry for entry in derived(examples()).report if entry.target == NOT_CARRIED]
     assert not_carried
     assert all(entry.note for entry in not_carried)
+
+
+def test_the_deployment_names_who_provides_safety_conditions_and_modes():
+    deployment = DEPLOYMENT_FILE.model_validate({"safetyManager": "SafetyCluster", "modeManager": "StateManager"})
+    made = document([example("core_acc")], deployment)["NodePackageList"][0]["Nodes"][0]
+    assert {each["Provider"] for each in made["SafetyReactions"]} == {"SafetyCluster"}
+    assert {each.get("Provider") for each in made["ModeTopics"]} == {"StateManager", None}

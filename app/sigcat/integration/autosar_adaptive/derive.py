@@ -6,9 +6,11 @@ from typing import NamedTuple
 from pydantic import BaseModel
 
 from sigcat import codes
+from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
+from sigcat.function.function_json.status_interfaces import Error
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
@@ -18,7 +20,7 @@ from sigcat.integration.autosar_adaptive.context import Context, items, named_pa
 from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
-from sigcat.integration.autosar_adaptive.grouping import placed
+from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings
 from sigcat.integration.autosar_adaptive.startup import (
@@ -64,6 +66,7 @@ def derive(
     sides = placed(list(items(context.parts)), context)
     all_services = services(sides, context)
     report_disagreements(all_services, types, context)
+    _report_asil(sides, context)
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
@@ -88,6 +91,18 @@ def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) 
         if entry.is_open and context.settings.transformation.array_length == 0:
             message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
+
+
+def _report_asil(sides: Sequence[Placed], context: Context) -> None:
+    """SOME/IP as it is written protects nothing end to end: one finding for each interface above QM."""
+    for side in sides:
+        interface = side.item.interface
+        level = level_of(getattr(interface, "asil_level", None))
+        if is_above(level, "QM") and not (isinstance(interface, Error) and not side.provides):
+            message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
+            fix = "Add an E2E profile for it to the deployment manifest, or protect it in the code."
+            subject = Subject(side.identity, interface)
+            context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
 
 
 def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
@@ -173,7 +188,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
             name=name, deployment="SOME/IP", instance_id=service.instance,
             contract=context.settings.contract,
         )
-        for name in _provider_names(service, content)
+        for name in _provider_names(service, content, context)
     )  # fmt: skip
     groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
     return model.ServiceInterface(
@@ -197,10 +212,14 @@ def _own_namespace(service: Service, context: Context) -> str | None:
     return next(named, None)
 
 
-def _provider_names(service: Service, content: model.Services) -> list[str]:
-    """The component of the set, or who the functions say provides it from outside; else only the network is known."""
+def _provider_names(service: Service, content: model.Services, context: Context) -> list[str]:
+    """The component of the set, or who the deployment or the functions say provides it; else only the network is known."""
     if service.group.provider is not None:
         return [service.group.provider.name]
+    app = context.application
+    manager = {SAFETY: app.safety_manager, MODES: app.mode_manager}.get(service.group.origin)
+    if manager:
+        return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
     return sorted({name for name in uses if name}) or [UNKNOWN_PROVIDER]
 

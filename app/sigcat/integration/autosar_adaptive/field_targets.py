@@ -137,6 +137,8 @@ def field_targets(context: Context, sides: Sequence[Placed], all_services: Seque
     for part in context.parts:
         made.extend(_of_part(part))
     for side in sides:
+        if isinstance(side.item.interface, Error) and not side.provides:  # its entries are those of who reports it
+            continue
         made.extend(_of_interface(side.item, names[id(side.item.interface)]))
     return tuple(made)
 

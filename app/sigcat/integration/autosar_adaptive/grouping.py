@@ -1,7 +1,7 @@
 """Which service an interface belongs to: that of the component that provides it, or of the branch it comes from."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
@@ -39,7 +39,20 @@ class Placed(NamedTuple):
 def placed(items: Sequence[Item], context: Context) -> list[Placed]:
     """Every interface with its service."""
     providers = _providers(items, context)
-    return [_placed(item, providers, context) for item in items]
+    return [*(_placed(item, providers, context) for item in items), *_dependencies(items)]
+
+
+def _dependencies(items: Sequence[Item]) -> Iterator[Placed]:
+    """Errors of other components that set an error of a component too: it consumes their status."""
+    reported = {item.interface.name: item for item in reversed(items) if isinstance(item.interface, Error)}
+    seen: set[tuple[str, str]] = set()
+    for item in items:
+        for name in item.interface.dependencies if isinstance(item.interface, Error) else ():
+            other = reported.get(name)
+            if other is not None and other.part.name != item.part.name and (item.part.name, name) not in seen:
+                seen.add((item.part.name, name))
+                consumed = Item(item.part, item.call, other.interface)
+                yield Placed(_of_part(other.part), name, consumed, provides=False)
 
 
 def identity_of(item: Item, context: Context) -> str:

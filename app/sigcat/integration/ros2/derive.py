@@ -18,7 +18,7 @@ from sigcat.integration.ros2.function_set import function_set
 from sigcat.integration.ros2.messages import MessageBook
 from sigcat.integration.ros2.model import InterfacePackage, NodePackage, Ros2Integration, RosNode, SourceFunction
 from sigcat.integration.ros2.names import package_name
-from sigcat.integration.ros2.nodes import node_of, report_calls, status_names
+from sigcat.integration.ros2.nodes import Managers, node_of, report_calls, status_names
 from sigcat.integration.ros2.services import with_services
 from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of, data_of, node_parts, signal_uses
@@ -50,7 +50,8 @@ def derive(
     exchanged = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
     exchanged = with_services(exchanged, parts, settings, book, findings)
     statuses = status_names(parts)
-    nodes = {part.name: node_of(part, exchanged, statuses, settings, book, findings) for part in parts}
+    managers = Managers(app.safety_manager, app.mode_manager)
+    nodes = {part.name: node_of(part, managers, exchanged, statuses, settings, book, findings) for part in parts}
     _report_asil(parts, findings)
     for part in parts:
         report_calls(part, findings)

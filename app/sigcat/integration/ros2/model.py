@@ -287,6 +287,9 @@ class ConditionMonitor(WireModel):
     description: str = described("Description", "What the condition means.", source=OWN)
     topic: str = described("TopicName", "Topic of the statuses.", source=OWN)
     statuses: tuple[str, ...] = described("Statuses", "Names of the statuses.", source=OWN, strict=False)
+    provider: str | None = described(
+        "Provider", "Who informs of the condition, as the deployment names it.", default=None, source=OWN
+    )
     variable_type: str = described("VariableDataType", "Datatype in the code.", source=OWN)
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 
@@ -299,6 +302,9 @@ class ModeTopic(WireModel):
     role: str = described("Role", "Publisher or Subscription.", source=OWN)
     message: str = described("MessageType", "Package, `msg` and message.", source=OWN)
     field: str = described("Field", "Field that has the mode.", source=OWN)
+    provider: str | None = described(
+        "Provider", "Who sends the mode, as the deployment names it.", default=None, source=OWN
+    )
     quality: QualityOfService = described("QualityOfService", "Quality of service.", source=OWN)
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 

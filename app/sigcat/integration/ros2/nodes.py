@@ -1,7 +1,7 @@
 """Nodes: a lifecycle node for each component, with its calls, modes, diagnostics and safety conditions."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
@@ -55,8 +55,15 @@ def contracts(part: Part) -> Iterable[Contract]:
     return (contract for runnable in part.component.runnables for contract in runnable.contracts or ())
 
 
+class Managers(NamedTuple):
+    """Who of the platform provides what no function does."""
+
+    safety: str | None = None
+    mode: str | None = None
+
+
 def node_of(
-    part: Part, exchanged: Sequence[Communication], statuses: Mapping[str, str], settings: Ros2Settings,
+    part: Part, managers: Managers, exchanged: Sequence[Communication], statuses: Mapping[str, str], settings: Ros2Settings,
     book: MessageBook, findings: FindingCollector,
 ) -> RosNode:  # fmt: skip
     """The node of a component."""
@@ -73,10 +80,10 @@ def node_of(
         transitions=_transitions(part),
         schedules=tuple(_schedule(call, part, exchanged, findings) for call in running),
         parameters=parameters_of(own, part, book.table, findings),
-        modes=tuple(_modes(part, settings, book, findings, is_first=is_first)),
+        modes=tuple(_modes(part, managers, settings, book, findings, is_first=is_first)),
         diagnostics=tuple(_diagnostic(error, part, statuses, findings) for error in errors.values()),
         diagnostics_topic=DIAGNOSTICS,
-        conditions=tuple(_condition(each, statuses, book.table, findings) for each in reactions.values()),
+        conditions=tuple(_condition(each, managers, statuses, book.table, findings) for each in reactions.values()),
     )
 
 
@@ -224,7 +231,13 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
 
 
 def _modes(
-    part: Part, settings: Ros2Settings, book: MessageBook, findings: FindingCollector, *, is_first: bool
+    part: Part,
+    managers: Managers,
+    settings: Ros2Settings,
+    book: MessageBook,
+    findings: FindingCollector,
+    *,
+    is_first: bool,
 ) -> Iterable[ModeTopic]:
     """A topic for each mode interface of the function. Every node receives the mode; the first one sends it."""
     for interface in part.function.mode_interfaces or ():
@@ -242,6 +255,7 @@ def _modes(
             role=SUBSCRIPTION if is_received else PUBLISHER,
             message=f"{book.package}/msg/{_mode_message(interface, part, book, findings)}",
             field="mode",
+            provider=managers.mode if is_received else None,
             quality=MODE,
             vss_path=interface.vss_path,
         )
@@ -302,13 +316,18 @@ def _diagnostic(error: Error, part: Part, statuses: Mapping[str, str], findings:
 
 
 def _condition(
-    reaction: SafetyReaction, statuses: Mapping[str, str], table: Mapping[str, Datatype], findings: FindingCollector
+    reaction: SafetyReaction,
+    managers: Managers,
+    statuses: Mapping[str, str],
+    table: Mapping[str, Datatype],
+    findings: FindingCollector,
 ) -> ConditionMonitor:
     return ConditionMonitor(
         condition=reaction.name,
         description=reaction.description,
         topic=DIAGNOSTICS,
         statuses=_statuses(Subject(reaction.name, reaction), "ErrorList", reaction.errors, statuses, findings),
+        provider=managers.safety,
         variable_type=c_definition(reaction.datatype, table),
         vss_path=reaction.vss_path,
     )
