@@ -333,6 +333,17 @@ def test_the_layout_of_what_is_sent_is_stated_for_every_element_of_every_service
     assert elements == {str(e.character_data) for _, e in mapped.elements_dfs if e.element_name in _MAPPED}
 
 
+def test_a_service_from_outside_keeps_the_layout_of_its_provider():
+    own = {"name": "ChassisService", "paths": ["Vehicle.A"], "transformation": {"byteOrder": "little-endian"}}
+    model = with_settings(services=[own])
+    package = "/Eco/TransformationProperties"
+    properties = f"{package}/SomeIp/ChassisService_Properties"
+    assert values(model, properties)["BYTE-ORDER"] == "MOST-SIGNIFICANT-BYTE-LAST"
+    assert values(model, f"{package}/ChassisService_Transformation")["TRANSFORMATION-PROPS-REF"] == properties
+    other = values(model, f"{package}/DemoService_Transformation")["TRANSFORMATION-PROPS-REF"]
+    assert other == f"{package}/SomeIp/Default"
+
+
 _MAPPED = {"EVENT-REF", "FIELD-REF", "METHOD-REF"}
 
 

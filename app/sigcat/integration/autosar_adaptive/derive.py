@@ -22,7 +22,12 @@ from sigcat.integration.autosar_adaptive.elements import Service, element_paths,
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
-from sigcat.integration.autosar_adaptive.settings import NO_SETTINGS, AutosarAdaptiveSettings, ComponentSettings
+from sigcat.integration.autosar_adaptive.settings import (
+    NO_SETTINGS,
+    AutosarAdaptiveSettings,
+    ComponentSettings,
+    ServiceSettings,
+)
 from sigcat.integration.autosar_adaptive.startup import (
     HIGHEST_PRIORITY,
     StartupSettings,
@@ -87,8 +92,12 @@ def derive(
 
 def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) -> None:
     """Report arrays of open length where the deployment has no length sent before arrays."""
+    settings = context.settings
+    chosen = (settings.transformation, *(service.transformation for service in settings.services))
+    if all(each is None or each.array_length for each in chosen):
+        return
     for entry in datatypes:
-        if entry.is_open and context.settings.transformation.array_length == 0:
+        if entry.is_open:
             message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
 
@@ -191,6 +200,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
         for name in _provider_names(service, content, context)
     )  # fmt: skip
     groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
+    stated = _of_outside(service, context)
     return model.ServiceInterface(
         name=service.name,
         role="Provider" if provides else "Consumer",
@@ -199,17 +209,17 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
         service_id=service.id,
         instance_id=service.instance,
         event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
-        namespace=_own_namespace(service, context),
+        namespace=stated.namespace if stated else None,
+        transformation=stated.transformation if stated else None,
         origin=service.group.origin,
     )
 
 
-def _own_namespace(service: Service, context: Context) -> str | None:
-    """The namespace that the deployment gives a service which no function of the set provides."""
+def _of_outside(service: Service, context: Context) -> ServiceSettings | None:
+    """What the deployment says of a service which no function of the set provides."""
     if service.group.provider is not None:
         return None
-    named = (each.namespace for each in context.settings.services if each.name == service.group.name)
-    return next(named, None)
+    return next((each for each in context.settings.services if each.name == service.group.name), None)
 
 
 def _provider_names(service: Service, content: model.Services, context: Context) -> list[str]:

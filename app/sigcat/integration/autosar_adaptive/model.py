@@ -304,6 +304,9 @@ class ServiceInterface(WireModel):
     instance_id: Integer | None = own("ServiceInstanceID", "SOME/IP id of the instance.")
     event_groups: tuple[EventGroup, ...] | None = own("EventGroups", "Event groups.", strict=False)
     namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")
+    transformation: TransformationSettings | None = own(
+        "Transformation", "How SOME/IP lays out what the service sends; as for all if absent."
+    )
     origin: str | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 
 

@@ -21,6 +21,7 @@ from sigcat.integration.autosar_adaptive.model import (
     Services,
     TypeEntry,
 )
+from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
@@ -42,7 +43,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     if model.deployment is not None:
         yield from _name(("Deployment", "Package"), model.deployment.package, "package")
         yield from _name(("Deployment", "FunctionGroup"), model.deployment.function_group, "function group")
-        yield from _lengths(model.deployment, model.datatypes or ())
+        yield from _lengths(model, model.deployment)
     yield from _names(((("DataTypes", i), entry.name) for i, entry in enumerate(model.datatypes or ())), "datatype")
     yield from _type_references(model, types)
     at: Pointer = ("ComponentList",)
@@ -53,12 +54,17 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     yield from _identifiers(model)
 
 
-def _lengths(deployment: ArxmlDeployment, datatypes: Iterable[TypeEntry]) -> Iterator[Problem]:
-    if deployment.transformation.array_length == 0:
-        for entry in datatypes:
+def _lengths(model: IntegrationModel, deployment: ArxmlDeployment) -> Iterator[Problem]:
+    chosen: list[tuple[Pointer, TransformationSettings]] = [(("Deployment",), deployment.transformation)]
+    for index, component in enumerate(model.components):
+        for number, interface in enumerate(component.services):
+            if interface.transformation is not None:
+                chosen.append((("ComponentList", index, "ServiceInterfaceList", number), interface.transformation))
+    for at, transformation in chosen:
+        for entry in model.datatypes or () if transformation.array_length == 0 else ():
             if entry.is_open:
                 message = f"`arrayLength` must not be 0: {entry.name} is an array of open length."
-                yield Problem(("Deployment", "Transformation", "arrayLength"), message, "Use 1, 2 or 4.")
+                yield Problem((*at, "Transformation", "arrayLength"), message, "Use 1, 2 or 4.")
 
 
 def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterator[Problem]:

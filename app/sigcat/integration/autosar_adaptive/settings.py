@@ -37,6 +37,9 @@ class ServiceSettings(DeclarationModel):
     name: Identifier = Field(description="Name of the service interface.")
     namespace: Namespace | None = Field(None, description="C++ namespace of the service; that of all if absent.")
     paths: list[Text] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
+    transformation: TransformationSettings | None = Field(
+        None, description="How SOME/IP lays out what this service sends; as for all if absent."
+    )
 
 
 class RunModes(DeclarationModel):

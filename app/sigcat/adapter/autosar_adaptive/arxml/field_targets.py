@@ -67,7 +67,8 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
     model.ServiceInterface: ("service", {
         "Name": _INTERFACE + _SHORT_NAME, "Role": "components.arxml: P-PORT-PROTOTYPE or R-PORT-PROTOTYPE",
         "ServiceID": _SOMEIP + "SERVICE-INTERFACE-DEPLOYMENT", "ServiceInstanceID": _SOMEIP + "SERVICE-INSTANCE",
-        "Namespace": _INTERFACE + "NAMESPACES", "Origin": _INTERFACE + _ADMIN,
+        "Namespace": _INTERFACE + "NAMESPACES", "Transformation": _SETTING + ": transformation properties",
+        "Origin": _INTERFACE + _ADMIN,
     }),
     model.Services: ("service", {}),
     model.Provider: ("provider", {

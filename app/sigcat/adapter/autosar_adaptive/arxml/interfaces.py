@@ -25,6 +25,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
 )
 from sigcat.integration.autosar_adaptive.namespaces import parts
+from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 
@@ -37,6 +38,8 @@ class Whole(NamedTuple):
     instance_id: int
     origin: str
     namespace: str
+    transformation: TransformationSettings | None
+    """Its own, where it does not have that of all."""
     events: tuple[Event, ...]
     methods: tuple[Method, ...]
     fields: tuple[ServiceField, ...]
@@ -68,6 +71,7 @@ def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
         first.instance_id,
         first.origin or "",
         first.namespace or namespace,
+        first.transformation,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),

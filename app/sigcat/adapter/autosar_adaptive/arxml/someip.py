@@ -22,7 +22,7 @@ def packages(chosen: ArxmlDeployment, services: Sequence[Whole], release: Releas
     return [
         Package(
             TRANSFORMATION,
-            (_transformation(chosen.transformation), *_transformation_mappings(services, release, paths)),
+            (_transformation_set(chosen, services), *_transformation_mappings(services, release, paths)),
         ),
         Package(DISCOVERY, tuple(_discovery(chosen.service_discovery))),
     ]
@@ -31,8 +31,20 @@ def packages(chosen: ArxmlDeployment, services: Sequence[Whole], release: Releas
 # -- transformation -----------------------------------------------------------------------------------------------
 
 
-def _transformation(chosen: TransformationSettings) -> Tag:
-    properties = tag(
+def _transformation_set(chosen: ArxmlDeployment, services: Iterable[Whole]) -> Tag:
+    apart = ((_properties_name(service), service.transformation) for service in services)
+    own = (_transformation(name, stated) for name, stated in apart if stated is not None)
+    properties = tag("TRANSFORMATION-PROPSS", _transformation(_PROPERTIES, chosen.transformation), *own)
+    return tag("TRANSFORMATION-PROPS-SET", properties, name=_SET)
+
+
+def _properties_name(service: Whole) -> str:
+    """Name of the properties that hold for a service."""
+    return short_name(f"{service.name}_Properties") if service.transformation else _PROPERTIES
+
+
+def _transformation(name: str, chosen: TransformationSettings) -> Tag:
+    return tag(
         _PROPERTIES_TAG,
         tag("ALIGNMENT", text=chosen.alignment),
         tag("BYTE-ORDER", text=_BYTE_ORDERS[chosen.byte_order]),
@@ -41,9 +53,8 @@ def _transformation(chosen: TransformationSettings) -> Tag:
         tag("SIZE-OF-STRING-LENGTH-FIELD", text=chosen.string_length),
         tag("SIZE-OF-STRUCT-LENGTH-FIELD", text=chosen.struct_length),
         tag("STRING-ENCODING", text=chosen.string_encoding),
-        name=_PROPERTIES,
+        name=name,
     )
-    return tag("TRANSFORMATION-PROPS-SET", tag("TRANSFORMATION-PROPSS", properties), name=_SET)
 
 
 def _transformation_mappings(services: Iterable[Whole], release: Release, paths: Paths) -> tuple[Tag, ...]:
@@ -63,7 +74,9 @@ def _transformation_mapping(service: Whole, paths: Paths) -> Tag:
         listed("EVENT-REFS", events),
         listed("FIELD-REFS", fields),
         listed("METHOD-REFS", methods),
-        reference("TRANSFORMATION-PROPS-REF", paths.of(TRANSFORMATION, _SET, _PROPERTIES), _PROPERTIES_TAG),
+        reference(
+            "TRANSFORMATION-PROPS-REF", paths.of(TRANSFORMATION, _SET, _properties_name(service)), _PROPERTIES_TAG
+        ),
         name=short_name(f"{service.name}_Transformation"),
     )
 
