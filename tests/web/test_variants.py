@@ -74,3 +74,8 @@ def test_another_catalogue_is_chosen_without_leaving_the_page(site: Ask) -> None
         ("/rules/nope", "/tree/vss"),
     ):
         assert f'href="{other}"' in site(address).text
+
+
+def test_a_folded_branch_has_the_pattern_of_its_instances(site: Ask) -> None:
+    page = site("/tree/interfaces~folded/Vehicle.Chassis.Axle.Wheel").text
+    assert "<code>Vehicle.<wbr>Chassis.<wbr>Axle.*.<wbr>Wheel.*</code>" in page

@@ -70,7 +70,7 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str], 
         range_bar(node.values),
         _ordered(detail.attributes),
         values,
-        _patterns([_names(each, detail, used) for each in instances or (node,)]),
+        _patterns([_names(each, detail, used) for each in _innermost(instances) or (node,)]),
         bool(instances),
         used,
         tuple(uses.below.get(node.path, ())),
@@ -115,6 +115,12 @@ def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> Names:
     if not node.is_leaf:
         return (*names, ("ROS 2 message", message_name(node.path.partition(".")[2] or node.path).text))
     return (*names, *_names_of_signal(node.path, used), ("Static id", static_id(node)))
+
+
+def _innermost(instances: Sequence[Node]) -> list[Node]:
+    """Of a branch with instances, `Wheel.Left` and `Wheel.Right`, and not the `Wheel` that holds them."""
+    deepest = max((each.path.count(".") for each in instances), default=0)
+    return [each for each in instances if each.path.count(".") == deepest]
 
 
 def _patterns(names: Sequence[Names]) -> Names:
