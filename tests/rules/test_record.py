@@ -43,11 +43,20 @@ def test_every_rule_says_what_it_is(key):
         ("default: maybe", "`default` must be true or false, not 'maybe'."),
         ("nodes: [sensor]", "`nodes` must be a mapping, not ['sensor']."),
         ("nodes: {types: sensor}", "`types` must be a list of names, not 'sensor'."),
+        ("nodes: {types: [signal]}", "Unknown name 'signal' in `types` of `nodes`."),
+        ("nodes: {types: [sensor, brnch]}", "Unknown name 'brnch' in `types` of `nodes`."),
+        ("nodes: {datatypes: [uint99]}", "Unknown name 'uint99' in `datatypes` of `nodes`."),
+        ("nodes: {interfaces: [errors]}", "Unknown name 'errors' in `interfaces` of `nodes`."),
         ("sevirity: error", "Unknown field 'sevirity' of rule ACME001."),
     ],
 )
 def test_a_field_that_does_not_fit_says_what_it_must_be(line, message):
     assert messages(f"{OWN_RULE}  {line}\n") == [message]
+
+
+def test_a_rule_may_be_about_every_kind_of_node_that_there_is():
+    nodes = "{types: [signals, branch, struct, property], datatypes: ['uint8[]', Types.Pose], interfaces: [error]}"
+    assert messages(f"{OWN_RULE}  nodes: {nodes}\n") == []
 
 
 @pytest.mark.parametrize(("line", "scope"), [("", "node"), ("  scope: tree\n", "tree")])

@@ -1,13 +1,16 @@
 """A rule as a record: what `interface_rules/*.yaml` says, read and checked. The format: interface_rules/README.md."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, get_args
 
 from yaml.nodes import MappingNode, ScalarNode
 
 from sigcat import codes
+from sigcat.catalogue.model.datatypes import DATATYPES
+from sigcat.catalogue.model.definition import SIGNALS, TYPES
+from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.catalogue.reading.yaml_document import (
     Builder,
     Unbuildable,
@@ -22,7 +25,6 @@ from sigcat.names import did_you_mean
 
 MAKERS = frozenset(("composition", "configuration", "export", "function", "integration", "lint", "request"))
 """Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""
-SIGNALS = ("sensor", "actuator", "attribute")
 
 _CODE = r"[A-Z]+[0-9]{3}"
 _NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
@@ -220,13 +222,26 @@ def _nodes(values: Any) -> Nodes:
     for key in values:
         if key not in _NODE_KEYS:
             raise _Bad(f"Unknown field {key!r} in `nodes`.", "nodes", did_you_mean(str(key), _NODE_KEYS))
-    types = frozenset(_names(values, "types"))
+    types = frozenset(_known_names(values, "types", (*TYPES, "signals")))
     if "signals" in types:
         types = types - {"signals"} | frozenset(SIGNALS)
     path = values.get("path", "")
     if not isinstance(path, str):
         raise _Bad(f"`path` must be a glob such as Vehicle.Body.*, not {path!r}.", "nodes")
-    return Nodes(types, frozenset(_names(values, "datatypes")), frozenset(_names(values, "interfaces")), path)
+    interfaces = frozenset(_known_names(values, "interfaces", CATEGORIES))
+    datatypes = frozenset(_known_names(values, "datatypes", DATATYPES))
+    return Nodes(types, datatypes, interfaces, path)
+
+
+def _known_names(values: dict[str, Any], key: str, known: Collection[str]) -> list[str]:
+    """Names that may decide which nodes a rule is about: one that no node has would end the rule without a word."""
+    names = _names(values, key)
+    for name in names:
+        is_struct = key == "datatypes" and "." in name  # which structs there are, only a tree knows
+        if name not in known and not is_struct:
+            fix = did_you_mean(name, known) or f"Use one of {', '.join(sorted(known))}."
+            raise _Bad(f"Unknown name {name!r} in `{key}` of `nodes`.", "nodes", fix)
+    return names
 
 
 def _names(values: dict[str, Any], key: str) -> list[str]:

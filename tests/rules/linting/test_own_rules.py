@@ -65,6 +65,31 @@ def test_a_rule_that_cannot_be_checked_is_told_and_not_used(tree, text):
     assert [(f.rule, f.file) for f in found if f.rule not in ("V105", "V106")] == [("L010", str(own))]
 
 
+@pytest.mark.parametrize(
+    ("check", "options", "message"),
+    [
+        ("text", "{attribute: enum, each: kye}", "Option 'each' of rule ACME001 must be key or value, not 'kye'."),
+        ("text", "{attribute: comment, repair: dot}", "Option 'repair' of rule ACME001 must be capitalize or period, not 'dot'."),
+        ("name", "{case: loud}", "Option 'case' of rule ACME001 must be screaming, not 'loud'."),
+        ("name-length", "{most: 9, target: C, of: paths}", "Option 'of' of rule ACME001 must be name or path, not 'paths'."),
+        ("node-type", "{types: sensor}", "Option 'types' of rule ACME001 must be a list, not 'sensor'."),
+    ],
+)  # fmt: skip
+def test_an_option_that_takes_one_of_a_few_words_takes_no_other(tree, check, options, message):
+    own = tree / "own.yaml"
+    text = OWN.format(pattern=".").replace("check: name", f"check: {check}")
+    own.write_text(text.replace("options: {pattern: '.'}", f"options: {options}"))
+    found = lint_paths([tree / "vspec"], LintOptions(rule_files=(own,), select=("ACME",))).findings
+    assert [f.message for f in found] == [message]
+
+
+def test_a_rule_that_cannot_be_used_is_told_where_only_that_rule_is_selected(tree):
+    own = tree / "own.yaml"
+    own.write_text(OWN.format(pattern=".").replace("check: name", "check: nmae"))
+    result = lint_paths([tree / "vspec"], LintOptions(rule_files=(own,), select=("ACME",)))
+    assert [f.rule for f in result.findings] == ["L010"]
+
+
 def test_the_option_of_a_shipped_rule_can_be_changed(tree):
     cabin = CABIN + "Cabin.HasDoor: {type: attribute, datatype: boolean, description: Whether.}\n"
     (tree / "vspec" / "Cabin.vspec").write_text(cabin)

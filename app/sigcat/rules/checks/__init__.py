@@ -5,19 +5,32 @@ The table has the checks by the names that rules call them by. To add one: write
 
 from collections.abc import Mapping
 
+from sigcat.catalogue.model.definition import TYPES
+from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.rules.checks import attributes, fields, groups, naming, overlays, portable, references, signals, text
-from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, TreeCheck
+from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, OneOf, TreeCheck
 
-_PORTABLE = {"case": str, "target": str}
+_PORTABLE = {"case": OneOf(portable.CASES), "target": str}
+_SCREAMING = OneOf(("screaming",))
+_NAME_OR_PATH = OneOf(("name", "path"))
 
 CHECKS: Mapping[str, Check] = {
-    "name": NodeCheck(naming.name, {"pattern": str, "prefixes": list, "exempt": list, "endings": list, "case": str}),
+    "name": NodeCheck(
+        naming.name, {"pattern": str, "prefixes": list, "exempt": list, "endings": list, "case": _SCREAMING}
+    ),
     "instance-name": NodeCheck(naming.instance_name, {"pattern": str}, ("pattern",), "=instances"),
     "path": NodeCheck(signals.path, {"pattern": str}, ("pattern",)),
     "path-depth": NodeCheck(signals.path_depth, {"most": int}, ("most",)),
     "text": NodeCheck(
         text.text,
-        {"attribute": str, "pattern": str, "forbidden": str, "each": str, "case": str, "repair": str},
+        {
+            "attribute": str,
+            "pattern": str,
+            "forbidden": str,
+            "each": OneOf(("key", "value")),
+            "case": _SCREAMING,
+            "repair": OneOf(text.REPAIRS),
+        },
         ("attribute",),
         "attribute",
     ),
@@ -45,15 +58,17 @@ CHECKS: Mapping[str, Check] = {
     "field-values": NodeCheck(fields.field_values, {"fields": dict}, ("fields",)),
     "reference": NodeCheck(
         references.reference,
-        {"attribute": str, "to": str, "external": str},
+        {"attribute": str, "to": OneOf(CATEGORIES), "external": str},
         ("attribute", "to"),
         "attribute",
         needs_whole_tree=True,
     ),
     "reference-cycle": TreeCheck(references.cycle, {"attribute": str}, ("attribute",), needs_whole_tree=True),
     "companions": NodeCheck(groups.companions, {"required": list}, ("required",), needs_whole_tree=True),
-    "node-type": NodeCheck(groups.type_of, {"types": list}, ("types",)),
-    "asil-of-step": NodeCheck(groups.asil_of_step, {"provides": list}, ("provides",), needs_whole_tree=True),
+    "node-type": NodeCheck(groups.type_of, {"types": OneOf(TYPES, is_list=True)}, ("types",)),
+    "asil-of-step": NodeCheck(
+        groups.asil_of_step, {"provides": OneOf(CATEGORIES, is_list=True)}, ("provides",), needs_whole_tree=True
+    ),
     "deprecated-unit": NodeCheck(signals.deprecated_unit, {}, (), "=unit"),
     "unit-spelling": NodeCheck(signals.unit_spelling, {}, (), "=unit"),
     "deprecation-target": NodeCheck(signals.deprecation_target, {}, (), "=deprecation", needs_whole_tree=True),
@@ -69,7 +84,9 @@ CHECKS: Mapping[str, Check] = {
     "overlay-no-effect": TreeCheck(overlays.no_effect, {}, of_stacks=True),
     "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": list}, ("words", "target")),
     "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": str}, ("pattern", "target")),
-    "name-length": NodeCheck(portable.name_length, {"most": int, "of": str, "target": str}, ("most", "target")),
-    "collision": TreeCheck(portable.collision, {**_PORTABLE, "of": str}, ("target",)),
+    "name-length": NodeCheck(
+        portable.name_length, {"most": int, "of": _NAME_OR_PATH, "target": str}, ("most", "target")
+    ),
+    "collision": TreeCheck(portable.collision, {**_PORTABLE, "of": _NAME_OR_PATH}, ("target",)),
 }
 """`needs` that starts with `=` is the attribute itself; otherwise it names the option that holds it."""

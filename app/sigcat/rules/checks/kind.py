@@ -1,6 +1,6 @@
 """What a check is: a named function that a rule's options turn into a test of a node, of the tree or of a text."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any, Literal, NamedTuple
 
 from sigcat.catalogue.model.definition import Definition
@@ -23,11 +23,22 @@ TreeTest = Callable[[], Iterable[Problem]]
 LineTest = Callable[[str], Iterable[LineProblem]]
 
 
+class OneOf(NamedTuple):
+    """The kind of an option that is one of these texts, or a list of such."""
+
+    values: Collection[str]
+    is_list: bool = False
+
+
+Options = Mapping[str, type | OneOf]
+"""The options of a check by name, each with its kind."""
+
+
 class NodeCheck(NamedTuple):
     """A check of one node at a time. `needs` names the option with the attribute without which there is nothing to check."""
 
     prepare: Callable[[Rule, Tree], NodeTest]
-    options: Mapping[str, type]
+    options: Options
     required: tuple[str, ...] = ()
     needs: str = ""
     of_overlays: bool = False
@@ -42,7 +53,7 @@ class TreeCheck(NamedTuple):
     """A check of the tree as a whole."""
 
     prepare: Callable[[Rule, Tree], TreeTest]
-    options: Mapping[str, type]
+    options: Options
     required: tuple[str, ...] = ()
     needs_whole_tree: bool = False
     of_stacks: bool = False
@@ -52,7 +63,7 @@ class LineCheck(NamedTuple):
     """A check of the text of a file."""
 
     prepare: Callable[[Rule], LineTest]
-    options: Mapping[str, type]
+    options: Options
     required: tuple[str, ...] = ()
     needs_whole_tree: Literal[False] = False
     of_stacks: Literal[False] = False
@@ -71,13 +82,24 @@ def check_options(rule: Rule, check: Check) -> None:
             options = f"Its options are {', '.join(check.options)}." if check.options else "It has none."
             fix = f"{did_you_mean(str(name), check.options)} {options}".lstrip()
             raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", fix)
-        if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
-            raise BadOption(f"Option {name!r} of rule {rule.id} must be {_TYPES[kind]}, not {shown(value)}.")
-        if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
-            raise BadOption(f"Option {name!r} of rule {rule.id} must be a list of texts or numbers.")
+        _check_value(f"Option {name!r} of rule {rule.id}", value, kind)
     for name in check.required:
         if name not in rule.options:
             raise BadOption(f"Rule {rule.id} must have the option {name!r}.")
+
+
+def _check_value(option: str, value: Any, kind: type | OneOf) -> None:
+    if isinstance(kind, OneOf):
+        _check_value(option, value, list if kind.is_list else str)
+        for item in value if kind.is_list else [value]:
+            if item not in kind.values:
+                fix = did_you_mean(str(item), kind.values)
+                raise BadOption(f"{option} must be {either(kind.values)}, not {shown(item)}.", fix)
+        return
+    if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
+        raise BadOption(f"{option} must be {_TYPES[kind]}, not {shown(value)}.")
+    if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
+        raise BadOption(f"{option} must be a list of texts or numbers.")
 
 
 def shown(value: Any) -> str:

@@ -5,7 +5,7 @@ from functools import cache
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
-from sigcat.rules.checks.kind import BadOption, NodeTest, TreeTest, either, shown
+from sigcat.rules.checks.kind import NodeTest, TreeTest, shown
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
@@ -112,7 +112,4 @@ def _collide_above(path: str, other: str, convert: Callable[[str], str]) -> bool
 
 
 def _case(rule: Rule) -> Callable[[str], str]:
-    case = rule.options.get("case", "unchanged")
-    if case not in CASES:
-        raise BadOption(f"Option 'case' of rule {rule.id} must be {either(CASES)}, not {shown(case)}.")
-    return CASES[case]
+    return CASES[rule.options.get("case", "unchanged")]

@@ -12,7 +12,7 @@ from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
-_REPAIRS = {
+REPAIRS = {
     "capitalize": Repair("capitalize"),
     "period": Repair("append", "."),
 }
@@ -52,7 +52,7 @@ def _repair(rule: Rule, item: str, wrong: Callable[[str], str]) -> Repair | None
     """The repair that the rule names, if it leaves nothing wrong."""
     kind = rule.options.get("repair")
     repaired = item[:1].upper() + item[1:] if kind == "capitalize" else f"{item}."
-    return _REPAIRS[kind] if kind in _REPAIRS and not wrong(repaired) else None
+    return REPAIRS[kind] if kind in REPAIRS and not wrong(repaired) else None
 
 
 def line_length(rule: Rule) -> LineTest:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sigcat import codes
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
 from sigcat.names import did_you_mean
@@ -60,25 +61,26 @@ def _runs(rule: Rule, options: LintOptions, severity: str | None) -> bool:
     if _starts(rule, options.extend_select):
         return True
     if options.select:
-        return _starts(rule, options.select) or _is_about_reading(rule)
+        return _starts(rule, options.select) or _is_always_told(rule)
     return rule.default if severity is None else severity != OFF
 
 
-def _starts(rule: Rule, codes: Sequence[str]) -> bool:
-    return any(rule.id.startswith(code) for code in codes)
+def _starts(rule: Rule, beginnings: Sequence[str]) -> bool:
+    return any(rule.id.startswith(beginning) for beginning in beginnings)
 
 
-def _is_about_reading(rule: Rule) -> bool:
-    """A file that cannot be read is reported whatever was selected: nothing else of it is judged."""
-    return rule.check == "composition" and rule.category == "reading"
+def _is_always_told(rule: Rule) -> bool:
+    """A file that cannot be read, or a rule that cannot be used, is reported whatever was selected: it judges nothing."""
+    is_about_reading = rule.check == "composition" and rule.category == "reading"
+    return is_about_reading or rule.id in (codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id)
 
 
 def _refuse_unknown(rules: Sequence[Rule], options: LintOptions) -> None:
-    codes = [rule.id for rule in rules]
+    known = [rule.id for rule in rules]
     by_file = [code for entry in options.per_file for code in entry.severities]
     for named in (*options.select, *options.ignore, *options.extend_select, *options.severities, *by_file):
-        if not named or not any(code.startswith(named) for code in codes):
-            raise UsageError(f"No rule has the code {named!r}. {did_you_mean(named, codes)}".strip())
+        if not named or not any(code.startswith(named) for code in known):
+            raise UsageError(f"No rule has the code {named!r}. {did_you_mean(named, known)}".strip())
     for severity in options.severities.values():
         if severity != OFF:
             as_severity(str(severity))
