@@ -32,6 +32,11 @@ def compile_pattern(text: str, *, trusted: bool) -> Pattern:
     return _quick(text) if trusted else _bounded(text)
 
 
+def compile_exception(text: str | None, *, trusted: bool) -> Callable[[str], object]:
+    """What finds the texts that a rule leaves to another one; none without an expression. Raises BadPattern."""
+    return compile_pattern(text, trusted=trusted).found if text is not None else lambda _text: None
+
+
 def _quick(text: str) -> Pattern:
     try:
         compiled = re.compile(text)

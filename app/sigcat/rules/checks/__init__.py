@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.rules.checks import attributes, fields, groups, naming, overlays, portable, references, signals, text
-from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, OneOf, TreeCheck
+from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, OneOf, Options, TreeCheck
 
-_PORTABLE = {"case": OneOf(portable.CASES), "target": str}
+_PORTABLE: Options = {"case": OneOf(portable.CASES), "target": str}
 _SCREAMING = OneOf(("screaming",))
 _NAME_OR_PATH = OneOf(("name", "path"))
 
@@ -30,6 +30,7 @@ CHECKS: Mapping[str, Check] = {
             "each": OneOf(("key", "value")),
             "case": _SCREAMING,
             "repair": OneOf(text.REPAIRS),
+            "except": str,
         },
         ("attribute",),
         "attribute",
@@ -51,7 +52,7 @@ CHECKS: Mapping[str, Check] = {
     "default-first": NodeCheck(attributes.default_first, {}, (), "=default"),
     "distinct-items": NodeCheck(attributes.distinct_items, {"attribute": str}, ("attribute",), "attribute"),
     "distinct-from-siblings": NodeCheck(
-        attributes.distinct_from_siblings, {"attribute": str}, ("attribute",), "attribute"
+        attributes.distinct_from_siblings, {"attribute": str, "except": str}, ("attribute",), "attribute"
     ),
     "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": list}),
     "required-fields": NodeCheck(fields.required_fields, {"fields": dict}, ("fields",)),

@@ -6,6 +6,7 @@ from typing import Any
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.names import did_you_mean, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested, shown
+from sigcat.rules.patterns import compile_exception
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
@@ -156,8 +157,12 @@ def distinct_items(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def distinct_from_siblings(rule: Rule, tree: Tree) -> NodeTest:
-    """The text of `attribute` is not that of an earlier signal of the same branch; overlays are later than the tree."""
+    """The text of `attribute` is not that of an earlier signal of the same branch, unless it holds a match of `except`.
+
+    Overlays are later than the tree.
+    """
     attribute = rule.options["attribute"]
+    is_exempt = compile_exception(rule.options.get("except"), trusted=rule.trusted)
     first: dict[tuple[str, str], str] = {}
     gathered: set[str] = set()
 
@@ -168,7 +173,7 @@ def distinct_from_siblings(rule: Rule, tree: Tree) -> NodeTest:
             for child in sorted(tree.children.get(above, ()), key=lambda child: bool(child.origin(attribute).overlay)):
                 first.setdefault((above, str(child.values.get(attribute))), child.path)
         other = first.get((above, str(text)), definition.path)
-        if other != definition.path:
+        if other != definition.path and not is_exempt(str(text)):
             message = f"The {attribute} is that of {other!r}, word for word."
             yield Problem(definition, message, attribute, "Say what sets the two apart.")
 

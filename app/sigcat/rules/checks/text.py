@@ -7,7 +7,7 @@ from typing import Any
 from sigcat.catalogue.model.definition import Definition
 from sigcat.names import screaming_snake_case
 from sigcat.rules.checks.kind import LineTest, NodeTest, shown
-from sigcat.rules.patterns import compile_pattern
+from sigcat.rules.patterns import compile_exception, compile_pattern
 from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
@@ -19,7 +19,7 @@ REPAIRS = {
 
 
 def text(rule: Rule, _tree: Tree) -> NodeTest:
-    """The text of `attribute` holds a match of `pattern` and none of `forbidden`.
+    """The text of `attribute` holds a match of `pattern` and none of `forbidden`, unless it holds one of `except`.
 
     Of a list every item is looked at, of a mapping every key (`each: key`) or every value. With `case: screaming` the
     spelling in UPPER_SNAKE_CASE is proposed, where that is right.
@@ -28,6 +28,7 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
     pattern = compile_pattern(rule.options.get("pattern", ""), trusted=rule.trusted)
     forbidden = rule.options.get("forbidden")
     bad = compile_pattern(forbidden, trusted=rule.trusted) if forbidden is not None else None
+    is_exempt = compile_exception(rule.options.get("except"), trusted=rule.trusted)
     by_key = rule.options.get("each") == "key"
 
     def wrong(item: str) -> str:
@@ -38,7 +39,7 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         for within, item in _texts(definition.values[attribute], by_key=by_key):
             message = wrong(item)
-            if message:
+            if message and not is_exempt(item):
                 proposal = screaming_snake_case(item) if rule.options.get("case") == "screaming" else ""
                 fix = f"Write {proposal!r}." if proposal and not wrong(proposal) else ""
                 facts = {"value": item, "attribute": attribute}
