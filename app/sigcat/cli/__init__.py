@@ -12,6 +12,7 @@ from importlib import import_module
 
 from sigcat import __version__
 from sigcat.cli.command_parser import CommandParser
+from sigcat.cli.output_options import refuse_overwriting
 from sigcat.errors import InputRefused, SigcatError, must_be_a_file
 
 COMMANDS = (
@@ -44,6 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         given = sys.argv[1:] if argv is None else argv
         arguments = parser_of(given[0] if given else "").parse_args(given)
+        refuse_overwriting(arguments)
         status: int = arguments.run(arguments)
         sys.stdout.flush()
     except InputRefused as error:

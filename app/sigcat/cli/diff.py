@@ -3,14 +3,14 @@
 import argparse
 import os
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output import write_bytes
+from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.tree_options import add_many, add_vocabulary_options
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from sigcat.catalogue.comparing.changes import Change
     from sigcat.catalogue.comparing.sides import Side
@@ -59,7 +59,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--only", choices=_CLASSES, action="append", default=[], metavar="CLASS",
         help="show changes of this class only; may be repeated",
     )  # fmt: skip
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     _add_options_of_both(parser)
     parser.set_defaults(run=diff)
 
@@ -76,6 +76,7 @@ def diff(arguments: argparse.Namespace) -> int:
     from sigcat.catalogue.comparing.diff import compare
 
     old, new = (_side(name, arguments) for name in (arguments.old, arguments.new))
+    refuse_overwriting(arguments, (*_files(arguments.old, old), *_files(arguments.new, new)))
     changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
     report = _report(shown, len(changes) - len(shown), old.title, new.title, arguments)
@@ -95,6 +96,14 @@ def _side(name: str, arguments: argparse.Namespace) -> "Side":
         tuple(arguments.types),
     )
     return read_side(name, release, options)
+
+
+def _files(name: str, side: "Side") -> "Iterator[str]":
+    """The files that a side was read from."""
+    from sigcat.catalogue.reading.joined_paths import split_paths
+
+    yield from split_paths(name, "+")
+    yield from (file.name for file in side.catalogue.files)
 
 
 def release(name: str) -> "Catalogue":

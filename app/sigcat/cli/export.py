@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +12,7 @@ from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.exporting.shared_options import EXPAND
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.output import write_bytes
+from sigcat.cli.output_options import Output, add_output, name_output, outputs_of, refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
 
@@ -59,7 +60,12 @@ def export(arguments: argparse.Namespace) -> int:
     result = exported(catalogue, exporter.name, options, output_name=name, timeout=arguments.timeout)
     for finding in result.findings:
         print(finding.line_of_text, file=sys.stderr)
-    _write(result.files, exporter, output, arguments)
+    targets = list(_targets(result.files, exporter, output, arguments))
+    read = (file.name for file in catalogue.files)
+    named = {path.resolve() for path in outputs_of(arguments).values()}
+    beside = (target for target, _ in targets if target is not None and target.resolve() not in named)
+    refuse_overwriting(arguments, read, beside)
+    _write(targets, outputs_of(arguments).values())
     return 0
 
 
@@ -74,7 +80,7 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
     group = parser.add_argument_group("the export")
     where = "folder, or .zip file, to write" if exporter.is_folder else "write here instead of to standard output"
     metavar = "FOLDER" if exporter.is_folder else "FILE"
-    group.add_argument("-o", "--output", *exporter.output_also, dest="output", type=Path, metavar=metavar, help=where)
+    add_output(group, "-o", "--output", *exporter.output_also, dest="output", metavar=metavar, help=where)
     for option in exporter.options:
         _add_option(group, option)
     group.add_argument(
@@ -105,8 +111,10 @@ def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
             add(choices=option.choices)
         case "text" | "name":
             add(metavar="TEXT")
-        case _:
-            add(type=Path, metavar="FOLDER" if option.kind == "folder" else "FILE")
+        case "input":
+            add(type=Path, metavar="FILE")
+        case _:  # a state is read as well, in order to be continued
+            add(type=Path, action=Output, metavar="FOLDER" if option.kind == "folder" else "FILE")
 
 
 def _shown(default: Any) -> str:
@@ -129,7 +137,7 @@ def _continue_from_output(arguments: argparse.Namespace, option: Option) -> None
     """Android properties keep their numbers: an export into the folder of an earlier one continues its map."""
     earlier = arguments.output / option.kept_at
     if getattr(arguments, option.name) is None and earlier.is_file():
-        setattr(arguments, option.name, earlier)
+        name_output(arguments, option.name, earlier)
 
 
 def _name(output: Path | None, exporter: Exporter) -> str:
@@ -140,31 +148,32 @@ def _name(output: Path | None, exporter: Exporter) -> str:
     return output.resolve().name if exporter.is_folder else output.name
 
 
-def _write(
+def _targets(
     files: "tuple[ExportedFile, ...]", exporter: Exporter, output: Path | None, arguments: argparse.Namespace
-) -> None:
+) -> "Iterator[tuple[Path | None, bytes]]":
+    """Where each file goes, with what it holds. Files that an exporter makes beside the first go beside it."""
     main = [file for file in files if not file.option]
     if output is not None and output.suffix == ".zip":
         from sigcat.catalogue.exporting.files import zipped
 
-        write_bytes(zipped(main), output)
+        yield output, zipped(main)
     elif output is not None and exporter.is_folder:
-        _write_into(output, main)
+        yield from ((output / file.name, file.data) for file in main)
     elif output is None and len(main) > 1:
         raise UsageError(f"{exporter.name} made {len(main)} files: name the first with -o, the others go beside it")
     else:
-        write_bytes(main[0].data, output)
-        _write_into(output.parent if output else Path(), main[1:])
+        yield output, main[0].data
+        yield from (((output.parent if output else Path()) / file.name, file.data) for file in main[1:])
     folders = {option.name for option in exporter.options if option.kind == "folder"}
     for file in files:
-        if file.option in folders:
-            _write_into(getattr(arguments, file.option), [file])
-        elif file.option:
-            write_bytes(file.data, getattr(arguments, file.option))
+        if file.option:
+            target: Path = getattr(arguments, file.option)
+            yield target / file.name if file.option in folders else target, file.data
 
 
-def _write_into(folder: Path, files: "Iterable[ExportedFile]") -> None:
-    for file in files:
-        target = folder / file.name
-        target.parent.mkdir(parents=True, exist_ok=True)
-        write_bytes(file.data, target)
+def _write(targets: "Sequence[tuple[Path | None, bytes]]", named: Iterable[Path]) -> None:
+    """Write each file, in folders that are made for those which nobody named."""
+    for target, data in targets:
+        if target is not None and target not in named:
+            target.parent.mkdir(parents=True, exist_ok=True)
+        write_bytes(data, target)

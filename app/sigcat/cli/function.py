@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.output import write_text
+from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
 from sigcat.findings import has_errors
@@ -35,7 +36,7 @@ def _add_new(actions: Actions) -> None:
         description="Write a function.yaml that builds, and the JSON Schema that it names, by which editors complete it.",
     )
     starting.add_argument("name", metavar="NAME", help="name of the function, CamelCase")
-    starting.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="folder to write into (default: NAME)")
+    add_output(starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME)")
     starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
     )
@@ -60,14 +61,14 @@ def _add_overlay(actions: Actions) -> None:
         description="Write what a function.yaml has under `define` as an overlay, so that others can refer to it.",
     )
     _add_file_and_output(making)
-    making.add_argument("--types-output", type=Path, metavar="FILE", help="write the struct types here (for -t)")
+    add_output(making, "--types-output", metavar="FILE", help="write the struct types here (for -t)")
     add_tree_options(making)
     making.set_defaults(run=overlay)
 
 
 def _add_file_and_output(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
 
 
 def _add_validate(actions: Actions) -> None:

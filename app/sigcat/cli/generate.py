@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from sigcat.cli.output import write_bytes
+from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.errors import UsageError, existing_file
 from sigcat.platforms.platform import Generator, Platform
 from sigcat.platforms.table import PLATFORMS
@@ -27,10 +28,8 @@ def _add_kind(
         description=f"Write {generator.title} for {generator.target}: {generator.contents}.",
     )
     one.add_argument("integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {platform.title}")
-    one.add_argument("-o", "--output", type=Path, required=True, metavar="DIR", help="folder to write to")
-    one.add_argument(
-        "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
-    )
+    add_output(one, "-o", "--output", required=True, metavar="DIR", help="folder to write to")
+    add_output(one, "--report", metavar="FILE", help="where each field went: .json, or else a Markdown table")
     if generator.releases:
         one.add_argument(
             "--release",
@@ -49,6 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     source = existing_file(arguments.integration)
     release = getattr(arguments, "release", None)
     files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, release)
+    refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
     _make(arguments.output)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)

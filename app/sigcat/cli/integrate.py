@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output import write_bytes
+from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
@@ -30,10 +31,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         )
         one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
         one.add_argument("--deployment", type=Path, metavar="FILE", help="what differs from the defaults")
-        one.add_argument("-o", "--output", type=Path, metavar="OUT", help="write here instead of to standard output")
-        one.add_argument(
-            "--report", type=Path, metavar="FILE", help="where each field went: .json, or else a Markdown table"
-        )
+        add_output(one, "-o", "--output", metavar="OUT", help="write here instead of to standard output")
+        add_output(one, "--report", metavar="FILE", help="where each field went: .json, or else a Markdown table")
         if platform.with_identifiers is not None:
             one.add_argument(
                 "--identifiers",

@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output import could_not_run, discard_output, write_text
+from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.tree_options import add_many
 from sigcat.errors import InputRefused
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from sigcat.findings import Finding
     from sigcat.rules.linting.options import LintOptions, LintResult
@@ -68,16 +69,14 @@ def _add_context(parser: argparse.ArgumentParser) -> None:
 def _add_result(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("the result")
     group.add_argument("--format", choices=FORMATS, default="text", help="form of the report (default: %(default)s)")
-    group.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the report here")
+    add_output(group, "-o", "--output", metavar="FILE", help="write the report here")
     group.add_argument("--fix", action="store_true", help="repair what is safe, changing no other byte")
     group.add_argument(
         "--unsafe-fixes", action="store_true", help="with --fix or --diff: repairs that change a meaning"
     )
     group.add_argument("--diff", action="store_true", help="show what --fix would change, and change nothing")
     group.add_argument("--baseline", type=Path, metavar="FILE", help="report only what this file does not list")
-    group.add_argument(
-        "--write-baseline", type=Path, metavar="FILE", help="write the present findings as known, and stop"
-    )
+    add_output(group, "--write-baseline", metavar="FILE", help="write the present findings as known, and stop")
     group.add_argument(
         "--color",
         "--colour",
@@ -107,6 +106,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     paths = arguments.paths or [Path()]
     options = _options(arguments, paths)
     result = lint_paths(paths, options)
+    refuse_overwriting(arguments, (*result.files, *result.beside, *_configured(options)))
     if arguments.write_baseline is not None:
         return _write_baseline(result, options, paths, arguments.write_baseline)
     if arguments.diff or arguments.fix:
@@ -143,6 +143,12 @@ def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOpt
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
     )
     return options._replace(check_functions=partial(_check_functions, options))
+
+
+def _configured(options: "LintOptions") -> "Iterator[Path]":
+    """The configuration and the files that it names."""
+    yield from (path for path in (options.file, options.baseline, options.base) if path is not None)
+    yield from (*options.rule_files, *options.overlays, *options.units, *options.quantities, *options.types)
 
 
 def _with_tree(tree: Path | None, options: "LintOptions") -> "LintOptions":

@@ -2,9 +2,9 @@
 
 import argparse
 import json
-from pathlib import Path
 
 from sigcat.cli.output import write_text
+from sigcat.cli.output_options import add_output
 from sigcat.platforms.schemas import SCHEMAS, schema
 
 
@@ -16,7 +16,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Write the JSON Schema (2020-12) of a file format, for editors and other programs.",
     )
     parser.add_argument("name", choices=tuple(SCHEMAS), metavar="NAME", help=", ".join(SCHEMAS))
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="write here instead of to standard output")
+    add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     parser.set_defaults(run=run)
 
 

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.output_options import refuse_overwriting
 from sigcat.errors import InputRefused, existing_file
 from sigcat.findings import has_errors
 
@@ -52,6 +53,7 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, lenient: 
     from sigcat.catalogue.hosting.source import load
 
     catalogue = load(tree_source(arguments), expanded=expanded)
+    refuse_overwriting(arguments, (file.name for file in catalogue.files))
     catalogue = as_vss_tools_takes_it(catalogue) if lenient else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)

@@ -176,8 +176,7 @@ def _with_files(hosted: Hosted, fresh: Catalogue, before: Marks) -> Hosted:
 
 def _files(catalogue: Catalogue) -> frozenset[tuple[str, str]]:
     """Names and digests of the files that were read."""
-    layers = [file for layer in catalogue.layers for file in layer.files]
-    return frozenset((file.name, file.digest) for file in (*layers, *catalogue.vocabulary.files))
+    return frozenset((file.name, file.digest) for file in catalogue.files)
 
 
 def _named_files(source: Source) -> frozenset[Path]:

@@ -10,7 +10,7 @@ from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.catalogue.reading.statement import Origin
+from sigcat.catalogue.reading.statement import Origin, SourceFile
 from sigcat.findings import Finding
 from sigcat.names import last_name, parent_path
 
@@ -103,6 +103,11 @@ class Catalogue:
     def type_layers(self) -> tuple[Layer, ...]:
         """The trees of struct types."""
         return tuple(layer for layer in self.layers[1:] if not layer.is_overlay)
+
+    @property
+    def files(self) -> tuple[SourceFile, ...]:
+        """Every file that was read: those of the layers, of units and of quantities."""
+        return (*(file for layer in self.layers for file in layer.files), *self.vocabulary.files)
 
     def with_findings(self, findings: tuple[Finding, ...]) -> "Catalogue":
         """The same catalogue with other findings."""

@@ -63,7 +63,7 @@ def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
             findings.append(codes.CONFIGURATION_UNUSABLE.finding(str(error), str(path), path=key))
     if findings:
         raise InputRefused(f"The configuration {str(path)!r} cannot be used.", tuple(findings))
-    return LintOptions(root=path.parent, **read)
+    return LintOptions(file=path, root=path.parent, **read)
 
 
 def _texts(key: str, value: Any, _folder: Path) -> tuple[str, ...]:

@@ -59,6 +59,8 @@ class _Lint:
         self.found: dict[Finding, Repair | None] = {}
         self.files: dict[str, Texts] = {}
         """The files that were looked at."""
+        self.beside: set[str] = set()
+        """The files that were read for what they need."""
 
     def add(self, found: Iterable[Found], files: set[str] | None = None) -> None:
         """Keep findings: of all files, or of `files` and those about rules."""
@@ -108,8 +110,7 @@ def _lint_trees(roots: Sequence[Path], lint: _Lint) -> list[Path]:
     for root in roots:
         catalogue = compose_tree(root, lint.options)
         lint.add(found_in(catalogue, lint.rules, attributes=lint.options.attributes))
-        files = [file.name for layer in catalogue.layers for file in layer.files]
-        lint.look_at([*files, *(file.name for file in catalogue.vocabulary.files), str(root)])
+        lint.look_at([*(file.name for file in catalogue.files), str(root)])
     return list(roots)
 
 
@@ -138,6 +139,7 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint:
         found = _with_siblings(found, stack[-1], rules)
     lint.add(found, files | (beside - set(lint.files)))
     lint.look_at([*files, *beside])
+    lint.beside.update(file.name for file in catalogue.files)
 
 
 def _with_siblings(found: Iterable[Found], overlay: Path, rules: RuleSet) -> Iterator[Found]:
@@ -176,6 +178,7 @@ def _lint_types(path: Path, trees: Sequence[Path], lint: _Lint) -> None:
     files = {file.name for file in layer.files} | {str(path)}
     lint.add(found_in(catalogue, lint.rules, attributes=options.attributes), files)
     lint.look_at(files)
+    lint.beside.update(file.name for file in catalogue.files)
 
 
 def _lint_part(source: Source, lint: _Lint) -> None:
@@ -187,6 +190,7 @@ def _lint_part(source: Source, lint: _Lint) -> None:
     if source.prefix:
         statements = tuple(statement.placed(source.prefix) for statement in layer.statements)
         layer = Layer(layer.name, False, layer.files, statements, layer.findings)
+    lint.beside.add(str(source.tree))
     vocabulary, is_older = units_of(source.tree, layer, (), lint.options)
     catalogue = compose([with_present_spellings(layer) if is_older else layer], vocabulary, expanded=False)
     found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes)
@@ -261,7 +265,10 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
     findings, in_baseline = _without_baseline(findings, grading, whole)
     unused = ((graded, repair) for finding, repair in kept.unused for graded in grading.graded([finding]))
     repairs = {identity_of(f): r for f, r in (*lint.found.items(), *lines.items(), *unused) if r is not None}
-    return LintResult(in_order(findings), tuple(lint.files), repairs, kept.suppressed + in_baseline, lint.rules.counted)
+    beside = tuple(sorted(lint.beside.difference(lint.files)))
+    return LintResult(
+        in_order(findings), tuple(lint.files), beside, repairs, kept.suppressed + in_baseline, lint.rules.counted
+    )
 
 
 def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[dict[Finding, Repair | None], list[Suppressions]]:

@@ -36,6 +36,8 @@ class LintOptions(NamedTuple):
     severities: Mapping[str, str] = _NONE
     """error, warning, info or off, by code."""
     per_file: tuple[PerFile, ...] = ()
+    file: Path | None = None
+    """The configuration."""
     root: Path = Path()
     """Folder to which the globs of `per_file` and `exclude` are relative."""
     exclude: tuple[str, ...] = ()
@@ -72,6 +74,8 @@ class LintResult(NamedTuple):
 
     findings: tuple[Finding, ...]
     files: tuple[str, ...]
+    beside: tuple[str, ...] = ()
+    """Files that were read too, such as those of the tree that an overlay is made for."""
     repairs: Mapping[Identity, Repair] = MappingProxyType({})
     suppressed: int = 0
     counted: frozenset[str] = frozenset()
