@@ -76,7 +76,8 @@ def test_a_deployment_file_changes_what_it_names():
     Path("deployment.yaml").write_text("name: EcoControl\nros2: {namespace: /ego}\n")
     assert main(["integrate", "ros2", CORE_ACC, "--deployment", "deployment.yaml", "-o", "out.json"]) == 0
     assert written("out.json")["FunctionInfo"]["FunctionName"] == "EcoControl"
-    assert written("out.json")["CommunicationList"][0]["ROSTopicList"][0]["TopicName"].startswith("/ego/vehicle/")
+    node = written("out.json")["NodePackageList"][0]["Nodes"][0]
+    assert node["Namespace"] == "/ego"
 
 
 def test_a_misspelled_key_of_a_deployment_is_refused_with_its_line(capsys):

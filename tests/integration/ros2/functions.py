@@ -7,7 +7,7 @@ from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.ros2.derive import derive
 from sigcat.integration.ros2.model import to_json
-from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
+from sigcat.platforms.deployment_file import DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces, resolved
 
 
@@ -22,11 +22,12 @@ def examples():
 
 
 def settings(**ros2):
-    return DEPLOYMENT_FILE.model_validate({"ros2": ros2})
+    """A deployment with a topic for each signal, unless it says otherwise."""
+    return DEPLOYMENT_FILE.model_validate({"ros2": {"topics": "signal", **ros2}})
 
 
 def derived(functions, deployment=None):
-    deployment = deployment or DEFAULT_DEPLOYMENT
+    deployment = deployment or settings()
     return derive([resolved(each) for each in functions], deployment, deployment.ros2)
 
 

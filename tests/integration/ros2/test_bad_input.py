@@ -43,7 +43,7 @@ def test_hostile_texts_become_names_that_are_none(text):
         assert all(FIELD.fullmatch(field["Name"]) for field in message["Fields"])
     for call in made["CommunicationList"]:
         for topic in call["ROSTopicList"]:
-            assert all(FIELD.fullmatch(part) for part in topic["TopicName"][1:].split("/"))
+            assert all(FIELD.fullmatch(part) for part in topic["TopicName"].split("/"))
 
 
 def test_nothing_of_a_document_reaches_the_report_unescaped():

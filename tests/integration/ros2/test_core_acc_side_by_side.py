@@ -60,27 +60,27 @@ SIDE_BY_SIDE = {
     # variable: (their topic, field, datatype), (our topic, field, datatype, datatype of the variable)
     "core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt": (
         ("bus_ACCIn", "EgoVehALgt", "float"),
-        ("/vehicle/acceleration/longitudinal", "longitudinal", "float32", "double"),
+        ("vehicle/acceleration/longitudinal", "longitudinal", "float32", "double"),
     ),
     "core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg": (
         ("bus_ACCIn", "SteerWhlAg", "float"),
-        ("/vehicle/chassis/steering/whl_ag", "whl_ag", "float64", "double"),
+        ("vehicle/chassis/steering/whl_ag", "whl_ag", "float64", "double"),
     ),
     "core_inputs.bus_ACCIn.Bus_Veh.BrkCylP": (
         ("bus_ACCIn", "BrkCylP", "float"),
-        ("/vehicle/chassis/brake/cyl_p", "cyl_p", "float64", "double"),
+        ("vehicle/chassis/brake/cyl_p", "cyl_p", "float64", "double"),
     ),
     "core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit": (
         ("bus_ACCIn", "EgoVehDshbSpdUnit", "uint8"),
-        ("/vehicle/adas/map/dfs/map_data_spd_unit_typ", "map_data_spd_unit_typ", "string", "uint8_t"),
+        ("vehicle/adas/map/dfs/map_data_spd_unit_typ", "map_data_spd_unit_typ", "string", "uint8_t"),
     ),
     "core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass": (
         ("bus_ACCIn", "EgoVehMass", "float"),
-        ("/vehicle/mass", "mass", "float32", "double"),
+        ("vehicle/mass", "mass", "float32", "double"),
     ),
     "AsmAcc_AccIntSts": (
         ("bus_ACCOut", "ACCInt_Sts", "uint8"),
-        ("/vehicle/adas/eco_control/status", "status", "uint8", "uint8_t"),
+        ("vehicle/adas/eco_control/status", "status", "uint8", "uint8_t"),
     ),
     "core_outputs.bus_Measurement_PRE.PRE_GaccEnbFlg": (
         ("bus_Measurement_PRE", "GaccEnbFlg", "boolean"),
@@ -88,7 +88,7 @@ SIDE_BY_SIDE = {
     ),
     "core_inputs.bus_ACCIn.Bus_Cust.EnaGACC": (
         None,  # a signal of the function that their file maps to nothing
-        ("/vehicle/adas/eco_control/is_enabled", "is_enabled", "bool", "bool"),
+        ("vehicle/adas/eco_control/is_enabled", "is_enabled", "bool", "bool"),
     ),
 }
 

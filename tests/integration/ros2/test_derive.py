@@ -85,7 +85,7 @@ def test_a_set_has_each_function_once_and_one_at_least():
 
 
 def test_a_signal_is_a_topic_named_after_its_path():
-    end = topics([example("core_acc")])["Subscription", "/vehicle/chassis/brake/cyl_p"]
+    end = topics([example("core_acc")])["Subscription", "vehicle/chassis/brake/cyl_p"]
     assert end["MessageType"] == "vehicle_msgs/msg/ChassisBrakeCylP"
     assert end["DataMappingList"][0]["GlobalVariableName"] == ["core_inputs.bus_ACCIn.Bus_Veh.BrkCylP"]
 
@@ -103,7 +103,7 @@ def test_topics_and_messages_of_a_signal_are_the_same_alone_and_in_a_set():
 
 def test_provider_and_consumer_of_a_set_meet():
     ends = topics(examples())
-    name = "/vehicle/adas/eco_control/acceleration_proposal"
+    name = "vehicle/adas/eco_control/acceleration_proposal"
     assert ends["Publisher", name]["NodeName"] == "eco_control_mpc"
     assert ends["Subscription", name]["NodeName"] == "core_acc"
     assert ends["Subscription", name]["Providers"] == ["EcoControlMpc"]
@@ -111,26 +111,26 @@ def test_provider_and_consumer_of_a_set_meet():
 
 def test_signals_of_a_branch_can_travel_together():
     ends = topics(examples(), settings(topics="branch"))
-    end = ends["Publisher", "/core_acc/vehicle/adas/eco_control"]
+    end = ends["Publisher", "core_acc/vehicle/adas/eco_control"]
     assert end["MessageType"] == "vehicle_msgs/msg/ADASEcoControlCoreAcc"
     assert end["DataMappingList"][0]["ROSTopicFieldName"] == ["status", "acceleration_request"]
 
 
 def test_outputs_of_a_function_can_travel_together():
     ends = topics(examples(), settings(topics="function", namespace="/ego"))
-    assert ends["Publisher", "/ego/core_acc/out"]["DataMappingList"][0]["ROSTopicFieldName"][0] == "status"
-    assert ("Subscription", "/ego/eco_control_mpc/out") in ends
+    assert ends["Publisher", "core_acc/out"]["DataMappingList"][0]["ROSTopicFieldName"][0] == "status"
+    assert ("Subscription", "eco_control_mpc/out") in ends
 
 
 def test_a_keyword_is_avoided_and_the_change_is_told():
     switch = function(signal("Sw", "Vehicle.Body.Switch"))
-    end = topics([switch])["Subscription", "/vehicle/body/switch"]
+    end = topics([switch])["Subscription", "vehicle/body/switch"]
     assert end["DataMappingList"][0]["ROSTopicFieldName"] == ["switch_value"]
     assert ("N210", "Vehicle.Body.Switch") in rules([switch])
 
 
 def test_the_numbers_of_the_code_stand_in_the_conversion_and_those_of_the_catalogue_in_the_message():
-    end = topics([example("core_acc")])["Subscription", "/vehicle/adas/map/dfs/map_data_spd_unit_typ"]
+    end = topics([example("core_acc")])["Subscription", "vehicle/adas/map/dfs/map_data_spd_unit_typ"]
     symbols = [(each["Text"], each["Value"], each["Number"]) for each in conversion(end)["Symbols"]]
     assert symbols == [("KM_PER_HOUR", 0, 0), ("MI_PER_HOUR", 1, 1), ("NOT_IN_MAP", 3, 2)]
     constants = messages([example("core_acc")])["ADASMapDFSMapDataSpdUnitTyp"]["Constants"]
@@ -164,10 +164,10 @@ def test_a_consumer_with_other_numbers_than_the_provider_converts_them(vss, enum
     assert [(field["Name"], field["DataType"]) for field in made["Fields"][1:]] == fields
     assert (made["Constants"][1]["DataType"], made["Constants"][1]["Value"]) == constant
     ends = topics(both, numbers)
-    giving = ends["Publisher", "/vehicle/state"]["DataMappingList"][0]["ConversionAPI"]
+    giving = ends["Publisher", "vehicle/state"]["DataMappingList"][0]["ConversionAPI"]
     assert giving is None if given is None else said(giving[0])[1:] == given
     taken = None if enumerations == "text" else 6
-    assert said(conversion(ends["Subscription", "/vehicle/state"])) == [("OFF", 1, taken), ("ON", 0, taken and 7)]
+    assert said(conversion(ends["Subscription", "vehicle/state"])) == [("OFF", 1, taken), ("ON", 0, taken and 7)]
 
 
 def said(made):
@@ -183,26 +183,26 @@ def test_an_enumeration_with_other_values_is_another_one():
 
 
 def test_a_unit_is_converted_in_the_direction_of_the_call():
-    consumed = topics([example("core_acc")])["Subscription", "/vehicle/adas/cruise_control/speed_set"]
+    consumed = topics([example("core_acc")])["Subscription", "vehicle/adas/cruise_control/speed_set"]
     assert (conversion(consumed)["Factor"], conversion(consumed)["Offset"]) == ("0.2777777777777778", "0")
-    provided = topics([example("wheel_speed_calculation")])["Publisher", "/vehicle/chassis/axle/row1/wheel/left/speed"]
+    provided = topics([example("wheel_speed_calculation")])["Publisher", "vehicle/chassis/axle/row1/wheel/left/speed"]
     assert (conversion(provided)["Factor"], conversion(provided)["Offset"]) == ("0.01", "-100")
 
 
 def test_the_same_datatype_and_unit_need_no_conversion():
-    end = topics([example("core_acc")])["Subscription", "/vehicle/chassis/brake/cyl_p"]
+    end = topics([example("core_acc")])["Subscription", "vehicle/chassis/brake/cyl_p"]
     assert end["DataMappingList"][0]["ConversionAPI"] is None
 
 
 def test_a_larger_datatype_is_rounded_and_bounded():
     byte = {"typeRef": "DT_UInt8", "category": "primitive", "cDef": "uint8_t"}
-    end = topics([function(signal(Datatype="DT_UInt8"), datatypes=[byte])])["Subscription", "/vehicle/speed"]
+    end = topics([function(signal(Datatype="DT_UInt8"), datatypes=[byte])])["Subscription", "vehicle/speed"]
     assert conversion(end)["Kind"] == "Cast"
     assert (conversion(end)["Rounding"], conversion(end)["Saturates"]) == ("Nearest", True)
 
 
 def test_arrays_keep_their_length():
-    end = topics([example("eco_control_mpc")])["Subscription", "/vehicle/adas/map/horizon/altitude"]
+    end = topics([example("eco_control_mpc")])["Subscription", "vehicle/adas/map/horizon/altitude"]
     assert end["DataMappingList"][0]["ROSTopicFieldDataType"] == ["float32[50]"]
 
 
@@ -239,8 +239,8 @@ def test_methods_become_services_that_provider_and_user_share():
     calls = document(both)["CommunicationList"]
     services = [(s["ServiceName"], s["Role"], s["ServiceType"]) for call in calls for s in call["ROSServiceList"]]
     assert services == [
-        ("/set_limit", "Server", "vehicle_msgs/srv/SetLimit"),
-        ("/set_limit", "Client", "vehicle_msgs/srv/SetLimit"),
+        ("set_limit", "Server", "vehicle_msgs/srv/SetLimit"),
+        ("set_limit", "Client", "vehicle_msgs/srv/SetLimit"),
     ]
 
 
@@ -248,14 +248,14 @@ def test_a_path_can_be_told_by_the_deployment():
     bare = function(signal("Speed", ""))
     assert ("N211", "Acc.Speed") in rules([bare])
     deployment = DEPLOYMENT_FILE.model_validate({"paths": {"Acc.Speed": "Vehicle.Speed"}})
-    assert ("Subscription", "/vehicle/speed") in topics([bare], deployment)
+    assert ("Subscription", "vehicle/speed") in topics([bare], deployment)
 
 
 # -- quality of service -------------------------------------------------------------------------------------------
 
 
 def quality(*functions, role="Subscription", deployment=None):
-    return topics(functions, deployment)[role, "/vehicle/speed"]["QualityOfService"]
+    return topics(functions, deployment)[role, "vehicle/speed"]["QualityOfService"]
 
 
 def test_qm_values_that_come_again_are_best_effort():
@@ -287,7 +287,7 @@ def test_a_queue_is_reliable_and_as_deep_as_it_is_long_on_both_ends():
 @pytest.mark.parametrize("publisher", [(), (function(signal(role="Provider"), call={"Runtype": "EventTriggered"}),)])
 def test_a_deadline_is_requested_only_from_a_publisher_of_the_set_that_offers_one(publisher):
     made = topics([*publisher, function(signal(Timeout="200", AsilLevel="D"), name="Hmi")])
-    end = made["Subscription", "/vehicle/speed"]
+    end = made["Subscription", "vehicle/speed"]
     assert "Deadline" not in end["QualityOfService"]
     assert "LeaseDuration" not in end["QualityOfService"]
     assert end["DataMappingList"][0]["FieldList"][0]["Timeout"] == 200
@@ -352,25 +352,25 @@ def test_a_cyclic_call_has_a_timer_and_runs_in_its_modes():
 def test_an_event_triggered_call_runs_on_what_it_consumes():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "DebounceDelay": "5"}
     (step,) = node([function(signal(), call=call)])["Schedules"]
-    assert (step["Trigger"], step["Topics"], step["Debounce"]) == ("Topics", ["/vehicle/speed"], 5)
+    assert (step["Trigger"], step["Topics"], step["Debounce"]) == ("Topics", ["vehicle/speed"], 5)
     assert ("N215", "Acc_Step") in rules([function(call=call)])
     other = signal("Mass", "Vehicle.Mass")
     for event in ("Speed", "Vehicle.Speed"):
         (step,) = node([function(signal(), other, call=call | {"EventList": event})])["Schedules"]
-        assert step["Topics"] == ["/vehicle/speed"]
+        assert step["Topics"] == ["vehicle/speed"]
 
 
 def test_queued_data_keeps_what_signals_have():
     queue = signal() | {"AsilInfo": "QM", "QueueLength": 8, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}
     queue |= {"Default": 5, "Access": "Buffered"}
-    end = topics([function(contract={"DataQList": [queue]})])["Subscription", "/vehicle/speed"]
+    end = topics([function(contract={"DataQList": [queue]})])["Subscription", "vehicle/speed"]
     field = end["DataMappingList"][0]["FieldList"][0]
     assert (field["Default"], field["Access"]) == (5, "Buffered")
 
 
 def test_modes_have_topics_with_a_constant_for_each_mode():
     topic = node([example("core_acc")])["ModeTopics"][0]
-    assert (topic["TopicName"], topic["Role"]) == ("/core_acc/mode_in", "Subscription")
+    assert (topic["TopicName"], topic["Role"]) == ("core_acc/mode_in", "Subscription")
     constants = messages([example("core_acc")])["CoreAccModeIn"]["Constants"]
     assert [(each["Name"], each["Value"]) for each in constants] == [("OFF", "0"), ("STANDBY", "1"), ("ACTIVE", "2")]
 
@@ -381,8 +381,8 @@ def test_every_node_of_a_function_is_told_its_mode_and_the_first_one_tells_it():
     both = core.model_copy(update={"components": (*core.components, second)})
     nodes = [package["Nodes"][0] for package in document([both])["NodePackageList"]]
     assert [[topic["TopicName"] for topic in each["ModeTopics"]] for each in nodes] == [
-        ["/core_acc/mode_in", "/core_acc/mode_out"],
-        ["/core_acc/mode_in"],
+        ["core_acc/mode_in", "core_acc/mode_out"],
+        ["core_acc/mode_in"],
     ]
     assert len([name for name in messages([both]) if "Mode" in name]) == 2
 
@@ -528,7 +528,7 @@ def test_the_report_knows_every_field_of_every_interface(kind):
 def test_the_report_tells_where_each_field_went():
     entries = {(entry.interface, entry.field): entry for entry in derived(examples()).report}
     brake = entries["Vehicle.Chassis.Brake.CylP", "Variable"]
-    assert brake.target == "topic /vehicle/chassis/brake/cyl_p, field cyl_p: Variable"
+    assert brake.target == "topic vehicle/chassis/brake/cyl_p, field cyl_p: Variable"
     assert entries["CoreAcc_Step", "StackSize"].target == NOT_CARRIED
     assert not any("{" in entry.target for entry in entries.values())
 
@@ -544,3 +544,40 @@ def test_the_deployment_names_who_provides_safety_conditions_and_modes():
     made = document([example("core_acc")], deployment)["NodePackageList"][0]["Nodes"][0]
     assert {each["Provider"] for each in made["SafetyReactions"]} == {"SafetyCluster"}
     assert {each.get("Provider") for each in made["ModeTopics"]} == {"StateManager", None}
+
+
+def test_what_a_function_provides_in_one_cycle_travels_together_by_default():
+    out = [signal(name, f"Vehicle.{name}", role="Provider") for name in ("Speed", "Mass")]
+    give = function(*out, name="Give")
+    take = function(signal(), signal("Outside", "Vehicle.Outside"), name="Take")
+    ends = topics([give, take], DEPLOYMENT_FILE.model_validate({}))
+    assert set(ends) == {
+        ("Publisher", "give/cycle50_ms"), ("Subscription", "give/cycle50_ms"), ("Subscription", "vehicle/outside"),
+    }  # fmt: skip
+    written, read = (ends[role, "give/cycle50_ms"]["DataMappingList"][0] for role in ("Publisher", "Subscription"))
+    assert (written["ROSTopicFieldName"], read["ROSTopicFieldName"]) == (["speed", "mass"], ["speed"])
+
+
+def test_a_queue_and_what_comes_without_a_cycle_have_topics_of_their_own():
+    queue = signal("Mass", "Vehicle.Mass") | {"AsilInfo": "QM", "QueueLength": 8, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}  # fmt: skip
+    out = [signal(name, f"Vehicle.{name}", role="Provider") for name in ("Speed", "Mass")]
+    events = {"Runtype": "EventTriggered", "Cycletime": None}
+    late = function(signal("Late", "Vehicle.Late", role="Provider"), name="Late", call=events)
+    take = function(name="Take", contract={"DataQList": [queue]})
+    names = {name for _, name in topics([function(*out, name="Give"), late, take], DEPLOYMENT_FILE.model_validate({}))}
+    assert names == {"give/cycle50_ms", "vehicle/mass", "vehicle/late"}
+
+
+def test_names_are_relative_and_the_namespace_is_that_of_the_nodes():
+    made = document([example("core_acc")], settings(namespace="/ego"))
+    (package,) = made["NodePackageList"]
+    assert package["Nodes"][0]["Namespace"] == "/ego"
+    named = [topic["TopicName"] for call in made["CommunicationList"] for topic in call["ROSTopicList"]]
+    named += [topic["TopicName"] for topic in package["Nodes"][0]["ModeTopics"]]
+    assert [name for name in named if name.startswith("/")] == []
+
+
+@pytest.mark.parametrize("topic", ["vehicle/speed", "/vehicle/speed", "/ego/vehicle/speed", "Vehicle.Speed"])
+def test_quality_is_set_by_path_or_by_the_name_of_a_topic_in_any_form(topic):
+    deployment = settings(namespace="/ego", quality={topic: {"depth": 5}})
+    assert quality(function(signal()), deployment=deployment)["Depth"] == 5

@@ -48,7 +48,7 @@ def derive(
     parts = node_parts(wholes, findings)
     uses = signal_uses(parts, app.paths)
     exchanged = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
-    exchanged = with_services(exchanged, parts, settings, book, findings)
+    exchanged = with_services(exchanged, parts, book, findings)
     statuses = status_names(parts)
     managers = Managers(app.safety_manager, app.mode_manager)
     nodes = {part.name: node_of(part, managers, exchanged, statuses, settings, book, findings) for part in parts}

@@ -64,8 +64,8 @@ def constant_name(source: str, taken: Container[str] = ()) -> Name:
 
 
 def topic_name(*segments: str) -> str:
-    """An absolute topic or service name of lower_snake_case segments: `/vehicle/speed`."""
-    return "".join(f"/{_named(snake_case(segment), 'value', '_', (), reserved=False).text}" for segment in segments)
+    """A relative topic or service name of lower_snake_case segments, `vehicle/speed`: nodes resolve it in their namespace."""
+    return "/".join(_named(snake_case(segment), "value", "_", (), reserved=False).text for segment in segments)
 
 
 def _named(

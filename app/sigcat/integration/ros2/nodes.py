@@ -80,7 +80,7 @@ def node_of(
         transitions=_transitions(part),
         schedules=tuple(_schedule(call, part, exchanged, findings) for call in running),
         parameters=parameters_of(own, part, book.table, findings),
-        modes=tuple(_modes(part, managers, settings, book, findings, is_first=is_first)),
+        modes=tuple(_modes(part, managers, book, findings, is_first=is_first)),
         diagnostics=tuple(_diagnostic(error, part, statuses, findings) for error in errors.values()),
         diagnostics_topic=DIAGNOSTICS,
         conditions=tuple(_condition(each, managers, statuses, book.table, findings) for each in reactions.values()),
@@ -233,7 +233,6 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
 def _modes(
     part: Part,
     managers: Managers,
-    settings: Ros2Settings,
     book: MessageBook,
     findings: FindingCollector,
     *,
@@ -251,7 +250,7 @@ def _modes(
         way = f"mode_{interface.direction}"
         yield ModeTopic(
             interface=interface.name,
-            topic=settings.namespace + topic_name(part.function_name, way),
+            topic=topic_name(part.function_name, way),
             role=SUBSCRIPTION if is_received else PUBLISHER,
             message=f"{book.package}/msg/{_mode_message(interface, part, book, findings)}",
             field="mode",

@@ -13,11 +13,11 @@ that its subscriptions request nothing of it that an ordinary one may not offer:
 Attributes are the exception: a publisher that does not keep them has nothing for who starts late.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from sigcat.asil import rank
 from sigcat.integration.ros2.model import QualityOfService
-from sigcat.integration.ros2.settings import QualitySettings
+from sigcat.integration.ros2.settings import QualitySettings, Ros2Settings
 from sigcat.integration.ros2.signal_uses import SignalUse
 
 MODE = QualityOfService(
@@ -27,7 +27,7 @@ MODE = QualityOfService(
 
 
 def quality(
-    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Mapping[str, QualitySettings]
+    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Ros2Settings
 ) -> QualityOfService:
     """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
@@ -46,7 +46,8 @@ def quality(
         lease_duration=deadline if is_strict else None,
         reasons=tuple(reasons),
     )
-    return _overridden(derived, [settings[key] for key in (topic, *(use.path for use in mine)) if key in settings])
+    keys = (topic, f"/{topic}", f"{settings.namespace}/{topic}", *(use.path for use in mine))
+    return _overridden(derived, [settings.quality[key] for key in dict.fromkeys(keys) if key in settings.quality])
 
 
 def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -> str:

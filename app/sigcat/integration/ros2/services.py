@@ -12,7 +12,6 @@ from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
 from sigcat.integration.ros2.names import field_name, report_renamed, topic_name
-from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.types import c_definition, field_type
 from sigcat.names import camel_case
 
@@ -34,14 +33,14 @@ class _Side(NamedTuple):
 
 
 def with_services(
-    exchanged: Sequence[Communication], parts: Sequence[Part], settings: Ros2Settings, book: MessageBook,
+    exchanged: Sequence[Communication], parts: Sequence[Part], book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:  # fmt: skip
     """The communications with the services of every call. Calls that exchange nothing else are added."""
     services: dict[tuple[str, str], list[RosService]] = {}
     types: dict[str, tuple[str, _Side, _Side]] = {}
     for call in _calls(parts):
-        service = _service(call, types, settings, book, findings)
+        service = _service(call, types, book, findings)
         if service is not None:
             services.setdefault((call.part.name, call.runnable.name), []).append(service)
     made = []
@@ -63,7 +62,6 @@ def _calls(parts: Sequence[Part]) -> Iterator[_Call]:
 def _service(
     call: _Call,
     types: dict[str, tuple[str, _Side, _Side]],
-    settings: Ros2Settings,
     book: MessageBook,
     findings: FindingCollector,
 ) -> RosService | None:
@@ -85,7 +83,7 @@ def _service(
         message = f"The method {method.name} must have the same arguments everywhere; those of {call.part.function_name} differ from another function's."
         findings.report(codes.MEANINGS_DIFFER, message, interface, "Rename one of them.")
     return RosService(
-        name=settings.namespace + topic_name(method.name),
+        name=topic_name(method.name),
         method=method.name,
         role=SERVER if method.role == PROVIDER else CLIENT,
         service=f"{book.package}/srv/{name}",

@@ -7,7 +7,7 @@ from pydantic import Field
 from sigcat.function.declaration.form import DeclarationModel, Natural, Text
 
 RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100)]
-Topics = Literal["signal", "branch", "function"]
+Topics = Literal["cycle", "signal", "branch", "function"]
 
 
 Enumerations = Literal["both", "number", "text"]
@@ -28,9 +28,10 @@ class Ros2Settings(DeclarationModel):
     """What holds for ROS 2."""
 
     topics: Topics = Field(
-        "signal",
-        description="One topic for each signal, for each branch and provider, or for all outputs of a function. "
-        "Only topics for single signals keep name and type whatever else is integrated.",
+        "cycle",
+        description="One topic for all that a function of the set provides in one cycle, for each signal, for each branch "
+        "and provider, or for all outputs of a function. Only topics for single signals keep name and type whatever else "
+        "is integrated.",
     )
     enumerations: Enumerations = Field(
         "both",
@@ -38,7 +39,7 @@ class Ros2Settings(DeclarationModel):
         "or one of the two alone. The numbers are the catalogue's.",
     )
     namespace: Annotated[str, Field(pattern=r"^(/[a-z](_?[a-z0-9]+)*)*$", max_length=100)] = Field(
-        "", description="What stands before every topic, service and node, as /ego."
+        "", description="Namespace of the nodes, as /ego. Names of topics and services are relative to it."
     )
     message_package: RosName = Field("vehicle_msgs", description="Package that holds the messages and services.")
     maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")

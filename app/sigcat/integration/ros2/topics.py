@@ -58,13 +58,14 @@ def topics_of(
 ) -> tuple[Topic, ...]:
     """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
     providers = _providers(uses, findings)
+    together = _Together.of(uses, providers.values())
     groups: dict[_Group, list[SignalUse]] = {}
     for use in uses:
-        groups.setdefault(_group(use, providers.get(use.key, ""), settings), []).append(use)
+        groups.setdefault(_group(use, providers.get(use.key), together, settings), []).append(use)
     taken: dict[str, str] = {}
     made = []
     for group in sorted(groups):
-        name = _free(settings.namespace + topic_name(*group.segments), taken, groups[group][0], findings)
+        name = _free(topic_name(*group.segments), taken, groups[group][0], findings)
         made.append(_topic(name, group, groups[group], settings, book, findings))
     return tuple(made)
 
@@ -90,8 +91,29 @@ def communications(
 # -- which signals travel together --------------------------------------------------------------------------------
 
 
-def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[str, str]:
-    providers: dict[str, str] = {}
+class _Together(NamedTuple):
+    """What decides whether a signal travels with the others of its cycle."""
+
+    queued: frozenset[str]
+    """Keys of signals that a side queues: a topic of their own has the depth of the queue."""
+    shared: frozenset[tuple[str, int | None]]
+    """Functions and cycles in which several calls provide signals: one message has what one call writes."""
+
+    @classmethod
+    def of(cls, uses: Iterable[SignalUse], providers: Iterable[SignalUse]) -> "_Together":
+        """Of every use of the set, and the first provider of each signal."""
+        calls: dict[tuple[str, int | None], set[str]] = {}
+        for use in providers:
+            calls.setdefault((use.part.function_name, use.cycle), set()).add(f"{use.part.name}.{use.runnable.name}")
+        return cls(
+            frozenset(use.key for use in uses if use.queue_length),
+            frozenset(key for key, names in calls.items() if len(names) > 1),
+        )
+
+
+def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[str, SignalUse]:
+    """The first provider of each signal."""
+    providers: dict[str, SignalUse] = {}
     for use in uses:
         if not use.path:
             message = f"{use.interface} must have a path in the catalogue; without it only {use.part.function_name} can know its topic."
@@ -99,7 +121,7 @@ def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[st
                 codes.SIGNAL_WITHOUT_PATH, message, use.interface, "Set it under `paths` in the deployment file."
             )
         if use.is_provider:
-            first = providers.setdefault(use.key, use.part.function_name)
+            first = providers.setdefault(use.key, use).part.function_name
             if first != use.part.function_name:
                 message = f"{use.interface} must have one publisher, not {first} and {use.part.function_name}: subscribers get a mixture."
                 findings.report(
@@ -108,19 +130,25 @@ def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[st
     return providers
 
 
-def _group(use: SignalUse, provider: str, settings: Ros2Settings) -> _Group:
+def _group(use: SignalUse, providing: SignalUse | None, together: _Together, settings: Ros2Settings) -> _Group:
+    provider = providing.part.function_name if providing else ""
+    if settings.topics == "cycle" and providing and providing.cycle and use.key not in together.queued:
+        is_shared = (provider, providing.cycle) in together.shared
+        call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
+        names = (provider, *call, f"Cycle{providing.cycle}ms")
+        return _Group(names, "".join(map(camel_case, names)))
     if settings.topics == "function":
-        source, way = (provider, "out") if provider else (use.part.function_name, "in")
-        return _Group((source, way), camel_case(source) + camel_case(way))
+        owner, way = (provider, "out") if provider else (use.part.function_name, "in")
+        return _Group((owner, way), camel_case(owner) + camel_case(way))
     if not use.path:
         return _Group(
             (use.part.function_name, use.data.name), camel_case(use.part.function_name) + camel_case(use.data.name)
         )
     path = parent_path(use.path) if settings.topics == "branch" else use.path
-    names = path.split(".")
+    steps = path.split(".")
     source = camel_case(provider) if settings.topics == "branch" else ""
-    segments = (provider, *names) if source else tuple(names)
-    return _Group(segments, "".join(map(camel_case, names[1:] or names)) + source)
+    segments = (provider, *steps) if source else tuple(steps)
+    return _Group(segments, "".join(map(camel_case, steps[1:] or steps)) + source)
 
 
 def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCollector) -> str:
@@ -248,7 +276,7 @@ def _ends(
             stamp=STAMP.name,
             node=mine[0].part.name,
             providers=tuple(dict.fromkeys(use.part.function_name for use in topic.uses if use.is_provider)),
-            quality=quality(mine, topic.uses, topic.name, settings.quality),
+            quality=quality(mine, topic.uses, topic.name, settings),
         )
 
 
