@@ -112,3 +112,17 @@ def test_a_folder_above_the_repository_makes_no_overlay_of_a_tree(tmp_path):
     body = folder / "vspec" / "Body.vspec"
     body.write_text("Is: {type: branch, description: A part.}\n")
     assert lint_paths([body]).findings == ()
+
+
+def test_an_overlay_is_for_the_shipped_tree_where_only_an_include_shows_that_another_has_another_root(tmp_path):
+    """Linted with a tree that it is not made for, or alone: it is the same overlay."""
+    for folder in ("truck", "overlays"):
+        (tmp_path / folder).mkdir()
+    root, own = tmp_path / "truck" / "Truck.vspec", tmp_path / "overlays" / "own.vspec"
+    root.write_text("#include Cabin.vspec\n")
+    (root.parent / "Cabin.vspec").write_text("Truck: {type: branch, description: A truck.}\n")
+    own.write_text("Vehicle.Bom: {type: sensor, datatype: float, description: A new signal.}\n")
+    assert lint_paths([tmp_path / "overlays"]).findings == ()
+    assert lint_paths([tmp_path]).findings == ()
+    own.write_text("Truck.Bom: {type: sensor, datatype: flaot, description: A new signal.}\n")
+    assert [f.rule for f in lint_paths([tmp_path]).findings] == ["V003"]

@@ -222,7 +222,7 @@ def _included(target: str, file: Path, root: Path) -> Path | None:
 def tree_with_root(name: str, overlay: Path) -> Path | None:
     """A tree beside an overlay whose root has a name, units or not."""
     beside = (path for path in sorted(overlay.parent.glob("*.vspec")) if path != overlay)
-    return next((path for path in beside if name and root_branch(first_bytes(path)) == name), None)
+    return next((path for path in beside if name and root_branch(_bytes_with_root(path)) == name), None)
 
 
 def overlay_beside_with(path: str, overlay: Path) -> Path | None:
@@ -233,8 +233,28 @@ def overlay_beside_with(path: str, overlay: Path) -> Path | None:
 
 
 def has_root(path: Path, name: str) -> bool:
-    """Whether the root of a tree has a name. One that only an include shows may have any."""
-    return root_branch(first_bytes(path)) in (name, "")
+    """Whether the root of a tree has a name. One that no file shows may have any."""
+    return root_of(path) in (name, "")
+
+
+def root_of(tree: Path) -> str:
+    """The name of the root of a tree; empty if none is found."""
+    return root_name(_bytes_with_root(tree))
+
+
+def _bytes_with_root(path: Path) -> bytes:
+    """The first bytes of a tree or overlay; if all that it has are includes, of the first of these that has nodes."""
+    seen, waiting = {path}, [path]
+    while waiting:
+        file = waiting.pop(0)
+        data = first_bytes(file)
+        if root_name(data):
+            return data
+        included = [_included(target, file, path.parent) for target, prefix in includes_of(file) if not prefix]
+        new = [target for target in included if target is not None and target not in seen]
+        seen.update(new)
+        waiting.extend(new)
+    return b""
 
 
 def _only_tree(folder: Path, near: Path) -> Path | None:
@@ -301,17 +321,17 @@ def _tree_around(path: Path) -> tuple[Path, str] | None:
         return None
     if len(names) == 1 and path.resolve().parent == tree.parent:
         return None  # a tree of its own, beside the other
-    root = root_branch(first_bytes(tree))
+    root = root_of(tree)
     return (tree, root) if root and root.encode() not in names else None
 
 
 def _has_own_root(path: Path, base: Path | None) -> bool:
     """Whether a file begins with a root that is not the root of the tree which an overlay here would be made for."""
-    own = root_branch(first_bytes(path))
+    own = root_branch(_bytes_with_root(path))
     if not own:
         return False
     below = base or default_tree(path)
-    known = root_name(first_bytes(below)) if below is not None else SHIPPED_ROOT
+    known = root_of(below) if below is not None else SHIPPED_ROOT
     return bool(known) and own != known and not nearest(own, [known])
 
 
