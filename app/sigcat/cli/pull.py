@@ -20,20 +20,25 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--from", dest="origin", default="", metavar="URL|FILE", help="take the archive (tar.gz, tar, zip) from here"
     )
+    parser.add_argument("--force", action="store_true", help="replace a release of this name that is here already")
     parser.add_argument("--digest", default="", metavar="SHA256", help="digest that the archive must have")
     parser.set_defaults(run=pull_release)
 
 
 def pull_release(arguments: argparse.Namespace) -> int:
     """Fetch and keep the release; the line of it goes to standard output."""
-    from sigcat.catalogue.hosting.releases import pull
+    from sigcat.catalogue.hosting.releases import is_pulled, pull
 
+    is_here = is_pulled(arguments.release) and not arguments.force
     bar = ProgressBar(arguments.release) if sys.stderr.isatty() else None
     try:
-        release = pull(arguments.release, arguments.origin, arguments.digest, progress=bar)
+        release = pull(arguments.release, arguments.origin, arguments.digest, replaces=arguments.force, progress=bar)
     finally:
         if bar is not None:
             bar.clear()
+    if is_here:
+        unused = f", and {arguments.origin} is not used" if arguments.origin else ""
+        print(f"sigcat: {release.name} is here already{unused}; --force replaces it", file=sys.stderr)
     print(f"{release.name}: {release.nodes:,} nodes in {release.folder}")
     print(f"{'':{len(release.name)}}  SHA-256 {release.digest}, from {release.source}")
     return 0

@@ -14,6 +14,7 @@ from sigcat.cli import pull, releases
 from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
 from sigcat.cli.pull import bar_text
 from sigcat.errors import SigcatError
+from tests.catalogue.hosting.archives import saved, zip_bytes
 from tests.catalogue.hosting.server import GOOD
 
 
@@ -52,6 +53,21 @@ def test_pulling_says_what_came_and_listing_shows_it(server, data, capsys):
     assert (release["name"], release["nodes"], release["digest"]) == ("v5.0", 2, digest)
 
 
+def test_a_release_that_is_here_is_named_and_force_replaces_it(server, data, tmp_path, capsys):
+    assert run("pull", "5.0", "--from", f"{server}/good") == 0
+    other = str(saved(tmp_path, zip_bytes()))
+    capsys.readouterr()
+    assert run("pull", "5.0", "--from", other) == 0
+    output = capsys.readouterr()
+    assert output.err == f"sigcat: v5.0 is here already, and {other} is not used; --force replaces it\n"
+    assert f"from {server}/good" in output.out
+    assert run("pull", "5.0", "--from", other, "--force") == 0
+    output = capsys.readouterr()
+    assert output.err == ""
+    assert f"from {other}" in output.out
+    assert [path.name for path in (data / "releases").iterdir()] == ["v5.0"]
+
+
 def test_with_nothing_pulled_the_list_says_what_to_do(data, capsys):
     assert run("releases") == 0
     output = capsys.readouterr()
@@ -75,7 +91,7 @@ def test_a_terminal_gets_a_bar_and_keeps_a_clean_line(server, data):
     terminal, side = pty.openpty()
     code = (
         "import argparse; from sigcat.cli import pull;"
-        f"pull.pull_release(argparse.Namespace(release='v5.0', origin='{server}/good', digest=''))"
+        f"pull.pull_release(argparse.Namespace(release='v5.0', origin='{server}/good', digest='', force=False))"
     )
     subprocess.run([sys.executable, "-c", code], stderr=side, stdout=subprocess.DEVNULL, check=True)
     os.close(side)

@@ -139,6 +139,35 @@ def test_a_tree_that_cannot_be_read_is_refused_with_its_findings(tmp_path, data)
     assert list(releases_folder().iterdir()) == []
 
 
+def of_version(major: int, minor: int, patch: int) -> bytes:
+    """An archive whose tree says which release it is."""
+    version = "".join(
+        f"Vehicle.VersionVSS.{name}: {{type: attribute, datatype: uint32, default: {number}, description: {name}.}}\n"
+        for name, number in (("Major", major), ("Minor", minor), ("Patch", patch))
+    )
+    branch = "Vehicle.VersionVSS: {type: branch, description: Version.}\n"
+    return tar_bytes(files={**FILES, ROOT_FILE: f"{FILES[ROOT_FILE]}\n{branch}{version}"})
+
+
+@pytest.mark.parametrize("name", ["v5.0", "v6.0.1", "v60.0", "v6.1-rc1"])
+def test_a_release_that_says_it_is_another_one_is_refused(tmp_path, data, name):
+    with pytest.raises(InputRefused, match=rf"is release v6\.0\.0 .* not {name}"):
+        pull(name, str(saved(tmp_path, of_version(6, 0, 0))))
+    assert list(releases_folder().iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["6.0", "v6.0.0", "v6.0-rc1", "acme-2024"])
+def test_a_release_is_what_it_says_and_other_names_are_free(tmp_path, data, name):
+    assert pull(name, str(saved(tmp_path, of_version(6, 0, 0)))).name == release_name(name)
+
+
+def test_a_release_that_cannot_be_used_replaces_none(tmp_path, data):
+    pull("v5.0", str(saved(tmp_path, of_version(5, 0, 0))))
+    with pytest.raises(InputRefused):
+        pull("v5.0", str(saved(tmp_path, of_version(6, 0, 0))), replaces=True)
+    assert "default: 5" in find_release("v5.0").spec.read_text()
+
+
 @pytest.mark.parametrize("origin", ["file:///etc/passwd", "ftp://host/x", "missing.tar.gz", "."])
 def test_an_origin_is_a_web_address_or_a_file(data, origin):
     with pytest.raises(UsageError):

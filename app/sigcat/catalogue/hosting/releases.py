@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from sigcat.catalogue.hosting.archive import ROOT_FILE, unpack
 from sigcat.catalogue.hosting.download import FetchFailed, FileMissing, Progress, fetch
 from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.root_file import types_beside
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import has_errors
@@ -31,6 +32,7 @@ _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._+-]{0,63}")
 _SHIPPED = ("vss", "interfaces")
 """Names of what is there without being pulled."""
 _VERSION = re.compile(r"[vV]?([0-9]+(?:\.[0-9]+){1,3}(?:[-._]?[A-Za-z][A-Za-z0-9.]*)?)")
+_STATED = "Vehicle.VersionVSS"
 _SHA256 = re.compile(r"(?:sha256:)?([0-9a-f]{64})")
 _UNFINISHED = ".pull-"
 _DAY = 24 * 60 * 60
@@ -130,16 +132,22 @@ def find_release(name: str, data: Path | None = None) -> Release:
     return pulled[wanted]
 
 
+def is_pulled(name: str, data: Path | None = None) -> bool:
+    """Whether the release of this name is in the data folder."""
+    return _recorded(releases_folder(data) / release_name(name) / RECORD) is not None
+
+
 def pull(
     name: str,
     origin: str = "",
     digest: str = "",
     *,
+    replaces: bool = False,
     data: Path | None = None,
     progress: Progress | None = None,
     limits: PullLimits = DEFAULT_PULL_LIMITS,
 ) -> Release:
-    """Fetch a release, check it and keep it; one that is here already is returned as it is.
+    """Fetch a release, check it and keep it; one that is here already is returned as it is, unless `replaces`.
 
     `origin` is an address or a file instead of COVESA's GitHub; `digest` the SHA-256 that the archive must have.
     Raises UsageError, FetchFailed or InputRefused, and then nothing of it is kept.
@@ -148,7 +156,8 @@ def pull(
     if not origin and not _VERSION.fullmatch(name):
         raise UsageError(f"{name!r} is not a version; name with --from where it comes from")
     folder = releases_folder(data)
-    if (here := _recorded(folder / name / RECORD)) is not None:
+    here = None if replaces else _recorded(folder / name / RECORD)
+    if here is not None:
         return _same(here, digest)
     folder.mkdir(parents=True, exist_ok=True)
     _remove_unfinished(folder)
@@ -162,9 +171,11 @@ def pull(
         content.mkdir()
         files = unpack(archive, content, limits.archive)
         release = Release(
-            name, content, source, found, _content_digest(content, files), _now(), _count_nodes(name, content)
+            name, content, source, found, _content_digest(content, files), _now(), len(_tree(name, content).nodes)
         )
         _write_record(release)
+        if replaces and (folder / name).exists():
+            (folder / name).rename(work / "replaced")
         return _keep(release, folder / name)
 
 
@@ -179,7 +190,7 @@ def _same(release: Release, digest: str) -> Release:
     if digest and release.digest != digest:
         message = (
             f"{release.name} is here already, from an archive with the SHA-256 {release.digest}, not {digest}; "
-            f"remove {release.folder} to pull it again"
+            f"pull it with --force to replace it"
         )
         raise InputRefused(message)
     return release
@@ -225,9 +236,8 @@ def _content_digest(folder: Path, files: Sequence[PurePosixPath]) -> str:
     return hashlib.sha256("".join(lines).encode()).hexdigest()
 
 
-def _count_nodes(name: str, folder: Path) -> int:
-    """Nodes of the tree in a folder. Raises InputRefused if it does not load."""
-
+def _tree(name: str, folder: Path) -> Catalogue:
+    """The tree in a folder. Raises InputRefused if it does not load, or says that it is another release."""
     spec = folder / ROOT_FILE
     catalogue = load(Source(name, name, spec, types=types_beside(spec), release=name))
     if has_errors(catalogue.findings) or not catalogue.roots:
@@ -235,7 +245,25 @@ def _count_nodes(name: str, folder: Path) -> int:
         findings = [finding._replace(file=finding.file.removeprefix(prefix)) for finding in catalogue.findings]
         errors = tuple(finding for finding in findings if finding.severity == "error")
         raise InputRefused(f"the tree of {name} cannot be read; nothing was kept", errors)
-    return len(catalogue.nodes)
+    stated = _stated_version(catalogue)
+    if stated is not None and _VERSION.fullmatch(name) and _numbers(name) != _numbers(stated):
+        raise InputRefused(f"the archive is release {stated} by its {_STATED}, not {name}; nothing was kept")
+    return catalogue
+
+
+def _stated_version(catalogue: Catalogue) -> str | None:
+    """The version that the tree says it is; None if it does not."""
+    nodes = [catalogue.get(f"{_STATED}.{part}") for part in ("Major", "Minor", "Patch")]
+    numbers = [str(node.values.get("default")) for node in nodes if node is not None]
+    return f"v{'.'.join(numbers)}" if len(numbers) == len(nodes) and all(map(str.isdecimal, numbers)) else None
+
+
+def _numbers(version: str) -> list[int]:
+    """The numbers of a version, without zeros at the end and without what follows them, as in `v6.0-rc1`."""
+    numbers = [int(number) for number in version.removeprefix("v").partition("-")[0].split(".") if number.isdecimal()]
+    while numbers and not numbers[-1]:
+        numbers.pop()
+    return numbers
 
 
 # -- the data folder ----------------------------------------------------------------------------------------------
