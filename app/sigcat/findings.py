@@ -1,6 +1,7 @@
 """The one finding type: what is wrong, where, and what to do about it."""
 
-from typing import Literal, NamedTuple
+import datetime as dt
+from typing import Any, Literal, NamedTuple
 
 Severity = Literal["error", "warning", "info"]
 
@@ -71,3 +72,17 @@ def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
 def in_order(findings: "tuple[Finding, ...] | list[Finding]") -> tuple[Finding, ...]:
     """Findings by file, line and column, each once."""
     return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.sort_key))
+
+
+def shown(value: Any) -> str:
+    """A value as messages show it: cut where it is long, and a date as it is written."""
+    text = _written(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _written(value: Any) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_written, value))}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{_written(key)}: {_written(item)}' for key, item in value.items())}}}"
+    return value.isoformat() if isinstance(value, dt.date) else repr(value)

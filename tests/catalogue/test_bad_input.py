@@ -134,6 +134,7 @@ def test_unreadable_units_are_a_finding(tmp_path):
         ("datatype: 'int8[]', default: [1.0, 2]", [("warning", "V027")]),
         ("datatype: int8, max: 0.5", [("error", "V008")]),
         ("datatype: int8, min: '0'", [("warning", "V027")]),
+        ("datatype: int8, min: 1e1", [("warning", "V027")]),
         ("datatype: int8, default: true", [("warning", "V027")]),
         ("datatype: string, delete: 'yes'", [("warning", "V027")]),
         ("datatype: float, default: .nan", [("error", "V004")]),
@@ -164,3 +165,21 @@ def test_a_misspelled_include_is_told(line):
     text = f"{ROOT}{line}\n# Includes are explained elsewhere; see the include of Body.vspec.\n##include B.vspec\n"
     findings = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).findings
     assert [(f.rule, f.line) for f in findings] == [("R017", text.splitlines().index(line) + 1)]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "message", "fix"),
+    [
+        ("datatype: string, default: 2020-01-01", "Default 2020-01-01 does not fit string (text).", "Quote it: YAML reads it as a date."),
+        ("datatype: string, default: 5", "Default 5 does not fit string (text).", "Quote it: YAML reads it as a number."),
+        ("datatype: string, allowed: [2020-01-01]", "`allowed` must be a list of values, not [2020-01-01].", "Quote it: YAML reads it as a date."),
+        ("datatype: string, comment: 2020-01-01", "`comment` must be text, not 2020-01-01.", "Quote it: YAML reads it as a date."),
+        ("datatype: float, default: 1e3", "Default '1e3' does not fit float (numbers).", "Write 1000.0, without quotes."),
+        ("datatype: uint16, min: 1e3", "`min` must be a number, not the text '1e3'.", "Write `min: 1000`, without quotes."),
+        ("datatype: uint16, min: 1.0", "`min` must be a whole number, not 1.0.", "Write 1: vss-tools refuses fractions."),
+    ],
+)  # fmt: skip
+def test_a_value_that_yaml_reads_as_another_is_shown_as_it_is_written(attributes, message, fix):
+    text = f"{ROOT}Vehicle.A: {{type: sensor, description: A., {attributes}}}\n"
+    found = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).findings
+    assert [(finding.message, finding.fix) for finding in found] == [(message, fix)]

@@ -69,7 +69,7 @@ def test_the_document_remembers_the_file_that_defines_and_validates_with_its_ove
     assert function.provenance is not None
     names = [layer.name for layer in function.provenance.layers]
     assert names[0] == "VehicleSignalSpecification.vspec"
-    assert "f.yaml" in names
+    assert names.count("f.yaml") == 1
     overlay, types = tmp_path / "lanes.vspec", tmp_path / "types.vspec"
     made = overlay_of(LANES, "f.yaml", interfaces())
     overlay.write_text(made.text)
@@ -356,3 +356,18 @@ def test_what_is_written_as_an_overlay_is_clean_where_nothing_stands_beside_it(t
     (tmp_path / "types.vspec").write_text(made.types)
     assert lint_paths([tmp_path]).findings == ()
     assert max(map(len, made.text.splitlines())) <= 120
+
+
+def test_of_a_parameter_that_the_file_defines_the_last_name_is_enough():
+    whole, last = "path: Vehicle.Function.LaneKeeping.Parameter.Gain", "path: Gain"
+    function, findings = build_function(changed(whole, last), "f.yaml", interfaces())
+    assert findings == ()
+    parameters = (function.components[0].runnables[2].contracts or ())[0].parameters or ()
+    assert [(each.name, each.vss_path) for each in parameters] == [("Gain", whole.removeprefix("path: "))]
+
+
+def test_a_signal_that_the_file_defines_is_named_by_its_path():
+    found = check_function(changed("{path: Vehicle.ADAS.LaneKeeping.Torque,", "{path: Torque,"), "f.yaml", interfaces())
+    assert [(f.rule, f.fix) for f in found if f.rule == "F010"] == [
+        ("F010", "Name it by its path, 'Vehicle.ADAS.LaneKeeping.Torque'.")
+    ]

@@ -22,7 +22,8 @@ def _flag(value: Any) -> Any:
     return known.get(str(value).lower(), NO_VALUE)
 
 
-def _number(value: Any) -> Any:
+def number(value: Any) -> Any:
+    """A number, also where it is written as text."""
     if isinstance(value, bool):
         return int(value)
     if isinstance(value, int | float):
@@ -37,8 +38,8 @@ def _number(value: Any) -> Any:
 
 
 def _whole(value: Any) -> Any:
-    number = _number(value)
-    return int(number) if number is not NO_VALUE and number == number // 1 else NO_VALUE
+    found = number(value)
+    return int(found) if found is not NO_VALUE and found == found // 1 else NO_VALUE
 
 
 def _texts(value: Any) -> Any:
@@ -68,7 +69,7 @@ def _relation(value: Any) -> Any:
 CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
     "description": text, "comment": text, "deprecation": text, "constUID": text, "pattern": text,
     "unit": text, "datatype": text, "delete": _flag, "instantiate": _flag, "aggregate": _flag,
-    "is_instance": _flag, "fka": _texts, "arraysize": _whole, "min": _number, "max": _number,
+    "is_instance": _flag, "fka": _texts, "arraysize": _whole, "min": number, "max": number,
     "allowed": _scalars, "enum": _numbered, "instances": _instances, "instances_relation": _relation,
 }  # fmt: skip
 """How the value of each attribute is normalized, by its name."""
@@ -96,6 +97,12 @@ def is_finite(value: Any) -> bool:
 def is_misspelled(written: Any, meant: Any) -> bool:
     """Whether a value counts as another one that YAML has a spelling for: `'0'` as 0, `'yes'` and 1 as true."""
     return isinstance(written, str | bool | int) and type(written) is not type(meant)
+
+
+def is_fraction(written: Any, meant: Any) -> bool:
+    """Whether a whole number, or one in a list, is written as a fraction."""
+    items = written if isinstance(written, list) else [written]
+    return type(meant) in (int, list) and any(type(item) is float for item in items)
 
 
 def whole_numbers(values: Mapping[str, Any]) -> dict[str, Any]:

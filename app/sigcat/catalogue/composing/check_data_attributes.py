@@ -1,10 +1,12 @@
 """Check the attributes of sensors, actuators, attributes and properties: units, ranges, defaults, patterns."""
 
+import datetime as dt
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from sigcat import codes
+from sigcat.catalogue.composing.attribute_values import NO_VALUE, number
 from sigcat.catalogue.model.datatypes import (
     DATATYPES,
     belongs_to,
@@ -15,7 +17,7 @@ from sigcat.catalogue.model.datatypes import (
     values_in_words,
 )
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
-from sigcat.findings import RuleCode
+from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
 _EPSILON = 1e-6
@@ -37,10 +39,13 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
         yield Problem(codes.UNIT_UNKNOWN, "unit", f"{name!r} is not a unit.", did_you_mean(name, known))
 
 
-def shown(value: Any) -> str:
-    """A value as messages show it, cut where it is long."""
-    text = repr(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+def quote_it(value: Any) -> str:
+    """What to do about a text that YAML reads as something else; nothing for what is no single value."""
+    if isinstance(value, bool):
+        return _QUOTE
+    if isinstance(value, dt.date):
+        return "Quote it: YAML reads it as a date."
+    return "Quote it: YAML reads it as a number." if isinstance(value, int | float) else ""
 
 
 def _does_not_fit(value: str, datatype: str) -> str:
@@ -106,17 +111,17 @@ def _check_enum(values: Mapping[str, Any], datatype: str, scope: Scope) -> Itera
     if len(set(enum.values())) < len(enum):
         message = "Two names of the `enum` have the same number."
         yield Problem(codes.ENUM_INVALID, "enum", message, "Give each name a number of its own.")
-    for i, (key, number) in enumerate(enum.items()):
+    for i, (key, value) in enumerate(enum.items()):
         yield from _check_enum_name(key, i)
-        if not holds(element_of(datatype), number):
-            message = _does_not_fit(f"Number {number} of the `enum`", datatype)
+        if not holds(element_of(datatype), value):
+            message = _does_not_fit(f"Number {value} of the `enum`", datatype)
             yield Problem(codes.ENUM_INVALID, "enum", message, within=(i,))
 
 
 def _check_enum_name(name: Any, index: int) -> Iterator[Problem]:
     if not isinstance(name, str):
-        fix = _QUOTE if isinstance(name, bool) else "Quote it."
-        yield Problem(codes.ENUM_INVALID, "enum", f"A name of the `enum` must be text, not {name!r}.", fix, (index,))
+        message = f"A name of the `enum` must be text, not {shown(name)}."
+        yield Problem(codes.ENUM_INVALID, "enum", message, quote_it(name) or "Quote it.", (index,))
     elif not re.match(r"[A-Z]", name):
         proposal = screaming_snake_case(name)
         fix = f"Write {proposal!r}." if re.match(r"[A-Z]", proposal) else "Start it with a capital letter."
@@ -134,7 +139,7 @@ def _check_allowed(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     yield from _booleans("allowed", allowed, datatype)
     for i, value in enumerate(allowed):
         if not holds(datatype, value):
-            fix = _QUOTE if isinstance(value, bool) else ""
+            fix = _spelled(value, datatype)
             message = _does_not_fit(f"Allowed value {shown(value)}", datatype)
             yield Problem(codes.ALLOWED_OF_WRONG_DATATYPE, "allowed", message, fix, within=(i,))
 
@@ -156,7 +161,8 @@ def _check_default(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     wrong = next((item for item in items if not _fits(item, datatype, scope)), None)
     if wrong is not None:
         message = _does_not_fit(f"Default {shown(wrong)}", datatype)
-        yield Problem(codes.DEFAULT_OF_WRONG_DATATYPE, "default", message, _number_instead(wrong, values))
+        fix = _number_instead(wrong, values) or _spelled(wrong, datatype)
+        yield Problem(codes.DEFAULT_OF_WRONG_DATATYPE, "default", message, fix)
         return
     yield from _booleans("default", items, datatype)
     for item in items:
@@ -202,6 +208,14 @@ def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
     if default in enum:
         return f"Write the number, {enum[default]}."
     return f"Use one of {shown(list(dict.fromkeys(enum.values())))[1:-1]}."
+
+
+def _spelled(value: Any, datatype: str) -> str:
+    """How to write a value that YAML reads as another: a text as a number, or a number such as 1e3 as text."""
+    meant = number(value) if isinstance(value, str) and is_numeric(datatype) else NO_VALUE
+    if meant is not NO_VALUE:
+        return f"Write {meant}, without quotes."
+    return quote_it(value) if isinstance(value, bool) or element_of(datatype) == "string" else ""
 
 
 def _fits(value: Any, datatype: str, scope: Scope) -> bool:

@@ -14,11 +14,12 @@ from sigcat.catalogue.composing.attribute_values import (
     EXPECTED,
     NO_VALUE,
     is_finite,
+    is_fraction,
     is_misspelled,
     text,
     whole_numbers,
 )
-from sigcat.catalogue.composing.check_data_attributes import data_problems, shown, unit_problems
+from sigcat.catalogue.composing.check_data_attributes import data_problems, quote_it, unit_problems
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
 from sigcat.catalogue.model.definition import (
     BRANCH,
@@ -34,6 +35,7 @@ from sigcat.catalogue.model.definition import (
     labels_of,
 )
 from sigcat.catalogue.reading.statement import Statement
+from sigcat.findings import shown
 from sigcat.names import did_you_mean, last_name, parent_path, with_article
 
 
@@ -85,29 +87,35 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
         converted = convert(value)
         if converted is NO_VALUE:
             message = f"`{name}` must be {EXPECTED[name]}, not {shown(value)}."
-            problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message))
+            fix = _in_quotes(value) if convert is text or name == "allowed" else ""
+            problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, fix))
         elif converted is not value:
             changed[name] = converted
-            problems.extend(_misspelled(name, value, converted))
-    for name, whole in whole_numbers({**values, **changed}).items():
-        changed[name] = whole
-        message = f"`{name}` must be a whole number, not {shown(values[name])}."
-        fix = f"Write {shown(whole)}: vss-tools refuses fractions."
-        problems.append(Problem(codes.VALUE_MISSPELLED, name, message, fix))
+    changed.update(whole_numbers({**values, **changed}))
+    for name, meant in changed.items():
+        problems.extend(_misspelled(name, values[name], meant))
     changed.update(_references_in_full(path, values, scope))
     return {**values, **changed} if changed else values
+
+
+def _in_quotes(value: Any) -> str:
+    items = value if isinstance(value, list) else [value]
+    return next((quote_it(item) for item in items if not isinstance(item, str | list | dict)), "")
 
 
 _MAY_BE_INFINITE = (float, list, dict)
 
 
 def _misspelled(name: str, written: Any, meant: Any) -> Iterator[Problem]:
-    """A value that vss-tools takes for another: `'0'` for 0, `'yes'` for true."""
+    """A value that vss-tools takes for another, `'0'` for 0 and `'yes'` for true, or refuses: 1.0 for 1."""
     if is_misspelled(written, meant):
         wrong = f"the text {shown(written)}" if isinstance(written, str) else _yaml_word(written)
         message = f"`{name}` must be {EXPECTED[name]}, not {wrong}."
         fix = f"Write `{name}: {_yaml_word(meant)}`{', without quotes' if isinstance(written, str) else ''}."
         yield Problem(codes.VALUE_MISSPELLED, name, message, fix)
+    elif is_fraction(written, meant):
+        message = f"`{name}` must be a whole number, not {shown(written)}."
+        yield Problem(codes.VALUE_MISSPELLED, name, message, f"Write {shown(meant)}: vss-tools refuses fractions.")
 
 
 def _yaml_word(value: Any) -> str:

@@ -52,7 +52,7 @@ class DataItem(DeclarationModel):
 class ParameterItem(DeclarationModel):
     """A parameter. Datatype, unit, range, default and description come from the catalogue."""
 
-    path: Text = Field(description="VSS path of the parameter.")
+    path: Text = Field(description="VSS path of the parameter; its last name if the function defines it.")
     name: Text | None = Field(None, description="Name inside the function; the last name of the path if absent.")
     kind: Literal["Calibration", "Measurement", "PersistenceMemory"] = Field(
         "Calibration", description="Where the value is kept."

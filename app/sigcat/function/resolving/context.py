@@ -73,6 +73,12 @@ class Context:
         named = self.catalogue.get(self.path_of(reference))
         return named or self.catalogue.get(self._own.get((category, reference), ""))
 
+    def data(self, reference: str) -> Node | None:
+        """The node at a path; of a parameter of the function itself the last name is enough."""
+        root = self.catalogue.roots[0].path if self.catalogue.roots else ""
+        own = f"{root}.Function.{self.function}.Parameter.{reference}"
+        return self.catalogue.get(reference) or self.catalogue.get(own)
+
     def names(self, category: Category) -> list[str]:
         """Names of the interfaces of a category."""
         return [name for name, path in self.interfaces.items() if category_of(path) == category]

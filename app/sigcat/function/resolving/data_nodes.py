@@ -6,16 +6,17 @@ from sigcat.catalogue.model.interfaces import category_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
+from sigcat.names import last_name
 
 
 def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
     """The signal or parameter at a path; None, with a problem, if there is none."""
     subject = Subject("data", path)
-    node = context.catalogue.get(path)
+    node = context.data(path)
     if node is None:
         yield _unknown(path, at, context)
         return None
-    if not node.is_leaf or category_of(path) != "data":
+    if not node.is_leaf or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
         yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject)
         return None
@@ -31,8 +32,16 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
         message, fix = f"{path!r} must name an instance.", f"Name one, such as {instance!r}."
     else:
         message = f"The catalogue has no signal {path!r}."
-        fix = context.hint(path, context.catalogue.nodes) or "Define it under `define`, or in an overlay."
+        fix = _defined(path, context) or context.hint(path, context.catalogue.nodes)
+        fix = fix or "Define it under `define`, or in an overlay."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
+
+
+def _defined(name: str, context: Context) -> str:
+    """The whole path of a signal that the file defines, where its last name is given."""
+    paths = (node.path for node in context.definitions.nodes if last_name(node.path) == name)
+    path = next((path for path in paths if category_of(path) == "data"), "")
+    return f"Name it by its path, {path!r}." if path else ""
 
 
 def _kind_of(node: Node) -> str:

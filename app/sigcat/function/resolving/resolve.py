@@ -138,10 +138,16 @@ def _provenance(document: Document, context: Context) -> Provenance:
         catalogue=catalogue.name,
         catalogue_digest=catalogue.digest,
         release=_release(catalogue),
-        layers=tuple(CatalogueLayer(name=PurePath(layer.name).name, digest=layer.digest) for layer in catalogue.layers),
+        layers=_layers(catalogue),
         definitions=_carried(context.definitions.nodes),
         type_definitions=_carried(context.definitions.types),
     )
+
+
+def _layers(catalogue: Catalogue) -> tuple[CatalogueLayer, ...]:
+    """Each file once: one that defines interfaces and struct types is a layer of both trees."""
+    layers = dict.fromkeys((PurePath(layer.name).name, layer.digest) for layer in catalogue.layers)
+    return tuple(CatalogueLayer(name=name, digest=digest) for name, digest in layers)
 
 
 def _carried(nodes: Iterable[DefinedNode]) -> tuple[DefinedInterface, ...] | None:

@@ -4,8 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
+from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest, parent_path
-from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested, shown
+from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested
 from sigcat.rules.patterns import compile_exception
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule

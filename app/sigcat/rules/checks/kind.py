@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any, Literal, NamedTuple
 
 from sigcat.catalogue.model.definition import Definition
+from sigcat.findings import shown
 from sigcat.names import did_you_mean
 from sigcat.rules.problem import LineProblem, Problem
 from sigcat.rules.record import Rule
@@ -100,12 +101,6 @@ def _check_value(option: str, value: Any, kind: type | OneOf) -> None:
         raise BadOption(f"{option} must be {_TYPES[kind]}, not {shown(value)}.")
     if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
         raise BadOption(f"{option} must be a list of texts or numbers.")
-
-
-def shown(value: Any) -> str:
-    """A value as a message shows it: short."""
-    text = repr(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."
 
 
 def listed(names: Iterable[str], last: str = "and") -> str:

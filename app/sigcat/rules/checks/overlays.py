@@ -5,9 +5,10 @@ from typing import Any
 
 from sigcat.catalogue.model.definition import Definition, merged_values
 from sigcat.catalogue.reading.statement import Statement
+from sigcat.findings import shown
 from sigcat.limits import PROPOSALS
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
-from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed, shown
+from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree

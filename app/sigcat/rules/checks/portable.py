@@ -4,8 +4,9 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
 from sigcat.catalogue.model.definition import Definition
+from sigcat.findings import shown
 from sigcat.names import camel_case, last_name, parent_path, screaming_snake_case, snake_case
-from sigcat.rules.checks.kind import NodeTest, TreeTest, shown
+from sigcat.rules.checks.kind import NodeTest, TreeTest
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule

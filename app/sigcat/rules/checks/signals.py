@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from sigcat.catalogue.model.definition import Definition, labels_of
+from sigcat.findings import shown
 from sigcat.names import did_you_mean, parent_path
-from sigcat.rules.checks.kind import NodeTest, TreeTest, shown
+from sigcat.rules.checks.kind import NodeTest, TreeTest
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule

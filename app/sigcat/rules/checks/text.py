@@ -5,8 +5,9 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from sigcat.catalogue.model.definition import Definition
+from sigcat.findings import shown
 from sigcat.names import screaming_snake_case
-from sigcat.rules.checks.kind import LineTest, NodeTest, shown
+from sigcat.rules.checks.kind import LineTest, NodeTest
 from sigcat.rules.patterns import compile_exception, compile_pattern
 from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
