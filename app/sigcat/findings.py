@@ -74,15 +74,19 @@ def in_order(findings: "tuple[Finding, ...] | list[Finding]") -> tuple[Finding, 
     return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.sort_key))
 
 
+_LONGEST = 60
+"""Characters of a value in a message; of a list, as many items are more than enough."""
+
+
 def shown(value: Any) -> str:
     """A value as messages show it: cut where it is long, and a date as it is written."""
     text = _written(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
 def _written(value: Any) -> str:
     if isinstance(value, list):
-        return f"[{', '.join(map(_written, value))}]"
+        return f"[{', '.join(map(_written, value[:_LONGEST]))}]"
     if isinstance(value, dict):
         return f"{{{', '.join(f'{_written(key)}: {_written(item)}' for key, item in value.items())}}}"
     return value.isoformat() if isinstance(value, dt.date) else repr(value)

@@ -122,5 +122,8 @@ ANSWER_FINDINGS = 1_000
 PROPOSALS = 100
 """Proposals for names in one file or layer: each compares a name with all others. With more wrong names, another tree was meant."""
 
+COMPARED_NAMES = 1_000_000
+"""Names that one piece of work of the service compares for proposals; about a second. After that there are none."""
+
 PROPOSAL_CHARACTERS = 500
 """Characters of a name that is compared with others for a proposal."""

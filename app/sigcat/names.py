@@ -1,7 +1,9 @@
 """Names: the only casing code, and the search for names that were probably meant."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 _MUCH_FARTHER = 12.0
 _CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"
@@ -58,10 +60,35 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
+    budget = _comparisons.get()
+    if budget is not None and budget.left <= 0:
+        return ()
     choices = {candidate: candidate.lower() for candidate in candidates}
+    if budget is not None:
+        budget.left -= len(choices)
     matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
     near = tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
     return near or _completed(name.lower(), choices, limit)
+
+
+class _Budget:
+    """Comparisons of names that a piece of work may still make."""
+
+    def __init__(self, left: int) -> None:
+        self.left = left
+
+
+_comparisons: ContextVar[_Budget | None] = ContextVar("comparisons", default=None)
+
+
+@contextmanager
+def bounded_proposals(comparisons: int) -> Iterator[None]:
+    """Within it, names are compared about so often in all; what is wrong after that is still found, without a proposal."""
+    token = _comparisons.set(_Budget(comparisons))
+    try:
+        yield
+    finally:
+        _comparisons.reset(token)
 
 
 def _completed(beginning: str, choices: Mapping[str, str], limit: int) -> tuple[str, ...]:

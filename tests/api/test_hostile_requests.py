@@ -99,6 +99,14 @@ def _aliases(levels: int) -> bytes:
     return "\n".join(lines).encode()
 
 
+def _misspelled_function(number: int) -> str:
+    data = ", ".join(f"{{path: Vehicle.Speeed{n}, role: consumed, name: s{n}}}" for n in range(10))
+    return (
+        f"function: F{number}\ndescription: X.\nresponsible: Y\ncomponents:\n  - name: C\n    runnables:\n"
+        f"      - F{number}_Init\n      - interface: F{number}_Step\n        data: [{data}]\n      - F{number}_Terminate\n"
+    )
+
+
 OVERLAY = "Vehicle.X: {{type: sensor, datatype: string, description: X., {}}}"
 MAXIMUM = b"Vehicle.X: {type: sensor, datatype: float, max: %b}"
 FULL = 4 * 1024 * 1024 - 100
@@ -143,6 +151,10 @@ BOMBS = {
     "many wildcards that match": b"".join(b"Vehicle.*%b: {x: 1}\n" % (b"*" * n) for n in range(2_000)),
     "wildcards and a long path": b"? Vehicle." + b"a" * 1_000_000 + b"\n: {type: sensor}\n"
     + b"".join(b"Vehicle.*b%d: {min: 0}\n" % n for n in range(1_000)),
+    "a list of wrong defaults beside a list of allowed ones": OVERLAY.replace("string", "'string[]'").format(
+        f"allowed: [{', '.join(f'abcdefgh{n}' for n in range(3000))}], default: [{', '.join(f'abcdefgi{n}' for n in range(3000))}]"
+    ).encode(),
+    "many functions with misspelled paths": json.dumps({"functions": [_misspelled_function(n) for n in range(300)]}).encode(),
     "many misspelled paths": b"".join(b"Vehicle.Sped%d: {min: 0}\n" % n for n in range(5_000)),
 }  # fmt: skip
 

@@ -9,6 +9,9 @@ from typing import TypeVar
 
 from starlette.exceptions import HTTPException
 
+from sigcat.limits import COMPARED_NAMES
+from sigcat.names import bounded_proposals
+
 Result = TypeVar("Result")
 RETRY_SECONDS = 2
 
@@ -18,6 +21,12 @@ class Busy(HTTPException):
 
     def __init__(self, detail: str) -> None:
         super().__init__(HTTPStatus.SERVICE_UNAVAILABLE, detail, headers={"Retry-After": str(RETRY_SECONDS)})
+
+
+def _with_few_proposals(work: Callable[[], Result]) -> Result:
+    """The result; a hostile text could ask for near names a million times."""
+    with bounded_proposals(COMPARED_NAMES):
+        return work()
 
 
 class WorkQueue:
@@ -36,7 +45,7 @@ class WorkQueue:
         if self.pending >= self._most:
             raise Busy("The queue of the service is full. Try again later.")
         self._count(1)
-        future = self._threads.submit(work)
+        future = self._threads.submit(_with_few_proposals, work)
         future.add_done_callback(lambda _: self._count(-1))
         limit = asyncio.timeout(self._seconds)
         try:

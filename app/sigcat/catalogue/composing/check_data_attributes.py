@@ -192,7 +192,7 @@ def _check_default_among(values: Mapping[str, Any], item: Any) -> Iterator[Probl
     """A default that is empty or 0 is not compared: vss-tools does not either."""
     allowed, enum = values.get("allowed"), values.get("enum")
     if values["default"] and allowed and item not in allowed:
-        fix = did_you_mean(str(item), [str(value) for value in allowed]) or f"Use one of {shown(allowed)[1:-1]}."
+        fix = did_you_mean(str(item), map(str, allowed)) or f"Use one of {shown(allowed)[1:-1]}."
         message = f"Default {shown(item)} is not one of the `allowed` values."
         yield Problem(codes.DEFAULT_NOT_ALLOWED, "default", message, fix)
     if values["default"] and enum and item not in enum.values():

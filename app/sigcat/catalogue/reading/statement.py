@@ -122,7 +122,8 @@ def _item(value: Any, step: int | str) -> _Item | None:
     index = step if isinstance(step, int) else keys.index(step) if step in keys else len(items)
     if index >= len(items):
         return None
-    return _Item(sum(1 + _items_in(item) for item in items[:index]), items[index])
+    is_flat = {dict, list}.isdisjoint(map(type, items[:index]))  # most are, and some lists have thousands of items
+    return _Item(index if is_flat else index + sum(map(_items_in, items[:index])), items[index])
 
 
 def _items_in(value: Any) -> int:
