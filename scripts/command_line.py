@@ -12,8 +12,9 @@ _HEAD = """\
 
 Made from the parsers by `make generate`. `sigcat COMMAND --help` prints the same.
 
-A command ends with status 0 where it is done, or finds nothing worse than a note (`info`); 1 with findings, with changes that
-`diff --fail-on` names, or where `search` finds nothing; 2 where it could not run. With `SIGCAT_DEBUG=1` an internal error shows its traceback."""
+A command ends with status 0 where it is done, or finds nothing worse than a note (`info`); 1 with findings, also those of a tree,
+a function or a document of which nothing is made then; with changes that `diff --fail-on` names, or where `search` finds nothing; 2 where
+it could not run: an option, a path, an archive or the configuration cannot be used. With `SIGCAT_DEBUG=1` an internal error shows its traceback."""
 _TREE = "the tree"
 """The group of options that most commands share: it is shown once."""
 _UNNAMED = ("positional arguments", "options")

@@ -15,7 +15,7 @@ from sigcat.catalogue.hosting.configuration import read_configuration as read_ca
 from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
-from sigcat.rules.linting.configuration import _FIELDS, read_configuration
+from sigcat.rules.linting.configuration import _FIELDS, options_of, read_configuration
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
 from tests.catalogue.hosting.archives import saved, tar_bytes
@@ -72,7 +72,7 @@ def test_the_files_of_a_company_fit_together(folder):
             (folder / each.title).parent.mkdir(parents=True, exist_ok=True)
             (folder / each.title).write_text(each.text)
     assert parse_rules(Path("our-rules.yaml").read_bytes(), "our-rules.yaml", trusted=False).findings == ()
-    hosted = read_catalogues(Path("sigcat.toml"), [TABLE, "lint"])
+    hosted = read_catalogues(Path("sigcat.toml"), {TABLE: lambda table, _: read_settings(table), "lint": options_of})
     assert [source.id for source in hosted.sources] == ["acme"]
     assert [file.id for file in FunctionLibrary(hosted.functions, has_shipped=False).files] == ["cabin_noise"]
     assert main(["lint", "functions", "our-rules.yaml"]) == 0

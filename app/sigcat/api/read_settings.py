@@ -1,7 +1,7 @@
 """Settings from `[service]` of sigcat.toml and from the environment, which wins. What is not known is refused."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,18 +22,22 @@ _SET_BY_KUBERNETES = ("SIGCAT_SERVICE_", "SIGCAT_PORT_")
 
 
 def read_settings(
-    table: Mapping[str, Any], environment: Mapping[str, str] | None = None, file: Path | None = None
+    table: Mapping[str, Any],
+    environment: Mapping[str, str] | None = None,
+    file: Path | None = None,
+    options: Mapping[str, Any] | None = None,
 ) -> Settings:
-    """The settings. Raises InputRefused with everything that is wrong with them; values of tokens are not repeated."""
+    """The settings, of which `options` are those of the command line. Raises InputRefused with everything that is wrong with them; values of tokens are not repeated."""
     given = os.environ if environment is None else environment
     variables = {name: text for name, text in sorted(given.items()) if name.startswith(PREFIX) and name not in OTHERS}
     findings = [*_unknown(table, file), *_unknown_variables(variables)]
     known = {name.removeprefix(PREFIX).lower(): text for name, text in variables.items()}
-    values = {**table, **known}
+    named = options or {}
+    values = {**table, **known, **named}
     try:
         settings = Settings(**{name: value for name, value in values.items() if name in Settings.model_fields})
     except ValidationError as error:
-        findings += [_wrong(each, known, file) for each in error.errors()]
+        findings += [_wrong(each, _places(known, named), file) for each in error.errors()]
     if findings:
         raise InputRefused("The settings of the service cannot be used.", tuple(findings))
     return settings
@@ -49,7 +53,9 @@ def _unknown(table: Mapping[str, Any], file: Path | None) -> Iterator[Finding]:
     for name in table:
         if name not in Settings.model_fields:
             fix = did_you_mean(name, Settings.model_fields) or "`sigcat config` lists them."
-            yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} in [{TABLE}].", str(file or ""), fix=fix)
+            yield codes.SETTING_UNKNOWN.finding(
+                f"There is no setting {name!r} in [{TABLE}].", str(file or ""), pointer=name, fix=fix
+            )
 
 
 def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
@@ -63,13 +69,15 @@ def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
             yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} for the environment.", fix=fix)
 
 
-def _wrong(error: Mapping[str, Any], from_environment: Mapping[str, str], file: Path | None) -> Finding:
+def _places(variables: Iterable[str], options: Iterable[str]) -> dict[str, str]:
+    """Where settings stand that are not in the file, as a user spells them."""
+    return {name: f"{PREFIX}{name.upper()}" for name in variables} | {name: f"--{name}" for name in options}
+
+
+def _wrong(error: Mapping[str, Any], places: Mapping[str, str], file: Path | None) -> Finding:
     name = str(error["loc"][0])
-    where = f"{PREFIX}{name.upper()}" if name in from_environment else f"[{TABLE}] {name}"
-    return codes.SETTING_UNFIT.finding(
-        f"{where}: {reason_of(error)}.",
-        "" if name in from_environment else str(file or ""),
-    )
+    message = f"{places.get(name, f'[{TABLE}] {name}')}: {reason_of(error)}."
+    return codes.SETTING_UNFIT.finding(message, "" if name in places else str(file or ""), pointer=name)
 
 
 def _toml(value: Any) -> str:

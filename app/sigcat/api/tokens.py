@@ -12,7 +12,8 @@ from typing import Literal, NamedTuple, get_args
 
 Scope = Literal["read", "reload"]
 SCOPES: tuple[Scope, ...] = get_args(Scope)
-_WRITTEN = re.compile(r"([A-Za-z0-9._-]{1,64}):([a-z+]+):([0-9a-f]{64})")
+_NAME = r"[A-Za-z0-9._-]{1,64}"
+_WRITTEN = re.compile(rf"({_NAME}):([a-z+]+):([0-9a-f]{{64}})")
 
 
 class Token(NamedTuple):
@@ -28,9 +29,15 @@ class Token(NamedTuple):
 
 
 def new_token(name: str, scopes: Iterable[str]) -> tuple[str, Token]:
-    """A fresh token, shown once, and what is kept of it."""
+    """A fresh token, shown once, and what is kept of it. Raises ValueError for a name or scope that cannot be used."""
+    if not re.fullmatch(_NAME, name):
+        raise ValueError(
+            f"the name of a token must be letters, digits, '.', '_' and '-', at most 64, not {name[:80]!r}"
+        )
+    chosen = frozenset(scopes)
+    _refuse_unknown(chosen)
     secret = f"sigcat_{secrets.token_urlsafe(32)}"
-    return secret, token_from_text(f"{name}:{'+'.join(scopes)}:{_digest(secret)}")
+    return secret, Token(name, chosen, _digest(secret))
 
 
 def token_from_text(text: str) -> Token:
@@ -38,10 +45,14 @@ def token_from_text(text: str) -> Token:
     match = _WRITTEN.fullmatch(text)
     if match is None:
         raise ValueError("a token must be NAME:SCOPE+SCOPE:SHA-256; `sigcat config --new-token NAME` makes one")
-    unknown = set(match[2].split("+")) - set(SCOPES)
-    if unknown:
+    scopes = frozenset(match[2].split("+"))
+    _refuse_unknown(scopes)
+    return Token(match[1], scopes, match[3])
+
+
+def _refuse_unknown(scopes: frozenset[str]) -> None:
+    if unknown := scopes - set(SCOPES):
         raise ValueError(f"a scope must be {' or '.join(SCOPES)}, not {min(unknown)!r}")
-    return Token(match[1], frozenset(match[2].split("+")), match[3])
 
 
 def token_named(secret: str, tokens: Iterable[Token]) -> Token | None:

@@ -2,7 +2,29 @@
 
 import argparse
 import sys
-from typing import Any
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+Number = TypeVar("Number", int, float)
+_LARGEST = 1_000_000_000
+"""More than anybody waits or reads; no clock counts to much more."""
+
+
+def positive(kind: type[Number]) -> Callable[[str], Number]:
+    """The type of an option that takes a number greater than 0."""
+
+    def read(text: str) -> Number:
+        try:
+            number = kind(text)
+        except ValueError:
+            number = kind(0)
+        if not 0 < number <= _LARGEST:
+            what = "a whole number" if kind is int else "a number"
+            raise argparse.ArgumentTypeError(f"must be {what} greater than 0, at most {_LARGEST:,}, not {text[:80]!r}")
+        return number
+
+    return read
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -27,6 +49,11 @@ class CommandParser(argparse.ArgumentParser):
             self.error(f"unexpected argument {argument!r}")
         options = [option for action in self._actions for option in action.option_strings]
         self.error(f"unknown option {argument}. {did_you_mean(argument, options)}".rstrip(". "))
+
+    def _get_values(self, action: argparse.Action, strings: list[str]) -> Any:
+        if action.type is Path and "" in strings:  # Path takes it for the current folder
+            raise argparse.ArgumentError(action, "must be a path, and it is empty")
+        return super()._get_values(action, strings)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is None or value in action.choices:

@@ -1,13 +1,8 @@
 """`sigcat config`: the settings of the service as they would be used, and new tokens."""
 
 import argparse
-from typing import TYPE_CHECKING
 
-from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
-
-if TYPE_CHECKING:
-    from sigcat.api.settings import Settings
-    from sigcat.catalogue.hosting.configuration import Configuration
+from sigcat.cli.catalogue_options import add_catalogue_options, chosen_settings
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -16,7 +11,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "config",
         help="print the settings of the service, or make a token",
         description="Print the settings as `sigcat serve` would use them: [service] of sigcat.toml, and over it the "
-        "environment, where body_bytes is SIGCAT_BODY_BYTES. Exit status: 1 if they cannot be used.",
+        "environment, where body_bytes is SIGCAT_BODY_BYTES. Exit status: 2 if they cannot be used.",
     )
     parser.add_argument("--new-token", metavar="NAME", help="make a token, print it and what to put into `tokens`")
     parser.add_argument(
@@ -42,16 +37,6 @@ def config(arguments: argparse.Namespace) -> int:
     for folder in configuration.functions:
         print(f"\n# functions: {folder}")
     return 0
-
-
-def chosen_settings(arguments: argparse.Namespace) -> "tuple[Configuration, Settings]":
-    """The catalogues to host and the settings: of the command line, before the environment, before the file."""
-    from sigcat.api.read_settings import TABLE, read_settings
-
-    configuration = chosen_configuration(arguments)
-    settings = read_settings(configuration.tables.get(TABLE, {}), file=configuration.file)
-    named = {name: getattr(arguments, name, None) for name in ("host", "port")}
-    return configuration, settings.model_copy(update={n: value for n, value in named.items() if value is not None})
 
 
 def _new_token(name: str, scopes: list[str]) -> int:

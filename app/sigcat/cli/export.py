@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Option
 from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.exporting.shared_options import EXPAND
-from sigcat.cli.command_parser import CommandParser
+from sigcat.cli.command_parser import CommandParser, positive
 from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import Output, add_output, name_output, outputs_of, refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -87,7 +87,11 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
         "--lenient", action="store_true", help="take what vss-tools takes, with a warning: keys that are given twice"
     )
     group.add_argument(
-        "--timeout", type=float, default=TIMEOUT, metavar="SECONDS", help="stop after this time (default: 600)"
+        "--timeout",
+        type=positive(float),
+        default=TIMEOUT,
+        metavar="SECONDS",
+        help="stop vss-tools after this time (default: 600)",
     )
     parser.set_defaults(run=export, exporter=exporter)
 

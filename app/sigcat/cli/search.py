@@ -4,6 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from sigcat.cli.command_parser import positive
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.names import either
 
@@ -24,7 +25,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("words", nargs="+", metavar="WORD", help="such as: wheel speed")
     parser.add_argument("--type", help="only nodes of this type, such as sensor")
     parser.add_argument("--instances", action="store_true", help="each instance by itself")
-    parser.add_argument("--limit", type=int, default=50, metavar="N", help="at most so many (default: %(default)s)")
+    parser.add_argument(
+        "--limit", type=positive(int), default=50, metavar="N", help="at most so many (default: %(default)s)"
+    )
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
     add_tree_options(parser)
     parser.set_defaults(run=search)
@@ -38,7 +41,7 @@ def search(arguments: argparse.Namespace) -> int:
     catalogue = read_tree(arguments)
     index = SearchIndex(catalogue)
     filters = checked_filters({"type": arguments.type}, catalogue, index)
-    text, limit = " ".join(arguments.words), max(arguments.limit, 0)
+    text, limit = " ".join(arguments.words), arguments.limit
     result = index.search(text, filters, limit=limit, each_instance=arguments.instances)
     if arguments.format == "json":
         print(_json(result.hits))

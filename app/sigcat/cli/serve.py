@@ -5,8 +5,7 @@ import atexit
 from contextlib import ExitStack, nullcontext
 from typing import TYPE_CHECKING
 
-from sigcat.cli.catalogue_options import add_catalogue_options
-from sigcat.cli.config import chosen_settings
+from sigcat.cli.catalogue_options import add_catalogue_options, chosen_settings
 from sigcat.cli.tree_options import add_tree_options, tree_source
 
 if TYPE_CHECKING:

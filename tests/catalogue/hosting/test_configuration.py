@@ -1,12 +1,12 @@
 """`sigcat.toml`, and the catalogues of the command line: what they say, and what is wrong with them, by line."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
-from sigcat.catalogue.hosting.configuration import Configuration, read_configuration
+from sigcat.catalogue.hosting.configuration import Configuration, TableReader, read_configuration
 from sigcat.catalogue.hosting.releases import pull
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources, source_from_option
@@ -25,7 +25,7 @@ def folder(tmp_path):
     return tmp_path
 
 
-def configuration(folder: Path, text: str, tables: Sequence[str] = ()) -> Configuration:
+def configuration(folder: Path, text: str, tables: Mapping[str, TableReader] | None = None) -> Configuration:
     file = folder / "sigcat.toml"
     file.write_text(text)
     return read_configuration(file, tables)
@@ -140,9 +140,10 @@ def test_a_release_that_was_not_pulled_is_told_with_how_to_pull_it(folder, data)
     assert findings(folder, text) == [("C005", 3, "Release v4.0 is not pulled. Run `sigcat pull v4.0`.", "")]
 
 
-def test_tables_of_others_are_handed_on_and_else_refused(folder):
+def test_tables_of_others_are_read_by_them_and_else_refused(folder):
     text = "[service]\nport = 80\n"
-    assert configuration(folder, text, tables=["service"]).tables == {"service": {"port": 80}}
+    tables = {"service": lambda table, _file: table["port"]}
+    assert configuration(folder, text, tables=tables).tables == {"service": 80}
     assert [finding[:2] for finding in findings(folder, text)] == [("C002", 1)]
 
 

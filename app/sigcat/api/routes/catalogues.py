@@ -236,7 +236,7 @@ def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Itera
     known = {*_OWN_FIELDS, *CORE_ATTRIBUTES, *rules_of(request).active.attributes, *catalogue.attributes}
     for field in fields:
         if field not in known:
-            hint = did_you_mean(field[:PROPOSAL_CHARACTERS], sorted(known))
+            hint = did_you_mean(field[:PROPOSAL_CHARACTERS], sorted(known)) or f"Fields are {', '.join(sorted(known))}."
             raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
 
 

@@ -18,7 +18,7 @@ Paths are relative to the file. Everything wrong with it is reported at once, wi
 import re
 import sys
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -59,19 +59,24 @@ class Configuration(NamedTuple):
     is_watching: bool = False
     has_shipped: bool = True
     tables: Mapping[str, Any] = {}
-    """Tables that others read, as they are in the file."""
+    """What others made of their tables."""
 
 
-def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
-    """Read the file. `tables` are names of further tables, read by others. Raises InputRefused with all findings."""
+TableReader = Callable[[Mapping[str, Any], Path], Any]
+"""Reads a table of others, which is empty where the file does not have it. Raises InputRefused with all findings."""
+
+
+def read_configuration(file: Path, tables: Mapping[str, TableReader] | None = None) -> Configuration:
+    """Read the file. `tables` are further tables, by name. Raises InputRefused with all findings, those of tables too."""
     text = _text(file)
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise _refused(file, [_syntax_error(error, file, text)]) from None
     reading = _Reading(file, Lines(text))
-    others = tuple(tables)
+    others = tables or {}
     reading.check(data, {**TOP_KEYS, **dict.fromkeys(others, dict)}, "")
+    read = {name: reading.table(name, data.get(name, {}), reader) for name, reader in others.items()}
     functions = _paths(data, "functions", "", 0, reading)
     sources = tuple(_sources(data.get("catalogue"), reading))
     if reading.findings:
@@ -82,7 +87,7 @@ def read_configuration(file: Path, tables: Iterable[str] = ()) -> Configuration:
         functions,
         bool(data.get("watch", False)),
         bool(data.get("shipped", True)),
-        {name: data[name] for name in others if name in data},
+        read,
     )
 
 
@@ -129,6 +134,21 @@ class _Reading:
             elif not isinstance(value, kind):
                 message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
                 self.report(codes.SETTING_UNFIT, message, table, number, key)
+
+    def table(self, name: str, values: Any, reader: TableReader) -> Any:
+        """What a reader makes of its table; its findings get lines."""
+        if not isinstance(values, dict):
+            return None  # it has its finding
+        try:
+            return reader(values, self.file)
+        except InputRefused as error:
+            self.findings += [self._placed(finding, name) for finding in error.findings]
+            return None
+
+    def _placed(self, finding: Finding, table: str) -> Finding:
+        if finding.line or finding.file != str(self.file):  # the environment has no lines
+            return finding
+        return finding._replace(line=self.lines.line(table, 0, finding.pointer or finding.path))
 
     def path(self, text: str) -> Path:
         return self.file.parent / Path(text).expanduser()

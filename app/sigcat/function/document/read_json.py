@@ -84,6 +84,8 @@ def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
         value = json.loads(text, object_pairs_hook=as_object, parse_float=_finite, parse_constant=_no_number)
     except json.JSONDecodeError as error:
         message = f"Not valid JSON: {error.msg[:1].lower()}{error.msg[1:]}."
+        if not text[: error.pos].strip():
+            message = "The document must be JSON." if text.strip() else "The document must be JSON, and it is empty."
         return None, [codes.NOT_JSON.finding(message, name, error.lineno, error.colno)]
     except _NoNumber as error:
         position = _line_and_column(text, _token_offset(text, str(error)))

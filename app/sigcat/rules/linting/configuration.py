@@ -39,7 +39,7 @@ def read_configuration(path: Path) -> LintOptions:
     table = _table_in(data) if path.name == FILES[1] else data.get("lint", {})
     if not isinstance(table, dict):
         raise InputRefused(f"`lint` in {str(path)!r} must be a table.")
-    return _options(table, path)
+    return options_of(table, path)
 
 
 def _table_in(data: Mapping[str, Any]) -> Any:
@@ -49,7 +49,8 @@ def _table_in(data: Mapping[str, Any]) -> Any:
     return found
 
 
-def _options(table: Mapping[str, Any], path: Path) -> LintOptions:
+def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
+    """The options that a table of the configuration `path` says. Raises InputRefused, with every field that is wrong."""
     read: dict[str, Any] = {}
     findings = []
     for key, value in table.items():
