@@ -97,6 +97,7 @@ def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing
 def test_a_field_that_no_node_can_have_is_refused(ask: Ask) -> None:
     detail = problem(ask, f"{SMALL}/nodes?fields=path,untit", 400)["detail"]
     assert detail == "There is no field 'untit'. Did you mean 'unit'?"
+    assert "Fields are ASILlevel, " in problem(ask, f"{SMALL}/nodes?fields=path,qqqq", 400)["detail"]
     assert ask(f"{SMALL}/nodes?fields=path,ASILlevel").status_code == 200
 
 
