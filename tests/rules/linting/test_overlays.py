@@ -5,6 +5,7 @@ import pytest
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.data import INTERFACE_RULES, VSPEC
 from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
@@ -126,3 +127,65 @@ def test_an_overlay_is_for_the_shipped_tree_where_only_an_include_shows_that_ano
     assert lint_paths([tmp_path]).findings == ()
     own.write_text("Truck.Bom: {type: sensor, datatype: flaot, description: A new signal.}\n")
     assert [f.rule for f in lint_paths([tmp_path]).findings] == ["V003"]
+
+
+@pytest.mark.parametrize(
+    ("overlay", "told"),
+    [
+        ("Vehicle.Row: {instances: [Front, Rear]}\n", ["O107"]),
+        ("Vehicle.Row: {instances: 'Row[1,3]'}\n", []),
+        ("Vehicle.Row: {instances: 'Row[1,1]'}\n", ["O107"]),
+        ("Vehicle.Row: {instances: ['Row[1,2]', [L, R]]}\n", ["O107"]),
+        ("Vehicle.Row: {instances_relation: sibling}\n", ["O107"]),
+        ("Vehicle.Row: {comment: Ours.}\n", []),
+        ("Vehicle.Row.X: {instantiate: false}\n", ["O107"]),
+        ("Vehicle.Row.Common: {instantiate: true}\n", ["O107"]),
+        ("Vehicle.Row: {delete: true}\n", []),
+        ("Vehicle.Seat: {instances: [L, R]}\n", ["O107"]),
+        ("Vehicle.Empty: {instances: [L, R]}\n", []),
+        ("Vehicle.Gear: {enum: {DRIVE: 2}}\n", ["O103"]),
+        ("Vehicle.Gear: {enum: {REAR: 2}}\n", []),
+        ("Vehicle: {type: branch, delete: true}\n", ["O102"]),
+        ("Vehicle.Seat: {delete: true}\nVehicle.Seat.N: {type: sensor, datatype: uint8, description: N.}\n", ["O108"]),
+        ("Vehicle.Seat: {delete: true}\nVehicle.Seat.X: {max: 3}\n", ["O104", "O108"]),
+        ("Vehicle.Seat: {delete: true}\nVehicle.Seat.X: {delete: true}\n", []),
+        ("Vehicle.Seat: {delete: true}\nVehicle.Seats: {type: branch, description: Other seats.}\n", []),
+    ],
+)
+def test_what_an_overlay_takes_from_those_who_know_the_tree(tmp_path, overlay, told):
+    tree, file = tmp_path / "VehicleSignalSpecification.vspec", tmp_path / "own.vspec"
+    seat = "Vehicle.Seat: {type: branch, description: Seats.}\nVehicle.Empty: {type: branch, description: None.}\n"
+    gear = "Vehicle.Gear: {type: sensor, datatype: uint8, enum: {PARK: 0, DRIVE: 1}, description: Gear.}\n"
+    signal = "Vehicle.Seat.X: {type: sensor, datatype: uint8, description: A thing.}\n"
+    tree.write_text(BELOW.replace(", unit: km/h", "") + seat + signal + gear)
+    file.write_text(overlay)
+    posted = lint_text(overlay.encode(), "posted", read_catalogue(tree), EVERY_RULE)
+    assert sorted(f.rule for f in lint_paths([file]).findings if f.rule[0] == "O") == told
+    assert sorted(f.rule for f in posted if f.rule[0] == "O") == told
+
+
+def test_an_overlay_may_delete_what_an_earlier_one_adds(tmp_path):
+    (tmp_path / "VehicleSignalSpecification.vspec").write_text(BELOW.replace(", unit: km/h", ""))
+    adds, deletes = tmp_path / "adds.vspec", tmp_path / "deletes.vspec"
+    adds.write_text("Vehicle.Row.New: {type: sensor, datatype: uint8, description: A new thing.}\n")
+    deletes.write_text("Vehicle.Row: {delete: true}\n")
+    for order, told in [((adds, deletes), []), ((deletes, adds), ["O108"])]:
+        found = lint_paths([adds, deletes], LintOptions(overlays=order)).findings
+        assert [f.rule for f in found] == told
+
+
+@pytest.mark.parametrize(
+    ("path", "meant"),
+    [
+        ("Vehicle.Row.Row3.X", "Vehicle.Row.Row1.X"),
+        ("Vehicle.Rows.Row1.X", "Vehicle.Row.Row1.X"),
+        ("Vehicle.Row.Left.X", "Vehicle.Row.Row1.X"),
+        ("Vehicle.Rows.X", "Vehicle.Row.X"),
+    ],
+)
+def test_for_a_path_with_a_wrong_branch_that_with_the_right_one_is_proposed(tmp_path, path, meant):
+    (tmp_path / "VehicleSignalSpecification.vspec").write_text(BELOW.replace(", unit: km/h", ""))
+    file = tmp_path / "own.vspec"
+    file.write_text(f"{path}: {{max: 3}}\n")
+    (fix,) = [f.fix for f in lint_paths([file]).findings if f.rule == "O101"]
+    assert fix.startswith(f"Did you mean {meant!r}")

@@ -82,6 +82,8 @@ CHECKS: Mapping[str, Check] = {
     "overlay-changes": NodeCheck(overlays.changes, {"attributes": list}, ("attributes",), of_overlays=True),
     "overlay-narrows": NodeCheck(overlays.narrows, {}, of_overlays=True),
     "overlay-conflict": NodeCheck(overlays.conflict, {"ignored": list}, of_overlays=True, of_stacks=True),
+    "overlay-instances": NodeCheck(overlays.keeps_instances, {}, of_overlays=True),
+    "overlay-below-deleted": TreeCheck(overlays.below_deleted, {}),
     "overlay-no-effect": TreeCheck(overlays.no_effect, {}, of_stacks=True),
     "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": list}, ("words", "target")),
     "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": str}, ("pattern", "target")),

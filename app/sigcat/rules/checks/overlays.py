@@ -1,12 +1,13 @@
 """Checks of overlays: what each statement of one does to the tree below it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sigcat.catalogue.model.definition import Definition, merged_values
+from sigcat.catalogue.composing.expand_instances import count_instances, instance_names
+from sigcat.catalogue.model.definition import BRANCH, Definition, instances_of, merged_statements, merged_values
 from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import shown
-from sigcat.limits import PROPOSALS
+from sigcat.limits import COMPARED_INSTANCES, PROPOSALS
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
 from sigcat.rules.problem import Problem
@@ -16,6 +17,9 @@ from sigcat.rules.tree import Tree
 
 def _near(path: str, tree: Tree) -> str:
     """What was probably meant: a child of the same branch, or else a node of that name, or one with a similar path."""
+    beside_wrong = _with_another_branch(path, tree)
+    if beside_wrong:
+        return did_you_mean(path, beside_wrong)
     if _leads_below_instances(path, tree):
         return did_you_mean(path, [other for other, known in tree.expanded.items() if known.type])
     own = last_name(path)
@@ -27,6 +31,27 @@ def _near(path: str, tree: Tree) -> str:
         return did_you_mean(path, [c[own] for c in tree.typed.values() if c.get(own, path) != path])
     others = (other for children in tree.typed.values() for other in children.values())
     return did_you_mean(path, [other for other in others if other != path])
+
+
+def _with_another_branch(path: str, tree: Tree) -> list[str]:
+    """Paths that differ from one in the first branch or instance that is not there: `Row1` where it has `Row3`."""
+    names = path.split(".")
+    paths = (".".join(names[:count]) for count in range(1, len(names)))
+    wrong = next((above for above in paths if above not in tree.expanded and above not in tree.definitions), "")
+    if not wrong:
+        return []
+    prefix, rest = f"{parent_path(wrong)}.", path[len(wrong) :]
+    beside = {
+        last_name(known) for known in tree.expanded if known.startswith(prefix) and "." not in known[len(prefix) :]
+    }
+    meant = {name: f"{prefix}{name}{rest}" for name in sorted(beside)}
+    known_beside = {name: other for name, other in meant.items() if other in tree.expanded or other in tree.definitions}
+    near = nearest(last_name(wrong), known_beside) or (known_beside if len(known_beside) <= _FEW else ())
+    return [meant[name] for name in near]
+
+
+_FEW = 3
+"""So many branches with the same below them are proposed, however they are called: the instances of a row, say."""
 
 
 def _leads_below_instances(path: str, tree: Tree) -> bool:
@@ -54,13 +79,17 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
-    """`delete: true` is written for a node that an earlier layer has."""
+    """`delete: true` is written for a node that an earlier layer has, and not for the root."""
 
     proposals = iter(range(PROPOSALS))
 
     def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
-        if first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
+        written = _last_of_overlay(definition, "delete")
+        if "." not in definition.path and written is not None:
+            message = f"The root {definition.path!r} cannot be deleted."
+            yield Problem(written, message, "delete", "Delete the branches below it.", at_name=True)
+        elif first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
             message = f"The overlay deletes {definition.path!r}, which does not exist."
             fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
             yield Problem(first, message, "delete", fix or "Remove it.", at_name=True)
@@ -98,6 +127,103 @@ def narrows(_rule: Rule, _tree: Tree) -> NodeTest:
                 yield Problem(statement, f"The overlay narrows `{attribute}`: {reason}.", attribute)
 
     return test
+
+
+def below_deleted(_rule: Rule, tree: Tree) -> TreeTest:
+    """An overlay writes nothing below a branch that it deletes, or that an earlier layer deletes."""
+
+    def test() -> Iterator[Problem]:
+        order = {layer.name: number for number, layer in enumerate(tree.overlays)}
+        told: set[tuple[str, str]] = set()
+        for definition in tree.judged if order else ():
+            branch = _deleted_above(definition.path, tree)
+            if branch is None or not definition.type:
+                continue
+            deleting = order.get(_deletion(branch).file.overlay, -1)
+            for statement in definition.statements:
+                number, key = order.get(statement.file.overlay, -1), (branch.path, statement.file.overlay)
+                if number >= max(deleting, 0) and not statement.values.get("delete") and key not in told:
+                    told.add(key)
+                    message = f"{definition.path!r} is not in the tree: {branch.path!r} is deleted."
+                    yield Problem(statement, message, fix=f"Keep {branch.path!r}, or delete what is below it by name.")
+
+    return test
+
+
+def _deleted_above(path: str, tree: Tree) -> Definition | None:
+    """The topmost branch above a path that is deleted. The root cannot be."""
+    names = path.split(".")
+    above = (tree.definitions.get(".".join(names[:count])) for count in range(2, len(names)))
+    return next((branch for branch in above if branch is not None and branch.values.get("delete")), None)
+
+
+def _deletion(branch: Definition) -> Statement:
+    return next(statement for statement in reversed(branch.statements) if "delete" in statement.values)
+
+
+def keeps_instances(_rule: Rule, tree: Tree) -> NodeTest:
+    """What is below a branch keeps its paths: an overlay takes no instances away, and gives none to a branch without."""
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        if not _in_base(definition) or definition.values.get("delete"):
+            return
+        instances = _last_of_overlay(definition, "instances", "instances_relation")
+        if instances is not None and definition.type == BRANCH:
+            yield from _other_instances(definition, instances, tree)
+        instantiate = _last_of_overlay(definition, "instantiate")
+        if instantiate is not None:
+            yield from _instantiated_otherwise(definition, instantiate, tree)
+
+    return test
+
+
+def _other_instances(definition: Definition, statement: Statement, tree: Tree) -> Iterator[Problem]:
+    path, attribute = definition.path, "instances" if "instances" in statement.values else "instances_relation"
+    gone = sorted(_holders(path, _base_values(definition)) - _holders(path, definition.values))
+    if gone and (gone != [path] or _holds_instantiated(path, tree)):
+        yield Problem(statement, f"The overlay changes `{attribute}`: {_moved(gone)}.", attribute)
+
+
+def _instantiated_otherwise(definition: Definition, statement: Statement, tree: Tree) -> Iterator[Problem]:
+    """That an overlay moves a node into the instances of its branch, or out of them."""
+    before = _base_values(definition)
+    above = tree.definitions.get(parent_path(definition.path))
+    has_instances = above is not None and bool(instances_of(above.values))
+    now = definition.values.get("instantiate", True)
+    if has_instances and before.get("instantiate", True) is not now:
+        where = "below the instances" if now else "beside the instances"
+        message = f"The overlay changes `instantiate`: {definition.path!r} moves to a path {where}."
+        yield Problem(statement, message, "instantiate")
+
+
+def _holders(path: str, values: Mapping[str, Any]) -> set[str]:
+    """The paths right below which the nodes of a branch are: of its last instances, or its own without any."""
+    instances = instances_of(values)
+    if not instances or count_instances(instances) > COMPARED_INSTANCES:
+        return {path}
+    top = parent_path(path) if values.get("instances_relation") == "sibling" else path
+    holders, roots = {top}, [top]
+    for entry in instances:
+        names = list(instance_names(entry))
+        made = [f"{root}.{name}" for name in names for root in roots]
+        holders = holders.difference(roots).union(made)
+        if len(names) > 1 or isinstance(entry, list):
+            roots = made
+    return holders
+
+
+def _holds_instantiated(path: str, tree: Tree) -> bool:
+    below = (child for child in tree.children.get(path, ()) if _in_base(child))
+    return any(child.values.get("instantiate", True) for child in below)
+
+
+def _moved(gone: Sequence[str]) -> str:
+    named = listed(gone) if len(gone) <= 3 else f"`{gone[0]}` and {len(gone) - 1} more paths"
+    return f"what is below {named} is no longer there"
+
+
+def _base_values(definition: Definition) -> Mapping[str, Any]:
+    return merged_statements([s for s in definition.statements if not s.file.overlay])
 
 
 def conflict(rule: Rule, _tree: Tree) -> NodeTest:
@@ -159,12 +285,16 @@ def _base_value(definition: Definition, attribute: str) -> Any:
     return next(values, None)
 
 
-def _last_of_overlay(definition: Definition, attribute: str) -> Statement | None:
-    statements = (s for s in reversed(definition.statements) if s.file.overlay and attribute in s.values)
-    return next(statements, None)
+def _last_of_overlay(definition: Definition, *attributes: str) -> Statement | None:
+    """The last statement of an overlay that gives one of the attributes."""
+    written = (s for s in reversed(definition.statements) if s.file.overlay)
+    return next((s for s in written if any(attribute in s.values for attribute in attributes)), None)
 
 
 def _differs(one: Any, other: Any) -> bool:
+    """Whether values differ; of mappings, which are merged, whether those that both have do."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        return any(key in other and _differs(value, other[key]) for key, value in one.items())
     return bool(one != other) and str(one).lower() != str(other).lower()
 
 
