@@ -2,6 +2,9 @@
 
 import pytest
 
+from sigcat.errors import InputRefused
+from sigcat.rules.linting.lint import lint_paths
+from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.record import parse_rules
 from tests.rules.own_rule import OWN_RULE
 
@@ -52,6 +55,50 @@ def test_every_rule_says_what_it_is(key):
 )
 def test_a_field_that_does_not_fit_says_what_it_must_be(line, message):
     assert messages(f"{OWN_RULE}  {line}\n") == [message]
+
+
+def test_all_that_is_wrong_with_a_rule_is_told_at_once():
+    text = """\
+ACME001:
+  name: Not_Kebab
+  title: A rule.
+  severity: fatal
+  sevirity: error
+  default: maybe
+  nodes: {types: [brnch, nsor], datatypes: [uint99], tpyes: [], path: 1}
+  check: pattern
+  options: {patern: x}
+  source: Us.
+"""
+    file = parse_rules(text.encode(), "rules.yaml", trusted=False)
+    assert [(finding.line, finding.message) for finding in file.findings] == [
+        (5, "Unknown field 'sevirity' of rule ACME001."),
+        (1, "Rule ACME001 must have a text as `why`."),
+        (6, "`default` must be true or false, not 'maybe'."),
+        (4, "`severity` must be one of error, warning, info, not 'fatal'."),
+        (2, "`name` must be in kebab-case, not 'Not_Kebab'."),
+        (7, "Unknown field 'tpyes' in `nodes`."),
+        (7, "`path` must be a glob such as Vehicle.Body.*, not 1."),
+        (7, "Unknown name 'brnch' in `types` of `nodes`."),
+        (7, "Unknown name 'nsor' in `types` of `nodes`."),
+        (7, "Unknown name 'uint99' in `datatypes` of `nodes`."),
+    ]
+
+
+@pytest.mark.parametrize("way", ["the file is linted", "the configuration names it"])
+def test_a_rule_that_lacks_a_field_has_its_options_checked_too(tmp_path, way):
+    file = tmp_path / "rules.yaml"
+    lines = [line for line in OWN_RULE.splitlines(keepends=True) if not line.startswith(("  why:", "  options:"))]
+    file.write_text("".join(lines) + "  options: {nope: 1}\n", encoding="utf-8")
+    if way == "the file is linted":
+        findings = lint_paths([file]).findings
+    else:
+        with pytest.raises(InputRefused) as refused:
+            lint_paths([tmp_path], LintOptions(rule_files=(file,)))
+        findings = refused.value.findings
+    told = " ".join(finding.message for finding in findings)
+    assert "must have a text as `why`" in told
+    assert "Unknown option 'nope'" in told
 
 
 def test_a_rule_may_be_about_every_kind_of_node_that_there_is():

@@ -215,7 +215,7 @@ def _lint_rules(source: Source, lint: _Lint) -> None:
     lint.look_at([str(source.path)], "nothing")
     file = parse_rules(_bytes_of(source.path, lint), str(source.path), trusted=False)
     lint.add((finding, None) for finding in file.findings)
-    lint.add(found_in(compose([]), RuleSet(file.rules)))
+    lint.add(found_in(compose([]), RuleSet((*file.rules, *file.unusable))))
 
 
 def _lint_vocabulary(source: Source, lint: _Lint) -> None:

@@ -1,11 +1,11 @@
 """Which rules run: those that sigcat ships and those of a company, as the options select them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sigcat import codes
 from sigcat.errors import UsageError
-from sigcat.findings import SEVERITIES
+from sigcat.findings import SEVERITIES, Finding
 from sigcat.names import did_you_mean
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.checks.kind import BadOption, check_options
@@ -13,6 +13,7 @@ from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.linting.severity import OFF, as_severity, most_specific
 from sigcat.rules.record import Rule, load_rule_files
+from sigcat.rules.rule_set import RuleSet
 
 
 def rules_for(options: LintOptions) -> tuple[Rule, ...]:
@@ -21,13 +22,17 @@ def rules_for(options: LintOptions) -> tuple[Rule, ...]:
     Raises InputRefused if a rule file cannot be used, UsageError if the options name what does not exist.
     """
     shipped = compiled_rules(options.rule_folder)
-    own = load_rule_files(options.rule_files, trusted=False) if options.rule_files else ()
+    own = load_rule_files(options.rule_files, trusted=False, tried=_findings_about) if options.rule_files else ()
     rules = {rule.id: rule for rule in (*shipped, *own)}
     for code, given in options.rule_options.items():
         if code not in rules:
             raise UsageError(f"There is no rule {code!r}. {did_you_mean(code, rules)}".strip())
         rules[code] = _with_options(rules[code], given)
     return tuple(rules.values())
+
+
+def _findings_about(rules: Iterable[Rule]) -> tuple[Finding, ...]:
+    return RuleSet(rules).findings
 
 
 def _with_options(rule: Rule, given: Mapping[str, Any]) -> Rule:

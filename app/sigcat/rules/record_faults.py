@@ -1,0 +1,101 @@
+"""What is wrong with the fields of a rule's record: everything, each with the field that it is about."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any, Literal, NamedTuple, get_args
+
+from sigcat.catalogue.model.datatypes import DATATYPES
+from sigcat.catalogue.model.definition import TYPES
+from sigcat.catalogue.model.interfaces import CATEGORIES
+from sigcat.findings import SEVERITIES
+from sigcat.names import did_you_mean
+
+Scope = Literal["node", "tree"]
+"""What must be there to judge: the node by itself, or its whole tree, of which a part alone shows nothing."""
+
+REQUIRED = ("name", "title", "severity", "why", "check", "source")
+
+_CODE = r"[A-Z]+[0-9]{3}"
+_NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
+_KEYS = (*REQUIRED, "category", "default", "scope", "nodes", "options", "message", "fix", "good", "bad", "example")
+_KINDS: Mapping[str, type] = {"message": str, "fix": str, "category": str, "default": bool, "options": dict}
+_KIND_NAMES: Mapping[type, str] = {str: "a text", bool: "true or false", dict: "a mapping"}
+_NODE_NAMES: Mapping[str, Collection[str]] = {
+    "types": (*TYPES, "signals"), "datatypes": DATATYPES, "interfaces": CATEGORIES
+}  # fmt: skip
+
+
+class Fault(NamedTuple):
+    """Why a record cannot be used, and at which field."""
+
+    message: str
+    key: str = ""
+    fix: str = ""
+
+
+def faults_of(code: str, values: Any, *, trusted: bool) -> Iterator[Fault]:
+    """Everything that is wrong with a record."""
+    if not re.fullmatch(_CODE, code):
+        message = f"The code of a rule must be capital letters and three digits, not {code!r}."
+        yield Fault(message, fix="Use one such as ACME001.")
+    if not isinstance(values, dict):
+        yield Fault(f"Rule {code} must be a mapping of fields.")
+        return
+    yield from _of_keys(code, values)
+    yield from _of_words(values)
+    yield from _of_nodes(values.get("nodes", {}))
+    if trusted and values.get("example") is not False and not (values.get("good") and values.get("bad")):
+        fix = "Add them, or `example: false` if none is a text."
+        yield Fault(f"Rule {code} must have `good` and `bad` examples.", fix=fix)
+
+
+def _of_keys(code: str, values: dict[str, Any]) -> Iterator[Fault]:
+    for key in values:
+        if key not in _KEYS:
+            yield Fault(f"Unknown field {key!r} of rule {code}.", key, did_you_mean(str(key), _KEYS))
+    for key in REQUIRED:
+        if not _is_text(values.get(key)):
+            yield Fault(f"Rule {code} must have a text as `{key}`.", key)
+    for key, kind in _KINDS.items():
+        if key in values and not isinstance(values[key], kind):
+            yield Fault(f"`{key}` must be {_KIND_NAMES[kind]}, not {values[key]!r}.", key)
+
+
+def _of_words(values: dict[str, Any]) -> Iterator[Fault]:
+    severity, scope, name = values.get("severity"), values.get("scope", "node"), values.get("name")
+    if _is_text(severity) and severity not in SEVERITIES:
+        yield Fault(f"`severity` must be one of {', '.join(SEVERITIES)}, not {severity!r}.", "severity")
+    if scope not in get_args(Scope):
+        yield Fault(f"`scope` must be one of {', '.join(get_args(Scope))}, not {scope!r}.", "scope")
+    if isinstance(name, str) and name and not re.fullmatch(_NAME, name):
+        yield Fault(f"`name` must be in kebab-case, not {name!r}.", "name", "Use a name such as unit-without-key.")
+
+
+def _of_nodes(values: Any) -> Iterator[Fault]:
+    if not isinstance(values, dict):
+        yield Fault(f"`nodes` must be a mapping, not {values!r}.", "nodes")
+        return
+    known = (*_NODE_NAMES, "path")
+    for key in values:
+        if key not in known:
+            yield Fault(f"Unknown field {key!r} in `nodes`.", "nodes", did_you_mean(str(key), known))
+    if not isinstance(values.get("path", ""), str):
+        yield Fault(f"`path` must be a glob such as Vehicle.Body.*, not {values['path']!r}.", "nodes")
+    for key, names in _NODE_NAMES.items():
+        yield from _of_names(key, values.get(key, []), names)
+
+
+def _of_names(key: str, names: Any, known: Collection[str]) -> Iterator[Fault]:
+    """Names that decide which nodes a rule is about: one that no node has would end the rule without a word."""
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        yield Fault(f"`{key}` must be a list of names, not {names!r}.", "nodes")
+        return
+    for name in names:
+        is_struct = key == "datatypes" and "." in name  # which structs there are, only a tree knows
+        if name not in known and not is_struct:
+            fix = did_you_mean(name, known) or f"Use one of {', '.join(sorted(known))}."
+            yield Fault(f"Unknown name {name!r} in `{key}` of `nodes`.", "nodes", fix)
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str) and value != ""
