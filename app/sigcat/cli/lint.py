@@ -13,14 +13,16 @@ from typing import TYPE_CHECKING
 from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.tree_options import add_many
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, UsageError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from sigcat.catalogue.hosting.source import Source
     from sigcat.findings import Finding
     from sigcat.rules.linting.options import LintOptions, LintResult
 
+_INPUT, _INPUT_NAME = Path("-"), "standard input"
 FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
 
 
@@ -34,7 +36,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             "rule files. Settings are in [tool.sigcat.lint] of a pyproject.toml or [lint] of a sigcat.toml."
         ),
     )
-    parser.add_argument("paths", nargs="*", type=Path, metavar="PATH", help="files and folders (default: this folder)")
+    parser.add_argument(
+        "paths",
+        nargs="*",
+        type=Path,
+        metavar="PATH",
+        help="files and folders; - for standard input (default: this folder)",
+    )
     _add_selection(parser)
     _add_context(parser)
     _add_result(parser)
@@ -105,7 +113,7 @@ def _lint(arguments: argparse.Namespace) -> int:
 
     paths = arguments.paths or [Path()]
     options = _options(arguments, paths)
-    result = lint_paths(paths, options)
+    result = _lint_input(paths, options, arguments) if _INPUT in paths else lint_paths(paths, options)
     refuse_overwriting(arguments, (*result.files, *result.beside, *_configured(options)))
     if arguments.write_baseline is not None:
         return _write_baseline(result, options, paths, arguments.write_baseline)
@@ -120,6 +128,28 @@ def _lint(arguments: argparse.Namespace) -> int:
     except BrokenPipeError:  # the exit status is right even if the output is not read
         discard_output()
     return int(result.fails)
+
+
+def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argparse.Namespace) -> "LintResult":
+    """Lint standard input: functions, or an overlay over the tree of the options, or else the shipped one."""
+    from sigcat.catalogue.hosting.source import load
+    from sigcat.file_kind import holds_function
+    from sigcat.rules.linting.options import LintResult
+    from sigcat.rules.linting.posted import lint_text
+    from sigcat.rules.linting.selection import rules_for, selected
+    from sigcat.rules.rule_set import RuleSet
+
+    needs_files = arguments.fix or arguments.diff or options.baseline or arguments.write_baseline
+    if len(paths) > 1 or needs_files:
+        raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
+    text = sys.stdin.buffer.read()
+    if holds_function(text):
+        findings = tuple(_check_functions(options, [(text, _INPUT_NAME)], is_whole=False))
+    else:
+        every_rule = rules_for(options)
+        rules, known = RuleSet(selected(every_rule, options)), frozenset(rule.id for rule in every_rule)
+        findings = lint_text(text, _INPUT_NAME, load(_tree(options)), rules, options=options, known=known)
+    return LintResult(findings, ())
 
 
 def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOptions":
@@ -170,19 +200,25 @@ def _check_functions(
     options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool
 ) -> "Sequence[Finding]":
     """Check function files against the tree with the overlays of the options; loaded only when there are any."""
-    from sigcat.catalogue.hosting.source import Source, load
-    from sigcat.catalogue.hosting.sources import shipped_sources
+    from sigcat.catalogue.hosting.source import load
     from sigcat.function.sets.check_set import check_functions
 
+    return check_functions(files, load(_tree(options)), is_whole=is_whole)
+
+
+def _tree(options: "LintOptions") -> "Source":
+    """The tree with the overlays of the options, or else the shipped one."""
+    from sigcat.catalogue.hosting.source import Source
+    from sigcat.catalogue.hosting.sources import shipped_sources
+
     tree = shipped_sources()[0] if options.base is None else Source(options.base.stem, "", options.base)
-    source = tree._replace(
+    return tree._replace(
         overlays=(*tree.overlays, *options.overlays),
         units=(*tree.units, *options.units),
         quantities=options.quantities,
         types=options.types,
         include_dirs=options.include_dirs,
     )
-    return check_functions(files, load(source), is_whole=is_whole)
 
 
 def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequence[Path]", file: Path) -> int:

@@ -1,5 +1,6 @@
 """Lint a text that is in no file, such as the body of a request."""
 
+from collections.abc import Sequence
 from functools import partial
 
 from sigcat import codes
@@ -30,21 +31,26 @@ def lint_text(
     *,
     is_tree: bool = False,
     limits: Limits = DEFAULT_LIMITS,
+    options: LintOptions = _NO_OPTIONS,
+    known: frozenset[str] = frozenset(),
 ) -> tuple[Finding, ...]:
-    """Findings in an overlay over `base`, or in a tree by itself. `name` is what findings call the text."""
+    """Findings in an overlay over `base`, or in a tree by itself. `name` is what findings call the text.
+
+    `known` are codes of all rules that there are: of one that does not run, nothing is told.
+    """
     refused = _refused(text, name, is_tree=is_tree)
     if refused is not None:
         return (refused,)
     layer = layer_from_text(text, name, is_overlay=not is_tree, limits=limits)
     if is_tree or base is None:
-        found = _found_in_tree(layer, base, rules, limits)
+        found = _found_in_tree(layer, base, rules, limits, options.attributes)
     else:
-        found = _found_in_overlay(layer, base, rules, limits)
+        found = _found_in_overlay(layer, base, rules, limits, options.attributes)
     content = text.decode("utf-8-sig", "replace")
     findings = [finding for finding, _ in found if finding.file == name]
     findings.extend(finding for finding, _ in lint_lines(content, name, rules))
     suppressions = [read_suppressions(content, name, rules.codes)] if MARK in text else []
-    grading = Grading(rules.severities, frozenset(), _NO_OPTIONS)
+    grading = Grading(rules.severities, known, options)
     kept = apply_suppressions(in_order(list(grading.graded(findings))), suppressions, rules.codes)
     every = in_order((*kept.findings, *grading.graded(kept.about_comments)))
     return tuple(counted(every, rules.counted))
@@ -62,16 +68,21 @@ def _refused(text: bytes, name: str, *, is_tree: bool) -> Finding | None:
     return None
 
 
-def _found_in_tree(layer: Layer, base: Catalogue | None, rules: RuleSet, limits: Limits) -> list[Found]:
+def _found_in_tree(
+    layer: Layer, base: Catalogue | None, rules: RuleSet, limits: Limits, attributes: Sequence[str]
+) -> list[Found]:
     compose_text = partial(compose, [layer], base.vocabulary if base else EMPTY, limits=limits)
     catalogue = compose_text(expanded=False)
-    return list(found_in(with_instances(catalogue, catalogue.definitions.values(), compose_text), rules))
+    expanded = with_instances(catalogue, catalogue.definitions.values(), compose_text)
+    return list(found_in(expanded, rules, attributes=attributes))
 
 
-def _found_in_overlay(layer: Layer, base: Catalogue, rules: RuleSet, limits: Limits) -> list[Found]:
+def _found_in_overlay(
+    layer: Layer, base: Catalogue, rules: RuleSet, limits: Limits, attributes: Sequence[str]
+) -> list[Found]:
     """Only what the overlay changes is composed and judged; the whole tree only where instances need it."""
     layers = [*base.tree_layers, layer]
     whole = partial(compose, layers, base.vocabulary, base.type_layers, name=base.name, limits=limits, earlier=base)
     part = compose_part(base, layer, limits)
     judged = part.changed.values()
-    return list(found_in(with_instances(part, judged, whole), rules, judged))
+    return list(found_in(with_instances(part, judged, whole), rules, judged, attributes))
