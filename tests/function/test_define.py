@@ -366,6 +366,11 @@ def test_of_a_parameter_that_the_file_defines_the_last_name_is_enough():
     assert [(each.name, each.vss_path) for each in parameters] == [("Gain", whole.removeprefix("path: "))]
 
 
+def test_a_parameter_that_is_misspelled_may_have_been_meant():
+    found = check_function(changed("Vehicle.Function.LaneKeeping.Parameter.Gain", "Gian"), "f.yaml", interfaces())
+    assert [f.fix for f in found if f.rule == "F010"] == ["Did you mean 'Gain'?"]
+
+
 def test_a_signal_that_the_file_defines_is_named_by_its_path():
     found = check_function(changed("{path: Vehicle.ADAS.LaneKeeping.Torque,", "{path: Torque,"), "f.yaml", interfaces())
     assert [(f.rule, f.fix) for f in found if f.rule == "F010"] == [

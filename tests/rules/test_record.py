@@ -44,6 +44,7 @@ def test_every_rule_says_what_it_is(key):
     [
         ("scope: file", "`scope` must be one of node, tree, not 'file'."),
         ("default: maybe", "`default` must be true or false, not 'maybe'."),
+        ("message: 2020-01-01", "`message` must be a text, not 2020-01-01."),
         ("nodes: [sensor]", "`nodes` must be a mapping, not ['sensor']."),
         ("nodes: {types: sensor}", "`types` must be a list of names, not 'sensor'."),
         ("nodes: {types: [signal]}", "Unknown name 'signal' in `types` of `nodes`."),

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple, get_args
 from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
-from sigcat.findings import SEVERITIES
+from sigcat.findings import SEVERITIES, shown
 from sigcat.names import did_you_mean
 
 Scope = Literal["node", "tree"]
@@ -58,29 +58,29 @@ def _of_keys(code: str, values: dict[str, Any]) -> Iterator[Fault]:
             yield Fault(f"Rule {code} must have a text as `{key}`.", key)
     for key, kind in _KINDS.items():
         if key in values and not isinstance(values[key], kind):
-            yield Fault(f"`{key}` must be {_KIND_NAMES[kind]}, not {values[key]!r}.", key)
+            yield Fault(f"`{key}` must be {_KIND_NAMES[kind]}, not {shown(values[key])}.", key)
 
 
 def _of_words(values: dict[str, Any]) -> Iterator[Fault]:
     severity, scope, name = values.get("severity"), values.get("scope", "node"), values.get("name")
     if _is_text(severity) and severity not in SEVERITIES:
-        yield Fault(f"`severity` must be one of {', '.join(SEVERITIES)}, not {severity!r}.", "severity")
+        yield Fault(f"`severity` must be one of {', '.join(SEVERITIES)}, not {shown(severity)}.", "severity")
     if scope not in get_args(Scope):
-        yield Fault(f"`scope` must be one of {', '.join(get_args(Scope))}, not {scope!r}.", "scope")
+        yield Fault(f"`scope` must be one of {', '.join(get_args(Scope))}, not {shown(scope)}.", "scope")
     if isinstance(name, str) and name and not re.fullmatch(_NAME, name):
         yield Fault(f"`name` must be in kebab-case, not {name!r}.", "name", "Use a name such as unit-without-key.")
 
 
 def _of_nodes(values: Any) -> Iterator[Fault]:
     if not isinstance(values, dict):
-        yield Fault(f"`nodes` must be a mapping, not {values!r}.", "nodes")
+        yield Fault(f"`nodes` must be a mapping, not {shown(values)}.", "nodes")
         return
     known = (*_NODE_NAMES, "path")
     for key in values:
         if key not in known:
             yield Fault(f"Unknown field {key!r} in `nodes`.", "nodes", did_you_mean(str(key), known))
     if not isinstance(values.get("path", ""), str):
-        yield Fault(f"`path` must be a glob such as Vehicle.Body.*, not {values['path']!r}.", "nodes")
+        yield Fault(f"`path` must be a glob such as Vehicle.Body.*, not {shown(values['path'])}.", "nodes")
     for key, names in _NODE_NAMES.items():
         yield from _of_names(key, values.get(key, []), names)
 
@@ -88,7 +88,7 @@ def _of_nodes(values: Any) -> Iterator[Fault]:
 def _of_names(key: str, names: Any, known: Collection[str]) -> Iterator[Fault]:
     """Names that decide which nodes a rule is about: one that no node has would end the rule without a word."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        yield Fault(f"`{key}` must be a list of names, not {names!r}.", "nodes")
+        yield Fault(f"`{key}` must be a list of names, not {shown(names)}.", "nodes")
         return
     for name in names:
         is_struct = key == "datatypes" and "." in name  # which structs there are, only a tree knows

@@ -12,7 +12,7 @@ from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import parse_vspec
 from sigcat.digest import digest_of
-from sigcat.findings import Finding, RuleCode
+from sigcat.findings import Finding, RuleCode, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
 
@@ -146,13 +146,13 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
     quantity = _quantity_of(values)
     if quantities and quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
-        message = f"Unit {entry.path!r} has the unknown quantity {quantity!r}."
+        message = f"Unit {entry.path!r} has the unknown quantity {shown(quantity)}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
     allowed = values.get("allowed-datatypes") or []
     unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
     if unknown:
-        message = f"Unit {entry.path!r} allows {', '.join(map(repr, unknown))}, which is not a datatype."
+        message = f"Unit {entry.path!r} allows {', '.join(map(shown, unknown))}, which is not a datatype."
         hint = did_you_mean(str(unknown[0]), DATATYPES)
         findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes", hint))
         return None
@@ -171,7 +171,7 @@ def _unknown_fields(entry: Statement) -> Iterator[Finding]:
     """Fields that other tools ignore silently."""
     for name in entry.values:
         if name not in _UNIT_FIELDS:
-            message = f"Unit {entry.path!r} has the unknown field {name!r}, which is ignored."
+            message = f"Unit {entry.path!r} has the unknown field {shown(name)}, which is ignored."
             fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
             origin = entry.origin_of_key(name)
             yield codes.UNIT_FIELD_UNKNOWN.finding(message, *origin.position, entry.path, fix=fix)

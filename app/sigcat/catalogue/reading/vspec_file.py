@@ -30,7 +30,7 @@ from sigcat.catalogue.reading.yaml_document import (
     position,
     read_document,
 )
-from sigcat.findings import Finding
+from sigcat.findings import Finding, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import nearest
 
@@ -116,7 +116,7 @@ def _read_statement(
     try:
         path = builder.key(key)
         if not isinstance(path, str) or not path:
-            raise Unbuildable(f"The path of a node must be text, not {path!r}.", key)
+            raise Unbuildable(f"The path of a node must be text, not {shown(path)}.", key)
         if not isinstance(node, MappingNode):
             raise Unbuildable(
                 f"{path!r} must be a mapping of attributes, not {_kind(node)}.", node, codes.NOT_A_MAPPING
@@ -176,7 +176,7 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     for key, value in merged_pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
-            raise Unbuildable(f"The name of an attribute must be text, not {name!r}.", key)
+            raise Unbuildable(f"The name of an attribute must be text, not {shown(name)}.", key)
         start, end = key.start_mark, value.start_mark
         if name in values:
             marks[list(values).index(name)] = mark_of(start, end)

@@ -75,9 +75,14 @@ class Context:
 
     def data(self, reference: str) -> Node | None:
         """The node at a path; of a parameter of the function itself the last name is enough."""
+        return self.catalogue.get(reference) or self.own_parameters.get(reference)
+
+    @cached_property
+    def own_parameters(self) -> Mapping[str, Node]:
+        """The parameters of the function itself by last name."""
         root = self.catalogue.roots[0].path if self.catalogue.roots else ""
-        own = f"{root}.Function.{self.function}.Parameter.{reference}"
-        return self.catalogue.get(reference) or self.catalogue.get(own)
+        branch = self.catalogue.get(f"{root}.Function.{self.function}.Parameter")
+        return {node.name: node for node in branch.children} if branch is not None else {}
 
     def names(self, category: Category) -> list[str]:
         """Names of the interfaces of a category."""

@@ -33,7 +33,7 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
     else:
         message = f"The catalogue has no signal {path!r}."
         fix = _defined(path, context) or context.hint(path, context.catalogue.nodes)
-        fix = fix or "Define it under `define`, or in an overlay."
+        fix = fix or context.hint(path, context.own_parameters) or "Define it under `define`, or in an overlay."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
 
 
