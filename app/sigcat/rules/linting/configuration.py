@@ -9,9 +9,10 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import SEVERITIES
 from sigcat.names import did_you_mean
 from sigcat.rules.linting.options import LintOptions, PerFile
-from sigcat.rules.linting.severity import OFF, as_severity
+from sigcat.rules.linting.severity import OFF
 
 FILES = ("sigcat.toml", "pyproject.toml")
 
@@ -100,16 +101,25 @@ def _near(path: Path) -> Path:
 def _severities(key: str, value: Any, _folder: Path) -> dict[str, str]:
     if not isinstance(value, dict):
         raise UsageError(f"`{key}` must be a table of codes with severities.")
-    for severity in value.values():
-        if severity != OFF:
-            as_severity(str(severity))
+    words = (*SEVERITIES, OFF)
+    if wrong := [f"{severity!r} of {code}" for code, severity in value.items() if severity not in words]:
+        meant = did_you_mean(str(next(s for s in value.values() if s not in words)), words)
+        raise UsageError(f"`{key}` must be {', '.join(SEVERITIES)} or {OFF}, not {', '.join(wrong)}. {meant}".rstrip())
     return {str(code): str(severity) for code, severity in value.items()}
 
 
 def _per_file(key: str, value: Any, folder: Path) -> tuple[PerFile, ...]:
     if not isinstance(value, dict):
         raise UsageError(f"`{key}` must have a table for each pattern of files.")
-    return tuple(PerFile(glob, _severities(f"{key}.{glob}", inner, folder)) for glob, inner in value.items())
+    entries, wrong = [], []
+    for glob, inner in value.items():
+        try:
+            entries.append(PerFile(glob, _severities(f"{key}.{glob}", inner, folder)))
+        except UsageError as error:
+            wrong.append(str(error))
+    if wrong:
+        raise UsageError(" ".join(wrong))
+    return tuple(entries)
 
 
 def _rule_options(key: str, value: Any, _folder: Path) -> dict[str, dict[str, Any]]:
