@@ -1,7 +1,6 @@
 """The command line: parse, call, print. Each command stands in a file of its own and loads its code when it runs.
 
 Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.
-Where what is to be worked on has errors, they are findings; where the configuration has some, nothing could run.
 """
 
 import argparse
@@ -52,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except InputRefused as error:
         for finding in error.findings:
             print(finding.line_of_text, file=sys.stderr)
-        return _failed(str(error), 1 if error.findings else 2)
+        return _failed(str(error), 1 if error.findings else 2)  # without any, nothing was found out
     except SigcatError as error:
         return _failed(str(error), 2)
     except OSError as error:
