@@ -251,5 +251,5 @@ def test_settings_of_the_environment_are_those_that_the_command_prints() -> None
     assert all(f"\n{name} = " in printed.stdout for name in Settings.model_fields)
     misspelled = {**os.environ, "SIGCAT_VALEUS": "1"}
     refused = subprocess.run(command, env=misspelled, capture_output=True, text=True, check=False)
-    assert refused.returncode == 1
+    assert refused.returncode == 2
     assert "SIGCAT_VALUES" in refused.stderr

@@ -77,7 +77,7 @@ def test_the_tree_is_made_wider(open_page: Opener) -> None:
         ("C", "adas_eco_control_acceleration_proposal"),
         ("C++ (ara::com)", "EcoControlMpcServiceProxy::ADAS_EcoControl_AccelerationProposal"),
         ("Python", "adas_eco_control_acceleration_proposal"),
-        ("ROS 2 topic", "/vehicle/adas/eco_control/acceleration_proposal"),
+        ("ROS 2 topic", "vehicle/adas/eco_control/acceleration_proposal"),
         ("ROS 2 field", "acceleration_proposal"),
         ("SOME/IP event", "ADAS_EcoControl_AccelerationProposal"),
         ("AUTOSAR", "EcoControlMpcService/ADAS_EcoControl_AccelerationProposal"),
