@@ -1,5 +1,6 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import Symbol
 from sigcat.function.function_json.wire import (
     OWN,
@@ -10,6 +11,7 @@ from sigcat.function.function_json.wire import (
     TypeReference,
     WireModel,
     described,
+    own,
 )
 
 
@@ -86,6 +88,27 @@ class Signal(WireModel):
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    timeout_start: str | None = own(
+        "TimeoutStart",
+        "Whether the time-out runs from the end of init (Init, also if absent) or the first value (First).",
+    )
+    timeout_value: str | None = own(
+        "TimeoutValue", "Value after the time-out: the last one (Last, also if absent), Default or Init."
+    )
+    timeout_recovery: Integer | None = own(
+        "TimeoutRecovery", "Valid values in a row that end the time-out; 1 if absent.", unit="values"
+    )
+    range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    init_elements: str | None = own(
+        "InitElements",
+        "Value of an array or struct before the first one arrives, as JSON: a list or an object.",
+        unit=PHYSICAL,
+    )
+    default_elements: str | None = own(
+        "DefaultElements", "Value of an array or struct that stands in for a missing one, as JSON.", unit=PHYSICAL
+    )
 
 
 class DataQueue(WireModel):
@@ -146,6 +169,24 @@ class DataQueue(WireModel):
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    timeout_start: str | None = own("TimeoutStart", "As in a signal.")
+    timeout_value: str | None = own("TimeoutValue", "As in a signal.")
+    timeout_recovery: Integer | None = own("TimeoutRecovery", "As in a signal.", unit="values")
+    range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    init_elements: str | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
+    default_elements: str | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
+    overflow: str | None = own(
+        "Overflow", "What is lost when the queue is full: the oldest value (DropOldest, also if absent) or DropNewest."
+    )
+    overflow_error: str | None = own("OverflowError", "Error interface that is set when a value is lost.")
+    values_per_step: Integer | None = own(
+        "ValuesPerStep", "Most values that a call takes at once; 1 if absent.", unit="values"
+    )
+    count_variable: str | None = own(
+        "CountVariable", "Expression of the C code that holds how many values arrived for the call."
+    )
 
 
 class Parameter(WireModel):
@@ -179,3 +220,11 @@ class Parameter(WireModel):
     variable: str | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
+    factor: str | None = own("Factor", "As in a signal.")
+    offset: str | None = own("Offset", "As in a signal.", unit=PHYSICAL)
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    key: str | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
+    storage: str | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
+    range_error: str | None = own("RangeError", "Error interface that is set while the value is out of range.")
+    init_elements: str | None = own("InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL)

@@ -1,6 +1,6 @@
 """Methods of a call, with their arguments and return values."""
 
-from sigcat.function.function_json.wire import TypeReference, WireModel, described
+from sigcat.function.function_json.wire import TypeReference, WireModel, described, own
 
 
 class Argument(WireModel):
@@ -9,6 +9,7 @@ class Argument(WireModel):
     name: str = described("Name", "Name of the argument or return value.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     units: str = described("Units", "Unit of the value; empty if it has none.")
+    variable: str | None = own("Variable", "Expression of the C code that holds the value.")
 
 
 class Method(WireModel):
@@ -19,3 +20,12 @@ class Method(WireModel):
     role: str = described("Role", "Consumer or Provider.")
     inputs: tuple[Argument, ...] = described("InDataTypeList", "Arguments, in order.", strict=False)
     outputs: tuple[Argument, ...] = described("OutDataTypeList", "Return values, in order.", strict=False)
+    symbol: str | None = own("Symbol", "C function that does what a provided method offers.")
+    timeout: str | None = own("Timeout", "Longest time until the answer, as a number in a text.", unit="ms")
+    request_variable: str | None = own(
+        "RequestVariable", "Expression of the C code that asks for a call of a consumed method: not 0."
+    )
+    status_variable: str | None = own(
+        "StatusVariable",
+        "Expression of the C code that holds what became of it: IDLE 0, PENDING 1, DONE 2, FAILED 3 or TIMEOUT 4.",
+    )

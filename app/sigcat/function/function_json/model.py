@@ -9,11 +9,12 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.wire import OWN, TABLE, WireModel, described, written
+from sigcat.function.function_json.wire import OWN, TABLE, WireModel, described, own, written
 
 
 class MetaInfo(WireModel):
@@ -67,6 +68,7 @@ class FunctionJson(WireModel):
     mode_interfaces: tuple[ModeInterface, ...] | None = described(
         "ModeInterfaceList", "Mode management interfaces.", default=None, source=TABLE, strict=False
     )
+    code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     provenance: Provenance | None = described(
         "Provenance", "What the document was made from.", default=None, source=OWN
     )

@@ -1,9 +1,10 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
 from sigcat.function.function_json.methods import Method
 from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
-from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described
+from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described, own
 
 
 class WatchdogLimits(WireModel):
@@ -77,3 +78,18 @@ class Runnable(WireModel):
         "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE, strict=False
     )
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    symbol: str | None = own("Symbol", "Function or member function in C; the name of the call if absent.")
+    arguments: tuple[str, ...] | None = own(
+        "Arguments", "Names of the objects that it takes pointers to, in order.", strict=False
+    )
+    success_value: Integer | None = own(
+        "SuccessValue", "Result that means success; absent if the call returns nothing."
+    )
+    pre_processing: tuple[str, ...] | None = own(
+        "PreProcessing", "C functions of the project that run before the call, in order.", strict=False
+    )
+    post_processing: tuple[str, ...] | None = own(
+        "PostProcessing", "C functions of the project that run after the call, in order.", strict=False
+    )
+    checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
+    overrun_error: str | None = own("OverrunError", "Error interface that is set when activations were missed.")

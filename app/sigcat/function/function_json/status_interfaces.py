@@ -1,6 +1,8 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
-from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described
+from sigcat.function.function_json.code import DEFINED_BY
+from sigcat.function.function_json.datatype import Symbol
+from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
 
 
 class Error(WireModel):
@@ -34,6 +36,18 @@ class Error(WireModel):
     )
     asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: str | None = own(
+        "Variable", "Expression of the C code in which the function says whether the error is present: not 0."
+    )
+    status_variable: str | None = own(
+        "StatusVariable", "Expression of the C code that holds the state of the error, written before a call."
+    )
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    reset: str | None = own(
+        "Reset",
+        "What the error has to wait for: Restart, or the name of a signal that the function consumes and that is not 0 "
+        "while the reset condition holds. If absent, the error is reset when it is no longer present.",
+    )
 
 
 class SafetyReaction(WireModel):
@@ -45,6 +59,12 @@ class SafetyReaction(WireModel):
     errors: tuple[str, ...] = described("ErrorList", "Error interfaces, any of which sets the condition.", strict=False)
     asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: str | None = own("Variable", "Expression of the C code that holds the condition, written before a call.")
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    initial: str | None = own("Initial", "Condition before any is known: one of the enumeration; INACTIVE if absent.")
+    timeout: str | None = own(
+        "Timeout", "Longest time between two values from outside, as a number in a text.", unit="ms"
+    )
 
 
 class ModeInterface(WireModel):
@@ -56,3 +76,13 @@ class ModeInterface(WireModel):
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
     modes: tuple[str, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: str | None = own("Variable", "Expression of the C code that holds the mode.")
+    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    initial: str | None = own("Initial", "Mode before the first one is received; the first of `Modes` if absent.")
+    unknown_action: str | None = own(
+        "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."
+    )
+    unknown_error: str | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
+    values: tuple[Symbol, ...] | None = own(
+        "Values", "Numbers of the modes in the C code, where they are not those of the datatype.", strict=False
+    )

@@ -31,6 +31,11 @@ def described(alias: str, description: str, *, default: Any = ..., unit: str = "
     return Field(default, alias=alias, description=description, json_schema_extra=extra, **more)
 
 
+def own(alias: str, description: str, **more: Any) -> Any:
+    """An optional field that the published schema lacks."""
+    return described(alias, description, source=OWN, default=None, **more)
+
+
 class WireModel(BaseModel):
     """A frozen value of a wire format. Fields that it does not know are kept, as the published schema allows them.
 

@@ -12,7 +12,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_adaptive.si_units import UnitSettings
@@ -30,11 +30,6 @@ ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 def published(alias: str, description: str, **more: Any) -> Any:
     """A field of the published schema."""
     return described(alias, description, source=ADAPTIVE, **more)
-
-
-def own(alias: str, description: str, **more: Any) -> Any:
-    """A field that the published schema lacks."""
-    return described(alias, description, source=OWN, default=None, **more)
 
 
 def always(alias: str, description: str, **more: Any) -> Any:

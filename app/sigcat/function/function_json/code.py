@@ -1,0 +1,68 @@
+"""The C or C++ code of a function: its files, how it is called, and what its calls and variables are there."""
+
+from sigcat.function.function_json.wire import OWN, WireModel, described, own
+
+GLOBALS = "Globals"
+POINTERS = "Pointers"
+CLASS = "Class"
+"""How calls take their data: over global variables, over pointers to objects, or as members of a C++ class."""
+
+DEFINED_BY = (
+    "Function or Adapter: whose code defines the variable; Function if absent. An adapter defines imported externs."
+)
+MEMBERS = "Members of the struct in C, where their names are not those of the catalogue."
+
+
+class Definition(WireModel):
+    """A definition of the preprocessor that the sources are compiled with."""
+
+    name: str = described("Name", "Name of the macro.", source=OWN)
+    value: str | None = own("Value", "Its value; absent if it has none.")
+
+
+class CodeObject(WireModel):
+    """An object that calls take a pointer to, or a global variable that is neither a signal nor a parameter."""
+
+    name: str = described("Name", "Name of the object; with it begin the expressions of what is in it.", source=OWN)
+    type: str = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
+    member: str | None = own("Member", "Member of the first object that is set to point to this one.")
+    defined_by: str | None = own("DefinedBy", f"{DEFINED_BY} With pointers always the adapter.")
+
+
+class CodeInterface(WireModel):
+    """How the code is compiled and called."""
+
+    signature: str = described(
+        "Signature",
+        "Globals: calls take nothing and read and write global variables. Pointers: calls take pointers to objects that the "
+        "adapter holds for each instance. Class: calls are members of a C++ class.",
+        source=OWN,
+    )
+    sources: tuple[str, ...] | None = own("Sources", "Files to compile, relative to the declaration.", strict=False)
+    headers: tuple[str, ...] | None = own("Headers", "Files to include, in order.", strict=False)
+    include_folders: tuple[str, ...] | None = own(
+        "IncludeFolders", "Folders in which headers are searched, relative to the declaration.", strict=False
+    )
+    definitions: tuple[Definition, ...] | None = own("Definitions", "Definitions of the preprocessor.", strict=False)
+    class_name: str | None = own("ClassName", "Name of the C++ class, with its namespaces.")
+    storage: str | None = own(
+        "Storage", "Key-value storage of the parameters that name none; absent if it has the name of the function."
+    )
+    objects: tuple[CodeObject, ...] | None = own("Objects", "Objects of the code, in order.", strict=False)
+
+
+class Member(WireModel):
+    """A member of a struct."""
+
+    name: str = described(
+        "Name", "Name in the catalogue; of a struct within the struct, with points between.", source=OWN
+    )
+    member: str = described("Member", "Name in C.", source=OWN)
+
+
+class Checkpoint(WireModel):
+    """A call in the graph of the logical supervision."""
+
+    initial: bool | None = own("Initial", "Whether a sequence begins with the call.")
+    final: bool | None = own("Final", "Whether a sequence may end with the call.")
+    next: tuple[str, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
