@@ -6,9 +6,9 @@ from typing import Any
 import jsonschema
 import pytest
 
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.model import (
     Component,
     FunctionInfo,
@@ -19,7 +19,7 @@ from sigcat.function.function_json.model import (
     to_json,
 )
 from sigcat.function.function_json.runnable import Contract, Runnable, Watchdog, WatchdogLimits
-from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import WireModel
 from tests.judges import judged_by
 from tests.published.schemas import definitions, schema
@@ -27,8 +27,8 @@ from tests.published.schemas import definitions, schema
 PUBLISHED = definitions("function_json")
 MODELS: dict[str, type[WireModel]] = {
     "ArgTypeItem": Argument, "Component": Component, "DataQ": DataQueue, "Datatype": Datatype,
-    "Error": Error, "FunctionDetails": FunctionInfo, "MetaInfoItem": MetaInfo, "Method": Method,
-    "Mode": Mode, "Parameter": Parameter, "SafetyReaction": SafetyReaction, "Signal": Signal,
+    "Error": ErrorInterface, "FunctionDetails": FunctionInfo, "MetaInfoItem": MetaInfo, "Method": MethodInterface,
+    "Mode": Mode, "Parameter": ParameterInterface, "SafetyReaction": SafetyReaction, "Signal": Signal,
     "WatchdogConfig": WatchdogLimits, "WatchdogItem": Watchdog, "funcContract": Contract,
     "function": Runnable,
 }  # fmt: skip
@@ -60,8 +60,8 @@ def test_every_field_says_what_it_is_and_where_it_comes_from():
     [
         (Runnable, "cycle_time", "ms"),
         (Runnable, "stack_size", "bytes"),
-        (Error, "maturation_time", "ms"),
-        (Error, "reset_time", "ms"),
+        (ErrorInterface, "maturation_time", "ms"),
+        (ErrorInterface, "reset_time", "ms"),
         (Signal, "timeout", "ms"),
     ],
 )

@@ -6,11 +6,11 @@ import jsonschema
 import pytest
 
 from sigcat.errors import InputRefused, UsageError
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, integration_schema, to_json
@@ -340,14 +340,14 @@ def test_an_id_that_the_deployment_gives_twice_or_out_of_range_is_refused():
 # -- nothing is dropped -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("kind", [Signal, DataQueue, Method, Error, SafetyReaction, ModeInterface])
+@pytest.mark.parametrize("kind", [Signal, DataQueue, MethodInterface, ErrorInterface, SafetyReaction, ModeInterface])
 def test_every_field_of_an_interface_has_a_place(kind):
     assert {str(field.alias) for field in kind.model_fields.values()} <= set(TABLES[kind][1])
 
 
 def test_every_field_of_a_call_and_of_a_parameter_has_a_place():
     assert {str(field.alias) for field in Runnable.model_fields.values()} <= set(CALL_TARGETS)
-    assert {str(field.alias) for field in Parameter.model_fields.values()} <= set(PARAMETER_TARGETS)
+    assert {str(field.alias) for field in ParameterInterface.model_fields.values()} <= set(PARAMETER_TARGETS)
 
 
 def test_the_report_has_every_field_that_has_a_value():

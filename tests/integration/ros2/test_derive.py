@@ -7,12 +7,12 @@ import pytest
 from pydantic import BaseModel
 
 from sigcat.errors import UsageError
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionInfo, Mode
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.integration.ros2.field_targets import TABLES
 from sigcat.integration.ros2.model import integration_schema, to_json
@@ -511,8 +511,8 @@ def test_datatypes_of_one_name_and_two_meanings_stay_apart():
 
 
 MODELS: dict[str, type[BaseModel]] = {
-    "signal": Signal, "queue": DataQueue, "parameter": Parameter,
-    "method": Method, "error": Error, "safety reaction": SafetyReaction,
+    "signal": Signal, "queue": DataQueue, "parameter": ParameterInterface,
+    "method": MethodInterface, "error": ErrorInterface, "safety reaction": SafetyReaction,
     "call": Runnable, "transition": Runnable, "mode": Mode,
     "mode interface": ModeInterface, "datatype": Datatype,
     "function": FunctionInfo,

@@ -11,14 +11,14 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.datatype import Symbol
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.walk import contracts, data, parameters, runnables
 
 Problems = Iterator[Problem]
-Item = Signal | DataQueue | Parameter
+Item = Signal | DataQueue | ParameterInterface
 
 
 def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
@@ -67,7 +67,7 @@ def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Pro
         yield _stale((*pointer, "VssSymbols"), "VssSymbols", own, known, node)
 
 
-def _words(symbols: Iterable[Symbol]) -> str:
+def _words(symbols: Iterable[EnumerationValue]) -> str:
     """An enumeration in words: `OFF 0, ON 1`."""
     return ", ".join(f"{each.symbol} {each.value}" for each in symbols)
 

@@ -14,7 +14,7 @@ from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import (
@@ -280,12 +280,12 @@ def _lost_ranges(function: FunctionJson) -> Problems:
     held = {t.reference: _integers(t) for t in function.datatypes if t.kind is None}
     for pointer, _, item in (*data(function), *parameters(function)):
         limits = held.get(item.datatype)
-        scale = None if isinstance(item, Parameter) else _scale(item.factor, item.offset)
+        scale = None if isinstance(item, ParameterInterface) else _scale(item.factor, item.offset)
         if (
             limits is None
             or item.min is None
             or item.max is None
-            or (scale is None and not isinstance(item, Parameter))
+            or (scale is None and not isinstance(item, ParameterInterface))
         ):
             continue
         factor, offset = scale or (Fraction(1), Fraction(0))

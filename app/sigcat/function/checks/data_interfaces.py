@@ -6,7 +6,7 @@ from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -14,7 +14,7 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import data, errors, parameters, runnables
 
 Problems = Iterator[Problem]
-Item = Signal | DataQueue | Parameter
+Item = Signal | DataQueue | ParameterInterface
 
 
 def check_data_interfaces(function: FunctionJson, known_errors: Collection[str]) -> Problems:

@@ -1,7 +1,7 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
-from sigcat.function.function_json.datatype import Symbol
+from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import (
     OWN,
     PHYSICAL,
@@ -61,7 +61,7 @@ class Signal(WireModel):
     vss_max: Number | None = described(
         "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
     )
-    vss_symbols: tuple[Symbol, ...] | None = described(
+    vss_symbols: tuple[EnumerationValue, ...] | None = described(
         "VssSymbols",
         "Values of an enumeration with the numbers of the catalogue, where the code has others.",
         default=None,
@@ -158,7 +158,7 @@ class DataQueue(WireModel):
     vss_max: Number | None = described(
         "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
     )
-    vss_symbols: tuple[Symbol, ...] | None = described(
+    vss_symbols: tuple[EnumerationValue, ...] | None = described(
         "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
     )
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
@@ -189,7 +189,7 @@ class DataQueue(WireModel):
     )
 
 
-class Parameter(WireModel):
+class ParameterInterface(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
 
     name: str = described("Name", "Name of the parameter inside the function.")
@@ -210,7 +210,7 @@ class Parameter(WireModel):
     vss_path: str | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
     vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
     vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
-    vss_symbols: tuple[Symbol, ...] | None = described(
+    vss_symbols: tuple[EnumerationValue, ...] | None = described(
         "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
     )
     conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)

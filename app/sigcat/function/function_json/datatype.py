@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReference, WireModel, described
 
 
-class Symbol(WireModel):
+class EnumerationValue(WireModel):
     """A named value of an enumeration."""
 
     symbol: str = described("Symbol", "Name of the value.", source=OWN)
@@ -33,7 +33,7 @@ class Datatype(WireModel):
         "Kind", "enumeration, array or struct, where the datatype is one.", default=None, source=OWN
     )
     vss_datatype: str | None = described("VssDatatype", "Datatype of VSS.", default=None, source=OWN)
-    symbols: tuple[Symbol, ...] | None = described(
+    symbols: tuple[EnumerationValue, ...] | None = described(
         "Symbols", "Values of an enumeration.", default=None, source=OWN, strict=False
     )
     element: TypeReference | None = described(

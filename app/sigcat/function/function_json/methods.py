@@ -12,7 +12,7 @@ class Argument(WireModel):
     variable: str | None = own("Variable", "Expression of the C code that holds the value.")
 
 
-class Method(WireModel):
+class MethodInterface(WireModel):
     """A call that one function offers and others use."""
 
     name: str = described("Name", "Name of the method.")

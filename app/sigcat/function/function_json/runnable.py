@@ -1,9 +1,9 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
 from sigcat.function.function_json.code import Checkpoint
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.methods import Method
-from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described, own
 
 
@@ -34,9 +34,9 @@ class Contract(WireModel):
     type: str | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
     signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
     queues: tuple[DataQueue, ...] | None = described("DataQList", "Queued data interfaces.", strict=False)
-    methods: tuple[Method, ...] | None = described("MethodList", "Methods.", strict=False)
-    parameters: tuple[Parameter, ...] | None = described("ParameterList", "Parameters.", strict=False)
-    errors: tuple[Error, ...] | None = described("ErrorList", "Error interfaces.", strict=False)
+    methods: tuple[MethodInterface, ...] | None = described("MethodList", "Methods.", strict=False)
+    parameters: tuple[ParameterInterface, ...] | None = described("ParameterList", "Parameters.", strict=False)
+    errors: tuple[ErrorInterface, ...] | None = described("ErrorList", "Error interfaces.", strict=False)
     safety_reactions: tuple[SafetyReaction, ...] | None = described(
         "SafetyReactionList", "Safety reaction interfaces.", strict=False
     )

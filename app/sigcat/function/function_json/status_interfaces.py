@@ -1,11 +1,11 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
 from sigcat.function.function_json.code import DEFINED_BY
-from sigcat.function.function_json.datatype import Symbol
+from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
 
 
-class Error(WireModel):
+class ErrorInterface(WireModel):
     """An error that the function reports to the fault management of the base software."""
 
     name: str = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
@@ -83,6 +83,6 @@ class ModeInterface(WireModel):
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."
     )
     unknown_error: str | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
-    values: tuple[Symbol, ...] | None = own(
+    values: tuple[EnumerationValue, ...] | None = own(
         "Values", "Numbers of the modes in the C code, where they are not those of the datatype.", strict=False
     )

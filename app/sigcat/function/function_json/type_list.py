@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array
-from sigcat.function.function_json.datatype import Datatype, Symbol, TypeField
+from sigcat.function.function_json.datatype import Datatype, EnumerationValue, TypeField
 from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.names import last_name
 
@@ -22,9 +22,9 @@ def symbols_of(node: Node) -> Symbols | None:
     return {str(name): number for number, name in enumerate(allowed)} if is_text and isinstance(allowed, list) else None
 
 
-def listed(symbols: Symbols) -> tuple[Symbol, ...]:
+def listed(symbols: Symbols) -> tuple[EnumerationValue, ...]:
     """An enumeration as Function JSON has it."""
-    return tuple(Symbol(symbol=name, value=value) for name, value in symbols.items())
+    return tuple(EnumerationValue(symbol=name, value=value) for name, value in symbols.items())
 
 
 def smallest_integer(symbols: Symbols) -> str:

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 
 
 class Located(NamedTuple):
@@ -44,21 +44,21 @@ def data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | Da
             yield (*pointer, "DataQList", index), located, queue
 
 
-def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Parameter]]:
+def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ParameterInterface]]:
     """Every parameter."""
     for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.parameters or ()):
             yield (*pointer, "ParameterList", index), located, item
 
 
-def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Method]]:
+def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Located, MethodInterface]]:
     """Every method."""
     for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.methods or ()):
             yield (*pointer, "MethodList", index), located, item
 
 
-def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Error]]:
+def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ErrorInterface]]:
     """Every error."""
     for pointer, located, contract in contracts(function):
         for index, item in enumerate(contract.errors or ()):

@@ -12,7 +12,7 @@ from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
@@ -130,7 +130,7 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resol
 # -- parameters ---------------------------------------------------------------------------------------------------
 
 
-def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[Part[Parameter]]:
+def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[Part[ParameterInterface]]:
     """A parameter; Function JSON requires limits and a start value."""
     value = yield from value_of(item, at, context)
     if value is None:
@@ -147,7 +147,7 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         fix = "Give `init`, or a default in the catalogue."
         yield Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
     low, high = _limits(value)
-    made = Parameter(
+    made = ParameterInterface(
         asil_level=(yield from _asil(item, value, at)) or "QM",
         default=start or 0,
         init_value=value.init or 0,

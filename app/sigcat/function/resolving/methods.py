@@ -7,16 +7,16 @@ from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
-from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.data_interfaces import ROLES
 from sigcat.function.resolving.part import Part, written
 
 
-def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[Method]]:
+def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[MethodInterface]]:
     """A method with its arguments; an argument of an unknown datatype is left out."""
-    made = Method(
+    made = MethodInterface(
         name=item.name,
         description=item.description,
         role=ROLES[item.role],

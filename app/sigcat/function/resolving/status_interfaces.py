@@ -6,19 +6,19 @@ from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.status_interfaces import Error, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
 from sigcat.function.resolving.part import Part
 
 
-def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Error]]:
+def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[ErrorInterface]]:
     """An error of the function itself."""
     node = yield from interface_node(item.interface, "error", at, context, own=True)
     if node is None:
         return Part(None, Origin(at), (Subject("error", item.interface),))
-    made = Error(
+    made = ErrorInterface(
         name=interface_name(node.path),
         description=str(node.values.get("description") or ""),
         datatype=_datatype(node, context),

@@ -14,7 +14,7 @@ from sigcat.function.document.hints import Hints
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import Error
+from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.function.function_json.walk import errors, runnables
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits
@@ -169,7 +169,7 @@ class _Error(NamedTuple):
 
     function: ResolvedFunction
     pointer: Pointer
-    error: Error
+    error: ErrorInterface
 
 
 def _dependencies(functions: Sequence[ResolvedFunction]) -> Findings:

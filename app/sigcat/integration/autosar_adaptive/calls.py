@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
 from sigcat import codes
-from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.application import Part
@@ -112,7 +112,7 @@ def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
 def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they describe it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
-    found: dict[tuple[str, bytes], Parameter] = {}
+    found: dict[tuple[str, bytes], ParameterInterface] = {}
     for call in part.component.runnables:
         for contract in call.contracts or ():
             for parameter in contract.parameters or ():
@@ -131,7 +131,7 @@ def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.Pa
 
 
 def _parameter(
-    name: str, parameter: Parameter, users: Sequence[str], part: Part, types: TypeTable, context: Context
+    name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, types: TypeTable, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
     return model.ParameterEntry(
@@ -175,7 +175,13 @@ def _parameter(
 
 
 def _known(
-    word: str | None, words: Sequence[str], otherwise: T, key: str, parameter: Parameter, part: Part, context: Context
+    word: str | None,
+    words: Sequence[str],
+    otherwise: T,
+    key: str,
+    parameter: ParameterInterface,
+    part: Part,
+    context: Context,
 ) -> str | T:
     """The word, if the published schema has it; a word of another spelling is reported, not written."""
     if word is None or word in words:
@@ -186,7 +192,7 @@ def _known(
     return near or otherwise
 
 
-def _parameter_type(parameter: Parameter, part: Part, types: TypeTable) -> model.ParameterType:
+def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable) -> model.ParameterType:
     """A parameter stays inside its component and so keeps the datatype and unit of the code."""
     word = types.word(part.function, parameter.datatype)
     entry = types.entry(word)

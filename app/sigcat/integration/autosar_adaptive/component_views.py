@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Argument, Method
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.methods import Argument, MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import FIELD_GROUP, Element, Service, cycle_of, group_of
@@ -30,8 +30,12 @@ def view(service: Service, part: str, types: TypeTable, context: Context) -> tup
         events=tuple(
             _event(service, element, sides, types, context) for element, sides in mine if element.kind is Signal
         ),
-        methods=tuple(_method(service, element, sides, types) for element, sides in mine if element.kind is Method),
-        fields=tuple(_field(service, element, sides, types) for element, sides in mine if element.kind is Error),
+        methods=tuple(
+            _method(service, element, sides, types) for element, sides in mine if element.kind is MethodInterface
+        ),
+        fields=tuple(
+            _field(service, element, sides, types) for element, sides in mine if element.kind is ErrorInterface
+        ),
     ), provides
 
 
@@ -124,7 +128,7 @@ def _calls(sides: Iterable[Placed]) -> tuple[str, ...]:
 
 def _method(service: Service, element: Element, sides: list[Placed], types: TypeTable) -> model.Method:
     leading = element.leading.item
-    assert isinstance(leading.interface, Method)
+    assert isinstance(leading.interface, MethodInterface)
     return model.Method(
         name=element.name,
         description=leading.interface.description,
@@ -153,7 +157,7 @@ def _arguments(item: Item, listed: tuple[Argument, ...], types: TypeTable) -> tu
 def _field(service: Service, element: Element, sides: list[Placed], types: TypeTable) -> model.ServiceField:
     leading = element.leading.item
     interface = leading.interface
-    assert isinstance(interface, Error | SafetyReaction | ModeInterface)
+    assert isinstance(interface, ErrorInterface | SafetyReaction | ModeInterface)
     return model.ServiceField(
         name=element.name,
         description=interface.description,
@@ -163,7 +167,7 @@ def _field(service: Service, element: Element, sides: list[Placed], types: TypeT
         event_group=FIELD_GROUP,
         calls=_calls(sides),
         vss_path=interface.vss_path,
-        error=interface if isinstance(interface, Error) else None,
+        error=interface if isinstance(interface, ErrorInterface) else None,
         safety_reaction=interface if isinstance(interface, SafetyReaction) else None,
         mode=interface if isinstance(interface, ModeInterface) else None,
     )

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable as Call
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Application, Part
 from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.finding_collector import FindingCollector
 
-Interface = Signal | DataQueue | Method | Error | SafetyReaction | ModeInterface
+Interface = Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface
 
 
 class Item(NamedTuple):

@@ -10,7 +10,7 @@ from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
-from sigcat.function.function_json.status_interfaces import Error
+from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
@@ -107,7 +107,7 @@ def _report_asil(sides: Sequence[Placed], context: Context) -> None:
     for side in sides:
         interface = side.item.interface
         level = level_of(getattr(interface, "asil_level", None))
-        if is_above(level, "QM") and not (isinstance(interface, Error) and not side.provides):
+        if is_above(level, "QM") and not (isinstance(interface, ErrorInterface) and not side.provides):
             message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
             fix = "Add an E2E profile for it to the deployment manifest, or protect it in the code."
             subject = Subject(side.identity, interface)

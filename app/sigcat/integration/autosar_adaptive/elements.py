@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Method
-from sigcat.function.function_json.status_interfaces import Error
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (
@@ -87,8 +87,8 @@ def _key(group: Group) -> str:
 def _service(sides: Sequence[Placed], name: str, number: int, instance: int, context: Context) -> Service:
     elements = _elements(sides, name, context)
     events = {element.name for element in elements if element.kind is Signal}
-    fields = {element.name for element in elements if element.kind is Error}
-    methods = {element.name for element in elements if element.kind is Method}
+    fields = {element.name for element in elements if element.kind is ErrorInterface}
+    methods = {element.name for element in elements if element.kind is MethodInterface}
     ids = {
         **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
         **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
@@ -127,7 +127,7 @@ def _elements(sides: Sequence[Placed], service: str, context: Context) -> tuple[
 def _kind(item: Item) -> type:
     if isinstance(item.interface, Signal | DataQueue):
         return Signal
-    return Method if isinstance(item.interface, Method) else Error
+    return MethodInterface if isinstance(item.interface, MethodInterface) else ErrorInterface
 
 
 def _wanted(identity: str, side: Placed, context: Context) -> str:
@@ -143,9 +143,9 @@ def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
 
 def group_of(element: Element) -> str:
     """Event group of an element: fields have one, events one for each cycle; methods have none."""
-    if element.kind is Method:
+    if element.kind is MethodInterface:
         return ""
-    if element.kind is Error:
+    if element.kind is ErrorInterface:
         return FIELD_GROUP
     cycle = cycle_of(element)
     return EVENT_GROUP if cycle is None else f"Cycle{cycle}ms"

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Method
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
@@ -115,14 +115,14 @@ _MODES: dict[str, FieldTarget | str] = {"Name": "Name", "Description": "Descript
 TABLES: Mapping[type, tuple[str, Mapping[str, FieldTarget | str]]] = {
     Signal: ("signal", _SIGNAL),
     DataQueue: ("queue", _SIGNAL),
-    Method: ("method", _METHOD),
-    Error: ("error", _ERROR),
+    MethodInterface: ("method", _METHOD),
+    ErrorInterface: ("error", _ERROR),
     SafetyReaction: ("safety reaction", _REACTION),
     ModeInterface: ("mode", _MODE),
 }
 """Kind and targets of each interface; targets are relative to the event, method or field."""
 _INSIDE: Mapping[type, str] = {
-    Signal: "Uses/Signal", DataQueue: "Uses/Queue", Error: "Error", SafetyReaction: "SafetyReaction",
+    Signal: "Uses/Signal", DataQueue: "Uses/Queue", ErrorInterface: "Error", SafetyReaction: "SafetyReaction",
     ModeInterface: "Mode",
 }  # fmt: skip
 """Where an interface stands whole, with whatever fields it has."""
@@ -137,7 +137,9 @@ def field_targets(context: Context, sides: Sequence[Placed], all_services: Seque
     for part in context.parts:
         made.extend(_of_part(part))
     for side in sides:
-        if isinstance(side.item.interface, Error) and not side.provides:  # its entries are those of who reports it
+        if (
+            isinstance(side.item.interface, ErrorInterface) and not side.provides
+        ):  # its entries are those of who reports it
             continue
         made.extend(_of_interface(side.item, names[id(side.item.interface)]))
     return tuple(made)

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Method
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_names import branch_of, service_name
@@ -44,10 +44,10 @@ def placed(items: Sequence[Item], context: Context) -> list[Placed]:
 
 def _dependencies(items: Sequence[Item]) -> Iterator[Placed]:
     """Errors of other components that set an error of a component too: it consumes their status."""
-    reported = {item.interface.name: item for item in reversed(items) if isinstance(item.interface, Error)}
+    reported = {item.interface.name: item for item in reversed(items) if isinstance(item.interface, ErrorInterface)}
     seen: set[tuple[str, str]] = set()
     for item in items:
-        for name in item.interface.dependencies if isinstance(item.interface, Error) else ():
+        for name in item.interface.dependencies if isinstance(item.interface, ErrorInterface) else ():
             other = reported.get(name)
             if other is not None and other.part.name != item.part.name and (item.part.name, name) not in seen:
                 seen.add((item.part.name, name))
@@ -66,9 +66,9 @@ def _providers(items: Iterable[Item], context: Context) -> dict[tuple[bool, str]
     found: defaultdict[tuple[bool, str], list[Part]] = defaultdict(list)
     second: dict[tuple[bool, str], Item] = {}
     for item in items:
-        if not isinstance(item.interface, Signal | DataQueue | Method) or item.interface.role != PROVIDER:
+        if not isinstance(item.interface, Signal | DataQueue | MethodInterface) or item.interface.role != PROVIDER:
             continue
-        key = (isinstance(item.interface, Method), identity_of(item, context))
+        key = (isinstance(item.interface, MethodInterface), identity_of(item, context))
         if all(part.name != item.part.name for part in found[key]):
             found[key].append(item.part)
             if len(found[key]) == 2:
@@ -89,9 +89,9 @@ def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], context: 
         return Placed(_of_origin(SAFETY), identity, item, provides=False)
     if isinstance(interface, ModeInterface) and interface.direction != "Out":
         return Placed(_of_origin(MODES), identity, item, provides=False)
-    if isinstance(interface, Error | ModeInterface) or interface.role == PROVIDER:
+    if isinstance(interface, ErrorInterface | ModeInterface) or interface.role == PROVIDER:
         return Placed(_of_part(item.part), identity, item, provides=True)
-    parts = providers.get((isinstance(interface, Method), identity), [])
+    parts = providers.get((isinstance(interface, MethodInterface), identity), [])
     if parts:
         return Placed(_of_part(parts[0]), identity, item, provides=False)
     return Placed(_outside(item, identity, context), identity, item, provides=False)
@@ -99,12 +99,12 @@ def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], context: 
 
 def _outside(item: Item, identity: str, context: Context) -> Group:
     """The service of what no function of the set provides."""
-    is_path = not isinstance(item.interface, Method) and bool(context.path_of(item))
+    is_path = not isinstance(item.interface, MethodInterface) and bool(context.path_of(item))
     if is_path:
         return _configured(identity, context) or _of_origin(branch_of(identity))
     message = f"{identity} ({item.where}) must have a VSS path or a provider in the set."
     fix = f"Set its path in the deployment file, as `paths: {{{item.part.function_name}.{item.interface.name}: Vehicle...}}`, or add the provider."
-    fix = "Add its provider." if isinstance(item.interface, Method) else fix
+    fix = "Add its provider." if isinstance(item.interface, MethodInterface) else fix
     context.findings.report(codes.PROVIDER_UNKNOWN, message, Subject(identity, item.interface), fix)
     return _of_origin(f"{item.part.name}Required")
 

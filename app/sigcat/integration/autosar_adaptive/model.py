@@ -11,7 +11,7 @@ from pydantic import Field
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.runnable import Watchdog
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
@@ -257,7 +257,7 @@ class ServiceField(WireModel):
     event_group: str | None = own("EventGroup", "Name of the event group of the notifier.")
     calls: tuple[str, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
     vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
-    error: Error | None = own("Error", "The error interface as it is in Function JSON.")
+    error: ErrorInterface | None = own("Error", "The error interface as it is in Function JSON.")
     safety_reaction: SafetyReaction | None = own(
         "SafetyReaction", "The safety reaction interface as it is in Function JSON."
     )

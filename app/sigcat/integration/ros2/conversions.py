@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from sigcat import codes
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_decimal, as_number, of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, Parameter, Signal
-from sigcat.function.function_json.datatype import Datatype, Symbol
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import Spelling
 from sigcat.integration.finding_collector import FindingCollector, Subject
@@ -16,13 +16,15 @@ from sigcat.integration.ros2.types import FieldType, c_definition, code_type, sy
 _FLOATING = ("float", "double")
 
 
-def to_catalogue(item: Signal | DataQueue | Parameter, interface: Subject, findings: FindingCollector) -> Linear:
+def to_catalogue(
+    item: Signal | DataQueue | ParameterInterface, interface: Subject, findings: FindingCollector
+) -> Linear:
     """From the number in the code to the value in the catalogue's unit."""
     scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, findings)
     return scale.then(physical(item, interface, findings))
 
 
-def physical(item: Signal | DataQueue | Parameter, interface: Subject, findings: FindingCollector) -> Linear:
+def physical(item: Signal | DataQueue | ParameterInterface, interface: Subject, findings: FindingCollector) -> Linear:
     """From the value in the code's unit to the value in the catalogue's."""
     return _linear(item.conversion_factor, item.conversion_offset, interface, findings)
 
@@ -59,7 +61,7 @@ def conversion(
     )
 
 
-def _symbol_maps(own: Sequence[Symbol], kind: FieldType, *, has_number: bool) -> tuple[SymbolMap, ...]:
+def _symbol_maps(own: Sequence[EnumerationValue], kind: FieldType, *, has_number: bool) -> tuple[SymbolMap, ...]:
     """From the numbers of the code to texts and numbers of the message, by name."""
     sent = {symbol.symbol: symbol.value for symbol in kind.symbols}
     return tuple(

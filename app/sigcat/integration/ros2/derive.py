@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application, joined
@@ -96,7 +96,7 @@ def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCol
     level = asil_of(asil)
     if level != "QM":
         message = f"{subject}: ROS 2 does not support ASIL {level}: {why}."
-        key = "Asillevel" if isinstance(subject.part, Parameter) else "AsilLevel"
+        key = "Asillevel" if isinstance(subject.part, ParameterInterface) else "AsilLevel"
         fix = "Protect it in the code, or use a qualified platform."
         findings.report(codes.ASIL_NOT_SUPPORTED, message, subject, fix, key=key)
 

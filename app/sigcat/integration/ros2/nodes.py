@@ -8,7 +8,7 @@ from sigcat.function.checks.order import previous_calls
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.status_interfaces import Error, ModeInterface, SafetyReaction
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.triggers import triggers
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
@@ -34,7 +34,7 @@ from sigcat.integration.ros2.types import c_definition, field_type
 
 DIAGNOSTICS = "/diagnostics"
 """Where nodes report their statuses, as diagnostic_updater and the aggregator have it."""
-_Named = TypeVar("_Named", Error, SafetyReaction)
+_Named = TypeVar("_Named", ErrorInterface, SafetyReaction)
 _MILD = ("warn", "information", "amber", "none")
 _PRIORITIES = range(1, 100)
 """Priorities of threads under SCHED_FIFO."""
@@ -287,7 +287,9 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
 # -- errors and safety conditions ---------------------------------------------------------------------------------
 
 
-def _diagnostic(error: Error, part: Part, statuses: Mapping[str, str], findings: FindingCollector) -> Diagnostic:
+def _diagnostic(
+    error: ErrorInterface, part: Part, statuses: Mapping[str, str], findings: FindingCollector
+) -> Diagnostic:
     subject = Subject(error.name, error)
     if error.ignition_count_limit:
         message = (

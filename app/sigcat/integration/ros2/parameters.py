@@ -8,7 +8,7 @@ from typing import Any
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.data_interfaces import Parameter
+from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.runnable import Contract
@@ -41,7 +41,7 @@ def parameters_of(
 
 
 def _parameter(
-    item: Parameter, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
+    item: ParameterInterface, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
 ) -> RosParameter | None:
     interface = Subject(item.vss_path or f"{part.function_name}.{item.name}", item)
     kind = field_type(item.datatype, item.vss_datatype, table)
@@ -60,7 +60,7 @@ def _parameter(
 
 
 def _resolved(
-    item: Parameter, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], linear: Linear
+    item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], linear: Linear
 ) -> RosParameter:
     low, high = _limits(item, kind, linear)
     api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
@@ -93,7 +93,7 @@ def _type(kind: FieldType) -> str:
     return f"{name}_array" if kind.suffix else name
 
 
-def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | None, float | None]:
+def _limits(item: ParameterInterface, kind: FieldType, linear: Linear) -> tuple[float | None, float | None]:
     """The range, where it says more than the datatype does."""
     assert kind.element is not None
     full = value_range(kind.element.vss)
@@ -104,7 +104,7 @@ def _limits(item: Parameter, kind: FieldType, linear: Linear) -> tuple[float | N
     return (low, high) if low is not None or high is not None else (None, None)
 
 
-def _default(item: Parameter, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
+def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
     """The start value. `names` are those of the numbers that an enumeration has in the code."""
     if not kind.suffix:
         given = item.default_text if kind.is_text and not kind.symbols else item.init_value
@@ -147,7 +147,7 @@ def _constraints(kind: FieldType) -> str | None:
     return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
 
 
-def _unexpressed(item: Parameter, kind: FieldType, interface: Subject, findings: FindingCollector) -> None:
+def _unexpressed(item: ParameterInterface, kind: FieldType, interface: Subject, findings: FindingCollector) -> None:
     if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
         message = f"{interface} must survive a restart, and node parameters do not."
         findings.report(codes.VALUE_NOT_KEPT, message, interface, "Write it to a file when the node is cleaned up.")

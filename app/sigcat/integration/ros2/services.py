@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.function.function_json.methods import Argument, Method
+from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
@@ -22,7 +22,7 @@ CLIENT = "Client"
 class _Call(NamedTuple):
     part: Part
     runnable: Runnable
-    method: Method
+    method: MethodInterface
 
 
 class _Side(NamedTuple):

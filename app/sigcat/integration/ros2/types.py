@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.function.function_json.datatype import Datatype, Symbol, innermost
+from sigcat.function.function_json.datatype import Datatype, EnumerationValue, innermost
 from sigcat.function.function_json.type_list import smallest_integer
 from sigcat.integration.datatypes import BY_VSS, Spelling, of_reference
 
@@ -18,7 +18,7 @@ class FieldType(NamedTuple):
     """Reference of the struct, if it is one."""
     suffix: str = ""
     """`[]` or `[50]` for an array."""
-    symbols: tuple[Symbol, ...] = ()
+    symbols: tuple[EnumerationValue, ...] = ()
     """Values of an enumeration, with the numbers that the code has for them, or those that are sent."""
 
     @property
@@ -41,7 +41,7 @@ def field_type(reference: str, vss: str | None, table: Mapping[str, Datatype]) -
     return FieldType(primitive, "", suffix, symbols) if primitive else None
 
 
-def sent(kind: FieldType, symbols: tuple[Symbol, ...] | None, *, as_number: bool = False) -> FieldType:
+def sent(kind: FieldType, symbols: tuple[EnumerationValue, ...] | None, *, as_number: bool = False) -> FieldType:
     """What a message has for a datatype of the code: an enumeration with the numbers of the catalogue."""
     kind = kind._replace(symbols=symbols or kind.symbols)
     return number_of(kind) if as_number and kind.is_text and kind.symbols else kind
@@ -53,7 +53,7 @@ def number_of(kind: FieldType) -> FieldType:
     return kind._replace(element=BY_VSS[smallest_integer(numbers)])
 
 
-def symbols_of(reference: str, table: Mapping[str, Datatype]) -> tuple[Symbol, ...]:
+def symbols_of(reference: str, table: Mapping[str, Datatype]) -> tuple[EnumerationValue, ...]:
     """Values of an enumeration, or of the elements of an array, with the numbers of the code."""
     datatype = innermost(reference, table)
     return (datatype.symbols or ()) if datatype else ()
