@@ -36,7 +36,7 @@ AT = "/components/0/runnables/1/data/0"
         (
             f"{{path: {ARRAY}, role: consumed, provider: Car}}",
             f"{ARRAY}: {{type: sensor, datatype: 'float[]', arraysize: 2, default: [1.0, 2.5], description: Gains.}}",
-            [("F017", AT)],
+            [],
         ),
     ],
 )

@@ -103,7 +103,7 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
     declaration, document = declared.declaration, declared.document
     if declaration is None:
         return CheckedFunction(document, None, in_order(declared.findings), is_declaration=True)
-    context = Context(catalogue, declaration.function, definitions)
+    context = Context(catalogue, declaration.function, definitions, signals=declaration.consumed_signals)
     resolved, unplaced, missing = resolve(declaration, document, context)
     unresolved = tuple(told_once(unplaced, declaration, context))
     defined = definition_findings(definitions, document, catalogue)

@@ -2,11 +2,13 @@
 
 import datetime as dt
 import re
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, Field, ValidationError
 
 from sigcat.findings import Finding
+from sigcat.function.declaration.code_section import DEFINED_BY, CheckpointItem, CodeSection, DefinedBy
 from sigcat.function.declaration.define_section import DefineSection
 from sigcat.function.declaration.form import Asil, DeclarationModel, Duration, Natural, Text
 from sigcat.function.document.document import Document
@@ -14,6 +16,7 @@ from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.function_json.wire import Integer, Number
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import last_name
 
 __all__ = [  # what other files that people write are made from, too
     "Asil", "Declaration", "DeclarationModel", "Declared", "Duration", "Natural", "Text", "declaration_schema",
@@ -21,6 +24,8 @@ __all__ = [  # what other files that people write are made from, too
 ]  # fmt: skip
 
 RangeErrorAction = Literal["Default", "Init"]
+Positive = Annotated[Integer, Field(ge=1)]
+_MEMBERS = "Members of the struct in C, by their names in the catalogue, where the two differ."
 
 
 class DataItem(DeclarationModel):
@@ -30,16 +35,42 @@ class DataItem(DeclarationModel):
     role: Literal["consumed", "provided"] = Field(description="Whether the call reads or writes the signal.")
     name: Text | None = Field(None, description="Name inside the function; the last name of the path if absent.")
     variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
+    defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    members: dict[str, Text] | None = Field(None, description=_MEMBERS)
     asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
     access: Literal["Immediate", "Buffered"] | None = Field(None, description="Immediate, or buffered for a call.")
     timeout: Duration | None = Field(None, description="Longest time between two values, in ms.")
     timeout_error: Text | None = Field(None, description="Error that the time-out sets: interface name or path.")
+    timeout_start: Literal["Init", "First"] | None = Field(
+        None, description="Whether the time-out runs from the end of init, or from the first value; Init if absent."
+    )
+    timeout_value: Literal["Last", "Default", "Init"] | None = Field(
+        None, description="Value after the time-out: the last one, the default or `init`; Last if absent."
+    )
+    timeout_recovery: Positive | None = Field(
+        None, description="Valid values in a row that end the time-out; 1 if absent."
+    )
     range_error_action: RangeErrorAction | None = Field(None, description="What replaces a value out of range.")
+    range_error: Text | None = Field(None, description="Error that a value out of range sets: interface name or path.")
     provider: Text | None = Field(None, description="Who provides a consumed signal, where no other function does.")
-    queue_length: Annotated[Integer, Field(ge=1)] | None = Field(
+    queue_length: Positive | None = Field(
         None, description="Number of values to queue; absent if only the latest counts."
     )
-    init: Any = Field(None, description="Value before the first one arrives: number, boolean, or allowed value.")
+    overflow: Literal["DropOldest", "DropNewest"] | None = Field(
+        None, description="What is lost when the queue is full; DropOldest if absent."
+    )
+    overflow_error: Text | None = Field(None, description="Error that a lost value sets: interface name or path.")
+    values_per_step: Positive | None = Field(
+        None, description="Most queued values that a call takes at once, into an array; 1 if absent."
+    )
+    count_variable: Text | None = Field(
+        None, description="Expression of the C code that holds how many values arrived for the call."
+    )
+    init: Any = Field(
+        None,
+        description="Value before the first one arrives: number, boolean or allowed value; of an array a list, or one value for "
+        "all elements; of a struct a mapping.",
+    )
     min: Number | None = Field(None, description="Smallest value that the code takes or gives, in its unit.")
     max: Number | None = Field(None, description="Largest value that the code takes or gives, in its unit.")
     datatype: Text | None = Field(None, description="VSS name of the code's datatype, where it is another one.")
@@ -61,13 +92,23 @@ class ParameterItem(DeclarationModel):
         "Normal", description="Whether the function learns the value."
     )
     variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
+    defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    members: dict[str, Text] | None = Field(None, description=_MEMBERS)
     asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
+    key: Text | None = Field(None, description="Key under which the value is stored; the name if absent.")
+    storage: Text | None = Field(None, description="Key-value storage that holds it; that of `code` if absent.")
     range_error_action: RangeErrorAction = Field("Default", description="What replaces a value out of range.")
-    init: Any = Field(None, description="Value at start-up; the default of the catalogue if absent.")
+    range_error: Text | None = Field(None, description="Error that a value out of range sets: interface name or path.")
+    init: Any = Field(
+        None,
+        description="Value at start-up, of an array a list, of a struct a mapping; the default of the catalogue if absent.",
+    )
     min: Number | None = Field(None, description="Smallest value that the code takes, in its unit.")
     max: Number | None = Field(None, description="Largest value that the code takes, in its unit.")
     datatype: Text | None = Field(None, description="VSS name of the code's datatype, where it is another one.")
     unit: Text | None = Field(None, description="Key of the code's unit, where it is another one.")
+    factor: Number | None = Field(None, description="Scaling in the code: physical value = stored × factor + offset.")
+    offset: Number | None = Field(None, description="Offset of the scaling, in the code's unit.")
     values: dict[str, Integer] | None = Field(None, description="Numbers that stand for allowed texts in the code.")
 
 
@@ -94,12 +135,32 @@ class ErrorItem(DeclarationModel):
     interface: Text = Field(description="Interface name or path of the error.")
     occurrence_count_limit: Natural = Field(0, description="Occurrences that confirm it; 0 if they do not count.")
     ignition_count_limit: Natural = Field(0, description="Ignition cycles that confirm it; 0 if they do not count.")
+    variable: Text | None = Field(
+        None, description="Expression of the C code in which the function says whether the error is present: not 0."
+    )
+    status_variable: Text | None = Field(
+        None, description="Expression of the C code that holds the state of the error, written before a call."
+    )
+    defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    reset: Text | None = Field(
+        None,
+        description="What the error waits for: `restart`, or a signal that the function consumes, by its path or name, which "
+        "is not 0 while the reset condition holds; that it is no longer present, if absent.",
+    )
 
 
 class ReactionItem(DeclarationModel):
     """A safety condition that the call reacts to. Its fields stand in the catalogue."""
 
     interface: Text = Field(description="Interface name or path of the safety reaction.")
+    variable: Text | None = Field(
+        None, description="Expression of the C code that holds the condition, written before a call."
+    )
+    defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    initial: Text | None = Field(
+        None, description="Condition before any is known: one of its enumeration; INACTIVE if absent."
+    )
+    timeout: Duration | None = Field(None, description="Longest time between two values from outside, in ms.")
 
 
 class ArgumentItem(DeclarationModel):
@@ -108,6 +169,7 @@ class ArgumentItem(DeclarationModel):
     name: Text = Field(description="Name of the argument.")
     datatype: Text = Field(description="Datatype of VSS, or path of a struct.")
     unit: Text | None = Field(None, description="Key of the unit.")
+    variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
 
 
 class MethodItem(DeclarationModel):
@@ -118,12 +180,32 @@ class MethodItem(DeclarationModel):
     role: Literal["consumed", "provided"] = Field(description="Whether the function uses or offers the method.")
     inputs: list[ArgumentItem] = Field([], description="Arguments, in order.")
     outputs: list[ArgumentItem] = Field([], description="Return values, in order.")
+    symbol: Text | None = Field(None, description="C function that does what a provided method offers.")
+    timeout: Duration | None = Field(None, description="Longest time until the answer, in ms.")
+    request_variable: Text | None = Field(
+        None, description="Expression of the C code that asks for a call of a consumed method: not 0."
+    )
+    status_variable: Text | None = Field(
+        None,
+        description="Expression of the C code that holds what became of it: IDLE 0, PENDING 1, DONE 2, FAILED 3, TIMEOUT 4.",
+    )
 
 
 class RunnableItem(DeclarationModel):
     """A call of the function: its scheduling interface, and what it reads and writes."""
 
     interface: Text = Field(description="Interface name or path of the call: <FunctionName>_Init, _Step, _Terminate.")
+    symbol: Text | None = Field(None, description="Function or member function in C; the interface name if absent.")
+    arguments: list[Text] = Field(
+        [], description="Objects that it takes pointers to, by their names in `code`, in order."
+    )
+    success: Integer | None = Field(None, description="Result that means success; absent if the call returns nothing.")
+    before: list[Text] = Field([], description="C functions of the project that run before the call, in order.")
+    after: list[Text] = Field([], description="C functions of the project that run after the call, in order.")
+    checkpoint: CheckpointItem | None = Field(
+        None, description="Place of the call in the graph of the logical supervision."
+    )
+    overrun_error: Text | None = Field(None, description="Error that missed activations set: interface name or path.")
     contract: Text | None = Field(None, description="How data is handed over, such as: Global variables.")
     parallel: bool | None = Field(None, description="Whether calls may run at the same time.")
     events: list[Text] = Field(
@@ -158,10 +240,38 @@ class ActiveMode(DeclarationModel):
     runnables: list[Text] = Field(description="Interface names of the calls that run in the mode.")
 
 
+class ModeOutItem(DeclarationModel):
+    """The mode that the function reports, in its code."""
+
+    variable: Text | None = Field(None, description="Expression of the C code that holds the mode.")
+    defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    values: dict[str, Integer] | None = Field(
+        None,
+        description="Numbers of the modes in the code; their positions in the catalogue's list, from 0, if absent.",
+    )
+
+
+class ModeInItem(ModeOutItem):
+    """The mode that the function is asked to take, in its code."""
+
+    initial: Text | None = Field(
+        None, description="Mode before the first one is received; the first allowed if absent."
+    )
+    unknown: Literal["keep", "initial"] | None = Field(
+        None,
+        description="What a mode that is not allowed leads to: the last one is kept, also if absent, or the initial one.",
+    )
+    unknown_error: Text | None = Field(
+        None, description="Error that a mode that is not allowed sets: interface name or path."
+    )
+
+
 class ModesItem(DeclarationModel):
     """Mode interfaces and what runs in each mode."""
 
     interfaces: list[Text] = Field([], description="Interface names or paths: <FunctionName>_Mode_In, _Mode_Out.")
+    in_: ModeInItem | None = Field(None, alias="in", description="The mode that the function takes, in its code.")
+    out: ModeOutItem | None = Field(None, description="The mode that the function reports, in its code.")
     active: list[ActiveMode] = Field([], description="Modes with the calls that run in them.")
 
 
@@ -177,9 +287,17 @@ class Declaration(DeclarationModel):
     date: Annotated[dt.date, BeforeValidator(_date)] | None = Field(
         None, description="Date of the document, as 2025-09-12."
     )
+    code: CodeSection | None = Field(None, description="How the code of the function is compiled and called.")
     components: list[ComponentItem] = Field(min_length=1, description="Components of the function.")
     modes: ModesItem | None = Field(None, description="Modes of the function.")
     define: DefineSection | None = Field(None, description="Interfaces that the catalogue does not have yet.")
+
+    @property
+    def consumed_signals(self) -> Mapping[str, str]:
+        """Names of the signals that calls consume, by their paths."""
+        calls = [call for component in self.components for call in component.runnables]
+        consumed = (item for call in calls for item in call.data if item.role == "consumed")
+        return {item.path: item.name or last_name(item.path) for item in consumed}
 
 
 class Declared(NamedTuple):

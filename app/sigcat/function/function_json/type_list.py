@@ -48,6 +48,10 @@ class TypeList:
         """All of them."""
         return tuple(self._types.values())
 
+    def get(self, reference: str) -> Datatype | None:
+        """The datatype of a reference; None if there is none yet."""
+        return self._types.get(reference)
+
     def reference(
         self, datatype: str, template: str = "", symbols: Symbols | None = None, length: object = None
     ) -> str:

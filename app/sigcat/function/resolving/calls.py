@@ -10,10 +10,12 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
+from sigcat.function.resolving.code import checkpoint
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.contracts import contract
 from sigcat.function.resolving.interfaces import (  # fmt: skip
     asil_of,
+    error_name,
     integer_of,
     interface_node,
     mapping_of,
@@ -22,7 +24,7 @@ from sigcat.function.resolving.interfaces import (  # fmt: skip
     texts_of,
 )
 from sigcat.function.resolving.numbers import plain_text
-from sigcat.function.resolving.part import Part
+from sigcat.function.resolving.part import Part, written
 
 _ON_THE_WIRE = {"NonPreemptive": "Non-Preemptive"}
 """Spelling of the published documents where it differs from that of the attributes."""
@@ -32,8 +34,7 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
     """A call. One that could not be resolved takes the errors with it that it would have declared."""
     node = yield from interface_node(item.interface, "scheduling", at, context, own=True)
     made = yield from contract(item, at, context)
-    events: dict[str | int, Origin] = {"EventList": Origin((*at, "events"))} if item.events else {}
-    origin = Origin(at, {"funcContractList": Origin(at, {0: made.origin}), **events})
+    origin = Origin(at, {**written(item, at), "funcContractList": Origin(at, {0: made.origin})})
     if node is None:
         errors = made.value.errors if made.value and made.value.errors else ()
         lost = (Subject("scheduling", item.interface), *(Subject("error", error.name) for error in errors))
@@ -58,6 +59,13 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
         contracts=(made.value,) if made.value else None,
         supervision_types=tuple(kind for kind in supervision if kind != "None") or None,
         vss_path=node.path,
+        symbol=item.symbol,
+        arguments=tuple(item.arguments) or None,
+        success_value=item.success,
+        pre_processing=tuple(item.before) or None,
+        post_processing=tuple(item.after) or None,
+        checkpoint=checkpoint(item.checkpoint, context),
+        overrun_error=(yield from error_name(item.overrun_error, (*at, "overrunError"), context)),
     )
     return Part(runnable, origin, made.missing)
 

@@ -2,7 +2,6 @@
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
-from sigcat.function.declaration.declaration import ParameterItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between, same_kind
@@ -45,7 +44,7 @@ def _convertible(own: str) -> str:
 
 def scale_of(item: Item, at: Pointer) -> Resolving[Linear]:
     """From the stored value to the physical one."""
-    if isinstance(item, ParameterItem) or (item.factor is None and item.offset is None):
+    if item.factor is None and item.offset is None:
         return IDENTITY
     if item.factor == 0:
         subject = Subject("data", item.path)

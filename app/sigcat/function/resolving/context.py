@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of
+from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of, interface_name
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
@@ -40,6 +40,8 @@ class Context:
     definitions: Definitions = field(default_factory=Definitions)
     """What the function defines itself."""
     hint: Hints = field(default_factory=Hints)
+    signals: Mapping[str, str] = field(default_factory=dict)
+    """Names of the signals that the function consumes, by their paths."""
 
     @cached_property
     def types(self) -> TypeList:
@@ -72,6 +74,11 @@ class Context:
         """The node of an interface given by name or path; of one of the function itself the last name is enough."""
         named = self.catalogue.get(self.path_of(reference))
         return named or self.catalogue.get(self._own.get((category, reference), ""))
+
+    def call_name(self, reference: str) -> str:
+        """The name of a call that is given by name or path; the reference itself, if there is no such call."""
+        node = self.node(reference, "scheduling")
+        return interface_name(node.path) or reference if node is not None else reference
 
     def data(self, reference: str) -> Node | None:
         """The node at a path; of a parameter of the function itself the last name is enough."""

@@ -1,24 +1,24 @@
 """Signals, queues and parameters: what the catalogue knows of them, and what the declaration adds."""
 
 import json
-from fractions import Fraction
 from typing import Any
 
 from sigcat import codes
 from sigcat.asil import Level
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text
+from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.type_list import listed, symbols_of
+from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.function.resolving.interfaces import asil_of, interface_node
+from sigcat.function.resolving.elements import converted
+from sigcat.function.resolving.interfaces import asil_of, error_name
 from sigcat.function.resolving.numbers import fraction, plain_text
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values import Value, value_of
@@ -46,7 +46,15 @@ def _origin(item: DataItem | ParameterItem, at: Pointer, asil_key: str) -> Origi
     parts = dict(written(item, at))
     if "Asil" in parts:
         parts[asil_key] = parts.pop("Asil")
+    if "InitValue" in parts:
+        parts["InitElements"] = _elements(item.init, (*at, "init"))
     return Origin(at, parts)
+
+
+def _elements(value: Any, at: Pointer) -> Origin:
+    """Origin of the start value of an array or struct, with its elements or members."""
+    keys = range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
+    return Origin(at, {key: _elements(value[key], (*at, key)) for key in keys})
 
 
 def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
@@ -64,6 +72,9 @@ def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
         "conversion_factor": as_text(value.conversion.factor) if value.conversion else None,
         "conversion_offset": as_text(value.conversion.offset) if value.conversion else None,
         "variable": item.variable,
+        "defined_by": word(item.defined_by),
+        "members": members(item.members),
+        "init_elements": value.init_elements,
     }
 
 
@@ -78,7 +89,8 @@ def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
     resolution = value.node.values.get("resolution")
     scale = abs(value.conversion.factor) if value.conversion else 1
     step = as_number(fraction(resolution) / scale) if isinstance(resolution, int | float) else None
-    return {"access": item.access, "default": value.default, "resolution": step, **_catalogue_range(value)}
+    known = {"access": item.access, "default": value.default, "resolution": step}
+    return {**known, "default_elements": value.default_elements, **_catalogue_range(value)}
 
 
 def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolving[Level | None]:
@@ -86,11 +98,15 @@ def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolvin
 
 
 def _time_out(item: DataItem, at: Pointer, context: Context) -> Resolving[dict[str, Any]]:
-    error = None
-    if item.timeout_error is not None:
-        node = yield from interface_node(item.timeout_error, "error", (*at, "timeoutError"), context)
-        error = interface_name(node.path) if node else None
-    return {"timeout": plain_text(item.timeout), "timeout_error": error, "range_error_action": item.range_error_action}
+    return {
+        "timeout": plain_text(item.timeout),
+        "timeout_error": (yield from error_name(item.timeout_error, (*at, "timeoutError"), context)),
+        "timeout_start": item.timeout_start,
+        "timeout_value": item.timeout_value,
+        "timeout_recovery": item.timeout_recovery,
+        "range_error_action": item.range_error_action,
+        "range_error": (yield from error_name(item.range_error, (*at, "rangeError"), context)),
+    }
 
 
 def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[Signal]:
@@ -121,6 +137,10 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resol
         units=value.unit or "",
         type=value.node.type,
         external_provider=item.provider,
+        overflow=item.overflow,
+        overflow_error=(yield from error_name(item.overflow_error, (*at, "overflowError"), context)),
+        values_per_step=item.values_per_step,
+        count_variable=item.count_variable,
         **_common(item, value),
         **_also_known(item, value),
         **(yield from _time_out(item, at, context)),
@@ -142,7 +162,7 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
     text = _default_text(value)
     start = value.init if value.default is None else value.default
-    has_start = start is not None or text is not None
+    has_start = start is not None or text is not None or value.init_elements is not None
     if not has_start:
         fix = "Give `init`, or a default in the catalogue."
         yield Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
@@ -156,6 +176,11 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         attribute=item.attribute,
         units=value.unit or "",
         default_text=text,
+        factor=plain_text(item.factor),
+        offset=plain_text(item.offset),
+        key=item.key,
+        storage=item.storage,
+        range_error=(yield from error_name(item.range_error, (*at, "rangeError"), context)),
         **{**_common(item, value), "min": low, "max": high},
     )
     missing = () if has_start else (Subject("data", value.node.path, ("default",)),)
@@ -171,14 +196,9 @@ def _default_text(value: Value) -> str | None:
     default = value.node.values.get("default")
     if isinstance(default, list) and is_array(str(value.node.values["datatype"])):
         to_code = value.conversion.inverse if value.conversion else IDENTITY
-        return json.dumps([_element(each, to_code) for each in default], ensure_ascii=False)
+        return json.dumps(converted(default, to_code), ensure_ascii=False)
     is_text = element_of(str(value.node.values["datatype"])) == "string" and symbols_of(value.node) is None
-    return default if is_text and isinstance(default, str) else None
-
-
-def _element(value: Any, to_code: Linear) -> Any:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return as_number(to_code(Fraction(str(value)))) if is_number and to_code != IDENTITY else value
+    return default if is_text and isinstance(default, str) else value.default_elements
 
 
 def _limits(value: Value) -> tuple[float, float]:

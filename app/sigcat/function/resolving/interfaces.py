@@ -37,6 +37,12 @@ def interface_node(
     return node
 
 
+def error_name(reference: str | None, at: Pointer, context: Context) -> Resolving[str | None]:
+    """The interface name of an error that is given by name or path; whether the function declares it is checked later."""
+    node = (yield from interface_node(reference, "error", at, context)) if reference is not None else None
+    return interface_name(node.path) if node is not None else None
+
+
 def _meant(reference: str, category: Category, context: Context) -> str:
     """What to write instead: an interface of a near name."""
     hint = context.hint(reference, context.names(category)) or context.hint(reference, context.own_names(category))

@@ -1,8 +1,8 @@
 """A part of a function as it leaves its resolver: what it became, where it was declared, and what is missing in it."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
-from typing import Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from sigcat.function.declaration.form import DeclarationModel, key_of
 from sigcat.function.document.document import Pointer
@@ -17,7 +17,8 @@ Item = TypeVar("Item")
 _ON_THE_WIRE = {
     "function": "FunctionName", "responsible": "FunctionResponsible", "author": "SchemaAuthor",
     "init": "InitValue", "unit": "Units", "path": "VssPath", "provider": "ExternalProvider",
-    "kind": "Interfacetype", "runnables": "RunnablesList",
+    "kind": "Interfacetype", "runnables": "RunnablesList", "success": "SuccessValue", "before": "PreProcessing",
+    "after": "PostProcessing", "unknown": "UnknownAction", "events": "EventList",
 }  # fmt: skip
 """Fields of Function JSON that are not simply those of the declaration in CamelCase."""
 
@@ -60,7 +61,24 @@ def missing_in(parts: Iterable[Part[T]]) -> tuple[Subject, ...]:
 def written(item: DeclarationModel, at: Pointer) -> Mapping[str | int, Origin]:
     """Origins of the fields that the author wrote, by their names in Function JSON."""
     names = _names(type(item))
-    return {wire: Origin((*at, key)) for key, wire in (names[field] for field in item.model_fields_set)}
+    return {
+        wire: _written((*at, key), getattr(item, field))
+        for field, (key, wire) in names.items()
+        if field in item.model_fields_set
+    }
+
+
+def listed(items: Sequence[DeclarationModel], at: Pointer) -> Origin:
+    """Origin of a list of parts that need nothing of the catalogue, each with its fields."""
+    return Origin(at, {i: Origin((*at, i), written(item, (*at, i))) for i, item in enumerate(items)})
+
+
+def _written(at: Pointer, value: Any) -> Origin:
+    """A field with its parts, but for lists of parts with resolvers of their own. A mapping is a list in Function JSON."""
+    if isinstance(value, DeclarationModel):
+        return Origin(at, written(value, at))
+    keys = range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
+    return Origin(at, {index: Origin((*at, key)) for index, key in enumerate(keys)})
 
 
 @cache

@@ -6,19 +6,17 @@ from typing import NamedTuple
 
 from sigcat import __version__
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.interfaces import interface_name
-from sigcat.function.declaration.declaration import ActiveMode, ComponentItem, Declaration, ModesItem
+from sigcat.function.declaration.declaration import ComponentItem, Declaration, ModesItem
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode
-from sigcat.function.function_json.model import Component, FunctionInfo, FunctionJson, MetaInfo, Mode
+from sigcat.function.function_json.model import Component, FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.provenance import CatalogueLayer, DefinedInterface, Provenance
 from sigcat.function.function_json.resolved_function import Origin, ResolvedFunction
-from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.calls import call
+from sigcat.function.resolving.code import code_interface
 from sigcat.function.resolving.context import Context, Resolving, gathered
-from sigcat.function.resolving.interfaces import interface_node
+from sigcat.function.resolving.modes import mode, mode_interfaces
 from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of, written
 
 SCHEMA_VERSION = "1.0.0"
@@ -44,8 +42,9 @@ def resolve(declaration: Declaration, document: Document, context: Context) -> R
 def _function(declaration: Declaration, document: Document, context: Context) -> Resolving[Part[FunctionJson]]:
     components = yield from each(declaration.components, ("components",), context, _component)
     item = declaration.modes or ModesItem.model_validate({})
-    modes = [_mode(mode, ("modes", "active", index), context) for index, mode in enumerate(item.active)]
-    interfaces = yield from each(item.interfaces, ("modes", "interfaces"), context, _mode_interface)
+    modes = [mode(active, ("modes", "active", index), context) for index, active in enumerate(item.active)]
+    interfaces = yield from mode_interfaces(item, ("modes",), context)
+    code = code_interface(declaration.code, ("code",)) if declaration.code else None
     function = FunctionJson(
         meta=_meta(declaration),
         info=_info(declaration),
@@ -53,6 +52,7 @@ def _function(declaration: Declaration, document: Document, context: Context) ->
         modes=values_of(modes) or None,
         datatypes=context.types.datatypes,
         mode_interfaces=values_of(interfaces) or None,
+        code=code.value if code else None,
         provenance=_provenance(document, context),
     )
     origin = Origin((), {
@@ -61,6 +61,7 @@ def _function(declaration: Declaration, document: Document, context: Context) ->
         "ComponentList": origin_of(components, ()),
         "ModesList": origin_of(modes, ("modes", "active")),
         "ModeInterfaceList": origin_of(interfaces, ()),
+        **({"Code": code.origin} if code else {}),
     })  # fmt: skip
     return Part(function, origin, missing_in(components))
 
@@ -90,39 +91,6 @@ def _component(item: ComponentItem, at: Pointer, context: Context) -> Resolving[
     missing = (*missing_in(calls), *(() if is_complete else (Subject("component", item.name),)))
     origin = Origin(at, {**written(item, at), "functionList": origin_of(calls, at)})
     return Part(Component(name=item.name, runnables=values_of(calls)), origin, missing)
-
-
-# -- modes --------------------------------------------------------------------------------------------------------
-
-
-def _mode(item: ActiveMode, at: Pointer, context: Context) -> Part[Mode]:
-    calls = tuple(_call_name(reference, context) for reference in item.runnables)
-    listed = Origin((*at, "runnables"), {i: Origin((*at, "runnables", i)) for i in range(len(calls))})
-    mode = Mode(name=item.mode, description=item.description, runnables=calls)
-    return Part(mode, Origin(at, {**written(item, at), "RunnablesList": listed}))
-
-
-def _call_name(reference: str, context: Context) -> str:
-    """The name of a call; whether the function has it is checked with the result."""
-    node = context.node(reference, "scheduling")
-    return interface_name(node.path) or reference if node is not None else reference
-
-
-def _mode_interface(reference: str, at: Pointer, context: Context) -> Resolving[Part[ModeInterface]]:
-    node = yield from interface_node(reference, "mode", at, context, own=True)
-    if node is None:
-        return Part(None, Origin(at))
-    symbols = symbols_of(node)
-    name = f"{context.function}.{context.function}.Mode{node.name}"
-    made = ModeInterface(
-        name=interface_name(node.path),
-        description=str(node.values.get("description") or ""),
-        direction=node.name,
-        datatype=context.types.reference(str(node.values.get("datatype")), name, symbols),
-        modes=tuple(symbols or ()),
-        vss_path=node.path,
-    )
-    return Part(made, Origin(at))
 
 
 # -- provenance ---------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import element_of, is_array
+from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml
@@ -24,7 +24,8 @@ def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) ->
     if given is None or _is_unheld(code, given):
         return default_of(code)
     is_boolean = _is_boolean(code)
-    number = None if isinstance(given, bool) and not is_boolean else _number(given, code.symbols)
+    is_unfit = (isinstance(given, bool) and not is_boolean) or code.own_datatype not in DATATYPES
+    number = None if is_unfit else _number(given, code.symbols)
     is_between = number is not None and not is_outside(number, low, high)
     if number is None or (is_between and code.symbols and number not in code.symbols.values()):
         message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {in_yaml(given)}."
@@ -53,26 +54,28 @@ def is_outside(number: Fraction, low: Fraction | None, high: Fraction | None) ->
 
 
 def _wanted(code: CodeValue, *, is_boolean: bool) -> str:
+    if code.own_datatype not in DATATYPES:
+        return "a mapping of members"
     if code.symbols:
         return f"one of {', '.join(code.symbols)}"
     return "true or false" if is_boolean else "a number"
 
 
 def _not_carried(code: CodeValue) -> Iterator[Problem]:
-    """Function JSON has one number as the start value of a signal; a parameter's default it has in any form."""
+    """Function JSON has no text as the start value of a signal; a parameter's default it has in any form."""
     default = code.node.values.get("default") if isinstance(code.item, DataItem) else None
     given = default if code.item.init is None else code.item.init
-    if _is_unheld(code, given):
-        message = (
-            f"The start value {in_yaml(given)} of {code.item.path!r} is not carried: Function JSON has numbers only."
-        )
+    if isinstance(given, str) and _is_unheld(code, given):
+        message = f"The start value {in_yaml(given)} of {code.item.path!r} is not carried: Function JSON has no texts."
         yield code.problem(codes.START_VALUE_NOT_CARRIED, code.first_written("init"), message, "Set it in the code.")
 
 
 def _is_unheld(code: CodeValue, given: Any) -> bool:
-    """Whether this is a text, or elements of an array, where such is meant."""
+    """Whether this is no number where none is meant: a text, the elements of an array, the members of a struct."""
     if is_array(code.own_datatype):
         return isinstance(given, list)
+    if code.own_datatype not in DATATYPES:
+        return isinstance(given, dict)
     return isinstance(given, str) and code.own_datatype == "string" and code.symbols is None
 
 

@@ -8,9 +8,11 @@ from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.type_list import symbols_of
+from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
-from sigcat.function.resolving.part import Part
+from sigcat.function.resolving.numbers import plain_text
+from sigcat.function.resolving.part import Part, written
 
 
 def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[ErrorInterface]]:
@@ -31,8 +33,17 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         reset_condition=text_of(node, "resetCondition"),
         asil_level=(yield from asil_of(node, at)),
         vss_path=node.path,
+        variable=item.variable,
+        status_variable=item.status_variable,
+        defined_by=word(item.defined_by),
+        reset=_reset(item.reset, context),
     )
-    return Part(made, Origin(at))
+    return Part(made, Origin(at, written(item, at)))
+
+
+def _reset(reference: str | None, context: Context) -> str | None:
+    """`restart`, or a signal given by path or name; whether the function consumes it is checked with the result."""
+    return word(reference) if reference == "restart" else context.signals.get(reference or "", reference)
 
 
 def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolving[Part[SafetyReaction]]:
@@ -47,8 +58,12 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolv
         errors=(yield from texts_of(node, "errorList", at)),
         asil_level=(yield from asil_of(node, at)),
         vss_path=node.path,
+        variable=item.variable,
+        defined_by=word(item.defined_by),
+        initial=item.initial,
+        timeout=plain_text(item.timeout),
     )
-    return Part(made, Origin(at))
+    return Part(made, Origin(at, written(item, at)))
 
 
 def _datatype(node: Node, context: Context) -> str:

@@ -12,6 +12,7 @@ from sigcat.function.resolving.code_unit import code_unit, scale_of
 from sigcat.function.resolving.code_value import CodeValue, Item
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.data_nodes import data_node
+from sigcat.function.resolving.elements import default_elements, init_elements
 from sigcat.function.resolving.numbers import optional_number
 from sigcat.function.resolving.ranges import is_upside_down, range_of
 from sigcat.function.resolving.start_values import default_of, start_value
@@ -27,6 +28,9 @@ class Value(NamedTuple):
     max: float | None
     default: float | None
     init: float | None
+    default_elements: str | None
+    """As JSON, where the value is an array or a struct; and the same of the start value."""
+    init_elements: str | None
     conversion: Linear | None
     """From the code's unit to the catalogue's; None where they are the same."""
     own_symbols: Symbols | None
@@ -62,4 +66,6 @@ def _value(code: CodeValue, low: Fraction | None, high: Fraction | None, init: f
     ends = optional_number(low), optional_number(high)
     symbols = symbols_of(node)
     own_symbols = None if symbols == code.symbols else symbols
-    return Value(node, reference, code.unit, *ends, default_of(code), init, conversion, own_symbols)
+    default = default_elements(code, reference, context.types.get, context.catalogue)
+    elements = default, init_elements(code, reference, context.types.get, default)
+    return Value(node, reference, code.unit, *ends, default_of(code), init, *elements, conversion, own_symbols)

@@ -1,0 +1,51 @@
+"""`code` in function.yaml, and what the calls are in that code: how the function is compiled and called."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.function_json.wire import Integer
+
+DefinedBy = Literal["function", "adapter"]
+DEFINED_BY = "Whose code defines the variable; the function's if absent. An adapter defines imported externs."
+
+
+class ObjectItem(DeclarationModel):
+    """An object that calls take a pointer to, or with which expressions begin."""
+
+    name: Text = Field(description="Name of the object, with which the expressions of what is in it begin.")
+    type: Text = Field(description="Type in C, such as ExtU_EcoControlMpc_T.")
+    member: Text | None = Field(
+        None,
+        description="Member of the first object that is set to point to it, as Simulink has `model.inputs = &inputs`.",
+    )
+    defined_by: DefinedBy | None = Field(None, description=f"{DEFINED_BY} With pointers always the adapter.")
+
+
+class CodeSection(DeclarationModel):
+    """How the code of the function is compiled and called."""
+
+    signature: Literal["globals", "pointers", "class"] = Field(
+        description="How calls take their data: over global variables, over pointers to objects that the adapter holds for "
+        "each instance, or as members of a C++ class."
+    )
+    sources: list[Text] = Field([], description="Files to compile, relative to this file.")
+    headers: list[Text] = Field([], description="Files to include, in order: in `includeFolders`, or beside this file.")
+    include_folders: list[Text] = Field([], description="Folders in which headers are searched, relative to this file.")
+    definitions: dict[str, str | Integer | None] = Field(
+        {}, description="Definitions of the preprocessor, with their values; null for one without."
+    )
+    class_name: Text | None = Field(None, alias="class", description="Name of the C++ class, with its namespaces.")
+    storage: Text | None = Field(
+        None, description="Key-value storage of the parameters that name none; the function's name if absent."
+    )
+    objects: list[ObjectItem] = Field([], description="Objects of the code; with pointers the first is the instance.")
+
+
+class CheckpointItem(DeclarationModel):
+    """The place of a call in the graph of the logical supervision."""
+
+    initial: bool | None = Field(None, description="Whether a sequence begins with the call.")
+    final: bool | None = Field(None, description="Whether a sequence may end with the call.")
+    next: list[Text] = Field([], description="Calls that may follow: interface names, paths or last names.")
