@@ -4,8 +4,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import PurePath
 from typing import Any
 
+from sigcat.function.declaration import code_section as code
 from sigcat.function.declaration import declaration as yaml
-from sigcat.function.declaration.form import DeclarationModel, key_of
+from sigcat.function.declaration.form import DeclarationModel
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.report import Entry
@@ -13,9 +14,14 @@ from sigcat.integration.report import Entry
 _INTERFACE = "Name, VssPath and what the catalogue says of the interface"
 _VALUE = {
     "path": "VssPath, VssDatatype, VssUnit and what the catalogue says of the signal", "name": "Name",
-    "variable": "Variable", "rangeErrorAction": "RangeErrorAction", "init": "InitValue", "min": "Min", "max": "Max",
+    "variable": "Variable", "rangeErrorAction": "RangeErrorAction", "init": "InitValue or InitElements", "min": "Min", "max": "Max",
     "datatype": "Datatype", "unit": "Units, ConversionFactor, ConversionOffset", "values": "Datatypes and VssSymbols",
+    "factor": "Factor", "offset": "Offset", "definedBy": "DefinedBy", "members": "Members", "rangeError": "RangeError",
 }  # fmt: skip
+_MODE = {
+    key: f"ModeInterfaceList: {target}"
+    for key, target in {"variable": "Variable", "definedBy": "DefinedBy", "values": "Values"}.items()
+}
 TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.Declaration: {
         "function": "FunctionInfo: FunctionName", "description": "FunctionInfo: Description",
@@ -27,27 +33,53 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.RunnableItem: {
         "interface": f"functionList: {_INTERFACE}", "contract": "funcContractList: Type",
         "parallel": "functionList: ParallelProcessing", "events": "functionList: EventList",
+        "symbol": "functionList: Symbol", "arguments": "functionList: Arguments",
+        "success": "functionList: SuccessValue", "before": "functionList: PreProcessing",
+        "after": "functionList: PostProcessing", "overrunError": "functionList: OverrunError",
     },
     yaml.DataItem: {key: f"SignalList or DataQList: {target}" for key, target in {
         **_VALUE, "role": "Role", "asil": "AsilLevel, AsilInfo of a queue", "access": "Access", "timeout": "Timeout",
-        "timeoutError": "TimeoutError", "provider": "ExternalProvider", "queueLength": "QueueLength", "factor": "Factor",
-        "offset": "Offset",
+        "timeoutError": "TimeoutError", "provider": "ExternalProvider", "queueLength": "QueueLength",
+        "timeoutStart": "TimeoutStart", "timeoutValue": "TimeoutValue", "timeoutRecovery": "TimeoutRecovery",
+        "overflow": "Overflow", "overflowError": "OverflowError", "valuesPerStep": "ValuesPerStep",
+        "countVariable": "CountVariable",
     }.items()},
     yaml.ParameterItem: {key: f"ParameterList: {target}" for key, target in {
-        **_VALUE, "kind": "Interfacetype", "attribute": "Attribute", "asil": "Asillevel",
+        **_VALUE, "kind": "Interfacetype", "attribute": "Attribute", "asil": "Asillevel", "key": "Key", "storage": "Storage",
     }.items()},
     yaml.ErrorItem: {
         "interface": f"ErrorList: {_INTERFACE}", "occurrenceCountLimit": "ErrorList: OccurenceCountLimit",
-        "ignitionCountLimit": "ErrorList: IgnitionCountLimit",
+        "ignitionCountLimit": "ErrorList: IgnitionCountLimit", "variable": "ErrorList: Variable",
+        "statusVariable": "ErrorList: StatusVariable", "definedBy": "ErrorList: DefinedBy", "reset": "ErrorList: Reset",
     },
-    yaml.ReactionItem: {"interface": f"SafetyReactionList: {_INTERFACE}"},
+    yaml.ReactionItem: {
+        "interface": f"SafetyReactionList: {_INTERFACE}", "variable": "SafetyReactionList: Variable",
+        "definedBy": "SafetyReactionList: DefinedBy", "initial": "SafetyReactionList: Initial",
+        "timeout": "SafetyReactionList: Timeout",
+    },
     yaml.MethodItem: {
         "name": "MethodList: Name", "description": "MethodList: Description", "role": "MethodList: Role",
+        "symbol": "MethodList: Symbol", "timeout": "MethodList: Timeout",
+        "requestVariable": "MethodList: RequestVariable", "statusVariable": "MethodList: StatusVariable",
     },
     yaml.ArgumentItem: {key: f"InDataTypeList or OutDataTypeList: {target}" for key, target in {
-        "name": "Name", "datatype": "Datatype", "unit": "Units",
+        "name": "Name", "datatype": "Datatype", "unit": "Units", "variable": "Variable",
     }.items()},
     yaml.ModesItem: {"interfaces": f"ModeInterfaceList: {_INTERFACE}"},
+    yaml.ModeInItem: {**_MODE, **{key: f"ModeInterfaceList: {target}" for key, target in {
+        "initial": "Initial", "unknown": "UnknownAction", "unknownError": "UnknownError",
+    }.items()}},
+    yaml.ModeOutItem: _MODE,
+    code.CodeSection: {key: f"Code: {target}" for key, target in {
+        "signature": "Signature", "sources": "Sources", "headers": "Headers", "includeFolders": "IncludeFolders",
+        "definitions": "Definitions", "class": "ClassName", "storage": "Storage",
+    }.items()},
+    code.ObjectItem: {key: f"Code: Objects: {target}" for key, target in {
+        "name": "Name", "type": "Type", "member": "Member", "definedBy": "DefinedBy",
+    }.items()},
+    code.CheckpointItem: {key: f"functionList: Checkpoint: {target}" for key, target in {
+        "initial": "Initial", "final": "Final", "next": "Next",
+    }.items()},
     yaml.ActiveMode: {
         "mode": "ModesList: Name", "description": "ModesList: Description", "runnables": "ModesList: RunnablesList",
     },
@@ -66,10 +98,10 @@ def _declaration(function: ResolvedFunction) -> yaml.Declaration:
 
 
 def _of_part(part: DeclarationModel, at: Pointer, function: ResolvedFunction) -> Iterator[Entry]:
-    for field in type(part).model_fields:
+    for field, info in type(part).model_fields.items():
         if field not in part.model_fields_set:
             continue
-        key, value = key_of(field), getattr(part, field)
+        key, value = info.alias or field, getattr(part, field)
         inner = list(_parts(value, (*at, key)))
         if inner and type(inner[0][1]) in TARGETS:
             for pointer, each in inner:

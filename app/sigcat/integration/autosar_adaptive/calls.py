@@ -4,11 +4,13 @@ from collections.abc import Mapping, Sequence
 from typing import TypeVar
 
 from sigcat import codes
+from sigcat.function.function_json.conversion import as_number, of_text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
@@ -57,6 +59,7 @@ def _call(call: Runnable, part: Part, events: Mapping[int, str], context: Contex
         supervision_types=call.supervision_types or None,
         watchdog=call.watchdog,
         contracts=tuple(contract.type for contract in call.contracts or () if contract.type) or None,
+        code=code_of(call, CallCode),
         vss_path=call.vss_path,
     )
 
@@ -171,6 +174,7 @@ def _parameter(
         or None,
         conversion_factor=parameter.conversion_factor,
         conversion_offset=parameter.conversion_offset,
+        code=code_of(parameter, ParameterCode),
     )
 
 
@@ -201,7 +205,7 @@ def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable)
         return model.ParameterType(
             name=word, kind="structure", fields=fields, reference=word, min=parameter.min, max=parameter.max,
             unit=parameter.units, default=parameter.default_text or parameter.default,
-            init_value=parameter.default_text or parameter.init_value,
+            init_value=parameter.init_elements or parameter.default_text or parameter.init_value,
         )  # fmt: skip
     if word == "string":
         text = parameter.default_text or ""
@@ -212,6 +216,12 @@ def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable)
         )
     return model.ParameterType(
         datatype=(entry.storage if entry else word), reference=word if entry else None,
-        min=parameter.min, max=parameter.max, offset=0, scaling=1, unit=parameter.units,
+        min=parameter.min, max=parameter.max, offset=_number(parameter.offset, 0), scaling=_number(parameter.factor, 1), unit=parameter.units,
         default=parameter.default, init_value=parameter.init_value,
     )  # fmt: skip
+
+
+def _number(text: str | None, otherwise: int) -> float:
+    """A number of the scaling; one that is none is left to the checks of the function."""
+    number = of_text(text) if text else None
+    return otherwise if number is None else as_number(number)

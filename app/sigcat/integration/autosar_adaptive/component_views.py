@@ -8,6 +8,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import FIELD_GROUP, Element, Service, cycle_of, group_of
 from sigcat.integration.autosar_adaptive.grouping import Placed
@@ -136,7 +137,15 @@ def _method(service: Service, element: Element, sides: list[Placed], types: Type
         inputs=_arguments(leading, leading.interface.inputs, types),
         outputs=_arguments(leading, leading.interface.outputs, types),
         calls=_calls(sides),
+        uses=tuple(_method_use(side) for side in sides),
     )
+
+
+def _method_use(side: Placed) -> MethodUse:
+    method, call, part = side.item.interface, side.item.call, side.item.part
+    assert isinstance(method, MethodInterface)
+    assert call is not None
+    return MethodUse(function=part.function_name, component=part.name, call=call.name, method=method)
 
 
 def _arguments(item: Item, listed: tuple[Argument, ...], types: TypeTable) -> tuple[model.MethodArgument, ...]:

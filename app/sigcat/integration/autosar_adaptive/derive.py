@@ -145,6 +145,7 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
         function=part.function_name,
         version=part.function.info.version,
         description=part.function.info.description,
+        code=part.function.code,
         function_modes=function_modes(part),
     )
     return component.model_copy(update={"startup": _startup(component, settings, part, context)})
@@ -163,9 +164,11 @@ def _startup(component: model.Component, settings: ComponentSettings, part: Part
 
 
 def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | None:
-    """The header that a code generator writes for a component, if the function names variables of its code."""
+    """The headers of the code; else the one that a code generator writes, if the function names variables of its code."""
     if settings.header_files is not None:
         return tuple(settings.header_files) or None
+    if part.function.code is not None and part.function.code.headers:
+        return part.function.code.headers
     contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
     return (f"{part.name}.h",) if any(map(_has_variables, contracts)) else None
 

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
+from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context, Item
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
 from sigcat.integration.autosar_adaptive.grouping import Placed
@@ -36,13 +38,15 @@ _SIGNAL = {
         for field in (
             "AsilLevel", "Timeout", "Access", "Default", "InitValue", "RangeErrorAction", "TimeoutError", "Type",
             "Resolution", "ConversionFactor", "ConversionOffset", "AsilInfo", "QueueLength",
-            "ExternalProvider",
+            "ExternalProvider", "DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError",
+            "InitElements", "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
         )
     },
 }  # fmt: skip
 _METHOD: dict[str, FieldTarget | str] = {
     "Name": "Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "InDataTypeList": "InArguments", "OutDataTypeList": "OutArguments",
+    **{field: f"Uses/Method/{field}" for field in ("Symbol", "Timeout", "RequestVariable", "StatusVariable")},
 }  # fmt: skip
 _STATUS_HEAD: dict[str, FieldTarget | str] = {
     "Name": "Name", "Description": "Description", "Datatype": "DataType", "VssPath": "VssPath",
@@ -53,14 +57,24 @@ _ERROR: dict[str, FieldTarget | str] = {
         field: f"Error/{field}"
         for field in (
             "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "Severity", "ResetTime",
-            "ResetCondition", "AsilLevel",
+            "ResetCondition", "AsilLevel", "Variable", "StatusVariable", "DefinedBy", "Reset",
         )
     },
 }  # fmt: skip
 _REACTION: dict[str, FieldTarget | str] = {
-    **_STATUS_HEAD, "ErrorList": "SafetyReaction/ErrorList", "AsilLevel": "SafetyReaction/AsilLevel",
+    **_STATUS_HEAD,
+    **{
+        field: f"SafetyReaction/{field}"
+        for field in ("ErrorList", "AsilLevel", "Variable", "DefinedBy", "Initial", "Timeout")
+    },
 }  # fmt: skip
-_MODE: dict[str, FieldTarget | str] = {**_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE), "Modes": "Mode/Modes"}
+_MODE: dict[str, FieldTarget | str] = {
+    **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE),
+    **{
+        field: f"Mode/{field}"
+        for field in ("Modes", "Variable", "DefinedBy", "Initial", "UnknownAction", "UnknownError", "Values")
+    },
+}  # fmt: skip
 _CALL: dict[str, FieldTarget | str] = {
     "Runtype": "RunType", "Cycletime": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
@@ -73,6 +87,7 @@ _CALL: dict[str, FieldTarget | str] = {
         )
     },
     "EventList": FieldTarget("EventList and Triggers", "each event as the event of a service"),
+    **{str(field.alias): f"Code/{field.alias}" for field in CallCode.model_fields.values()},
 }  # fmt: skip
 _PARAMETER: dict[str, FieldTarget | str] = {
     "Datatype": "Datatype and CodeDatatype", "Asillevel": "AsilLevel", "Min": "Datatype/MinValue",
@@ -86,6 +101,9 @@ _PARAMETER: dict[str, FieldTarget | str] = {
             "ConversionFactor", "ConversionOffset", "Variable",
         )
     },
+    **{str(field.alias): f"Code/{field.alias}" for field in ParameterCode.model_fields.values()},
+    "Factor": "Code/Factor and Datatype/Scaling", "Offset": "Code/Offset and Datatype/Offset",
+    "InitElements": "Code/InitElements and Datatype/InitValue",
 }  # fmt: skip
 _NO_RANGE = FieldTarget(
     "none", "a boolean or a text has no range, unit or number; the published schema has no place for it"
@@ -101,6 +119,9 @@ _META: dict[str, FieldTarget | str] = {
         ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has a version and a description of its own"),
     ),
 }  # fmt: skip
+_CODE: dict[str, FieldTarget | str] = {
+    str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()
+}
 _COMPONENT: dict[str, FieldTarget | str] = {"Name": "Name", "functionList": "FunctionList"}
 _CONTRACT: dict[str, FieldTarget | str] = {
     "Type": "ContractTypes",
@@ -170,6 +191,9 @@ def _of_part(part: Part) -> Iterator[Entry]:
     if part.is_first:
         yield from entries(part.function_name, part.function_name, "document", function.meta, _META)
         yield from entries(part.function_name, part.function_name, "function", function.info, _FUNCTION)
+        if function.code is not None:
+            below = _below(part.name, _CODE)
+            yield from entries(part.function_name, part.function_name, "code", function.code, below)
         for mode in function.modes or ():
             prefix = f"{part.name}/FunctionModes/{mode.name}"
             yield from entries(part.function_name, mode.name, "active mode", mode, _below(prefix, _MODES))

@@ -8,11 +8,13 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
+from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_adaptive.si_units import UnitSettings
@@ -83,6 +85,7 @@ class Call(WireModel):
     supervision_types: tuple[str, ...] | None = own("SupervisionType", "Alive, Deadline, Logical.", strict=False)
     watchdog: Watchdog | None = own("Watchdog", "Supervision by the watchdog.")
     contracts: tuple[str, ...] | None = own("ContractTypes", "How data is handed over to the code.", strict=False)
+    code: CallCode | None = own("Code", "The call in C.")
     vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
 
 
@@ -182,6 +185,7 @@ class ParameterEntry(WireModel):
     )
     conversion_factor: str | None = own("ConversionFactor", "Value in the catalogue's unit = value × factor + offset.")
     conversion_offset: str | None = own("ConversionOffset", "Offset of the conversion, in the catalogue's unit.")
+    code: ParameterCode | None = own("Code", "The parameter in C and in its storage.")
 
 
 class Use(WireModel):
@@ -244,6 +248,7 @@ class Method(WireModel):
     inputs: tuple[MethodArgument, ...] | None = own("InArguments", "Arguments, in order.", strict=False)
     outputs: tuple[MethodArgument, ...] | None = own("OutArguments", "Return values, in order.", strict=False)
     calls: tuple[str, ...] | None = own("Calls", "Calls that use or offer it.", strict=False)
+    uses: tuple[MethodUse, ...] | None = own("Uses", "The sides of the method within this component.", strict=False)
 
 
 class ServiceField(WireModel):
@@ -327,6 +332,7 @@ class Component(WireModel):
     function: str | None = own("Function", "Name of the function.")
     version: str | None = own("Version", "Version of the function.")
     description: str | None = own("Description", "What the function does.")
+    code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
     startup: StartupSettings | None = own("Startup", "How the process is started.")
 

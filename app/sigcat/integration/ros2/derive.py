@@ -176,5 +176,8 @@ def _node_package(
 
 def _source(function: FunctionJson) -> SourceFunction:
     return SourceFunction(
-        name=function.info.function_name, version=function.info.version, provenance=function.provenance
+        name=function.info.function_name,
+        version=function.info.version,
+        code=function.code,
+        provenance=function.provenance,
     )

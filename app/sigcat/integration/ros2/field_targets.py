@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from pydantic import BaseModel
 
+from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.application import Part
@@ -17,6 +18,7 @@ from sigcat.integration.ros2.topics import PUBLISHER
 Targets = Mapping[str, FieldTarget | str]
 
 _VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
+_CORE = FieldTarget("ComponentList", "the core of the adapter has it from there, on every platform")
 _FIELD = "{topic}, field {field}"
 _DATA: Targets = {
     "Name": _FIELD + ": Signal",
@@ -49,7 +51,12 @@ _DATA: Targets = {
     "VssUnit": _FIELD + ": FieldUnits",
     "ExternalProvider": _FIELD + ": ExternalProvider",
     "Variable": _FIELD + ": Variable",
-}
+    **dict.fromkeys(
+        ("DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError", "InitElements",
+         "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable"),
+        _CORE,
+    ),
+}  # fmt: skip
 _PARAMETER: Targets = {
     "Name": "{parameter}: Parameter",
     "Description": "{parameter}: Description",
@@ -71,6 +78,9 @@ _PARAMETER: Targets = {
     "ConversionFactor": "{parameter}: Conversion",
     "ConversionOffset": "{parameter}: Conversion",
     "Variable": "{parameter}: Variable",
+    "InitElements": "{parameter}: Default",
+    **dict.fromkeys(("Factor", "Offset"), "{parameter}: Conversion"),
+    **dict.fromkeys(("DefinedBy", "Members", "Key", "Storage", "RangeError"), _CORE),
 }
 _METHOD: Targets = {
     "Name": "{service}: MethodName",
@@ -78,6 +88,7 @@ _METHOD: Targets = {
     "Role": "{service}: Role",
     "InDataTypeList": "service {type}: Request",
     "OutDataTypeList": "service {type}: Response",
+    **dict.fromkeys(("Symbol", "Timeout", "RequestVariable", "StatusVariable"), _CORE),
 }
 _ERROR: Targets = {
     "Name": "{status}: Error",
@@ -92,6 +103,7 @@ _ERROR: Targets = {
     "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, which no node can check"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{status}: VssPath",
+    **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "Reset"), _CORE),
 }
 _REACTION: Targets = {
     "Name": "{condition}: SafetyReaction",
@@ -100,7 +112,11 @@ _REACTION: Targets = {
     "ErrorList": "{condition}: Statuses",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{condition}: VssPath",
+    **dict.fromkeys(("Variable", "DefinedBy", "Initial", "Timeout"), _CORE),
 }
+_CALL_IN_C: Targets = dict.fromkeys(
+    ("Symbol", "Arguments", "SuccessValue", "PreProcessing", "PostProcessing", "Checkpoint", "OverrunError"), _CORE
+)
 _CALL: Targets = {
     "Name": "{schedule}: RunnableName",
     "Description": _VERBATIM,
@@ -119,8 +135,10 @@ _CALL: Targets = {
     "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
     "SupervisionType": FieldTarget("{schedule}: Alive…, Deadline…", "the limits say which there are"),
     "VssPath": _VERBATIM,
+    **_CALL_IN_C,
 }
 _TRANSITIONS: Targets = {
+    **_CALL_IN_C,
     **{
         field: FieldTarget("ComponentList", "a transition runs when it is asked for, in the thread of the service")
         for field in ("Cycletime", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
@@ -139,6 +157,10 @@ _MODE_INTERFACE: Targets = {
     "Datatype": "message {message}: field mode",
     "Modes": "message {message}: Constants",
     "VssPath": "{topic}: VssPath",
+    **dict.fromkeys(
+        ("Variable", "DefinedBy", "Initial", "UnknownAction", "UnknownError", "Values"),
+        FieldTarget("ModeInterfaceList", "the core of the adapter has it from there, on every platform"),
+    ),
 }
 _MODE: Targets = {
     "Name": "Schedules: ActiveModes",
@@ -153,6 +175,9 @@ _INFO: Targets = dict.fromkeys(
     ("FunctionName", "FunctionResponsible", "Description", "Version"), "FunctionInfo, packages"
 )
 
+_CODE: Targets = dict.fromkeys(
+    (str(field.alias) for field in CodeInterface.model_fields.values()), FieldTarget("SourceFunctionList: Code")
+)
 _META: Targets = {
     "Authority": "MetaInfo: Authority", "SchemaAuthor": "MetaInfo: SchemaAuthor", "Date": "MetaInfo: Date",
     **dict.fromkeys(
@@ -172,7 +197,7 @@ TABLES: Mapping[str, Targets] = {
     "signal": _DATA, "queue": _DATA, "parameter": _PARAMETER, "method": _METHOD, "error": _ERROR,
     "safety reaction": _REACTION, "call": _CALL, "transition": _TRANSITIONS, "mode interface": _MODE_INTERFACE,
     "mode": _MODE, "datatype": _DATATYPE, "function": _INFO, "document": _META, "component": _COMPONENT,
-    "contract": _CONTRACT,
+    "contract": _CONTRACT, "code": _CODE,
 }  # fmt: skip
 
 
@@ -245,6 +270,8 @@ def _of_function(part: Part, node: RosNode) -> Iterator[Entry]:
     function = part.function
     yield from _entries(part, part.function_name, "document", function.meta)
     yield from _entries(part, part.function_name, "function", function.info)
+    if function.code is not None:
+        yield from _entries(part, part.function_name, "code", function.code)
     for datatype in function.datatypes:
         yield from _entries(part, datatype.reference, "datatype", datatype)
     for mode in function.modes or ():

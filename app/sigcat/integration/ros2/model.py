@@ -6,9 +6,10 @@ there: packages with messages and services, nodes with their life cycle, quality
 
 from typing import Any
 
+from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.provenance import Provenance
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
 
 ROS2 = "published ROS 2 integration schema 1.0.0"
 
@@ -358,6 +359,7 @@ class SourceFunction(WireModel):
 
     name: str = described("FunctionName", "Name of the function.", source=OWN)
     version: str | None = described("Version", "Its version.", default=None, source=OWN)
+    code: CodeInterface | None = own("Code", "How its code is compiled and called.")
     provenance: Provenance | None = described("Provenance", "What it was made from.", default=None, source=OWN)
 
 

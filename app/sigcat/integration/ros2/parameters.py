@@ -109,7 +109,7 @@ def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: M
     if not kind.suffix:
         given = item.default_text if kind.is_text and not kind.symbols else item.init_value
         return _one_default(given, kind, linear, names)
-    elements = _elements(item.default_text)
+    elements = _elements(item.init_elements or item.default_text)
     if elements is None:
         elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
     return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+from pydantic import BaseModel
+
 from sigcat.adapter.autosar_adaptive.arxml.paths import (
     COMPONENTS,
     EXECUTABLES,
@@ -14,6 +16,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
+from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ParameterEntry, ServiceInterface, Use
 from sigcat.integration.autosar_names import distinct, short_name
 
@@ -63,7 +66,17 @@ def _component(component: Component, known: Library) -> Tag:
 def _facts(component: Component) -> list[tuple[str, object]]:
     """What the metamodel has no place for at a component."""
     identity = [("Function", component.function), ("Version", component.version)]
-    return [*identity, *_headers(component), *_modes(component), *_calls(component.calls)]
+    return [
+        *identity,
+        ("Code", _dumped(component.code)),
+        *_headers(component),
+        *_modes(component),
+        *_calls(component.calls),
+    ]
+
+
+def _dumped(part: BaseModel | None) -> dict[str, object] | None:
+    return part.model_dump(mode="json", exclude_none=True) if part is not None else None
 
 
 def _headers(component: Component) -> list[tuple[str, object]]:
@@ -109,6 +122,9 @@ def _mapped(interface: ServiceInterface) -> Tag | None:
         facts.extend((f"{field.name}.Calls", field.calls) for field in services.fields)
         facts.extend((f"{method.name}.Calls", method.calls) for method in services.methods)
         facts.extend(fact for method in services.methods for fact in _arguments(method))
+        facts.extend(
+            (f"{method.name}.{use.call}", _method_used(use)) for method in services.methods for use in method.uses or ()
+        )
     return trace(facts)
 
 
@@ -122,6 +138,12 @@ def _used(use: Use) -> dict[str, object]:
 def _arguments(method: Method) -> Iterable[tuple[str, object]]:
     for argument in (*(method.inputs or ()), *(method.outputs or ())):
         yield f"{method.name}.{argument.name}.CodeDatatype", argument.code_datatype
+
+
+def _method_used(use: MethodUse) -> dict[str, object]:
+    """The method of the function, without what stands in the service interface."""
+    left_out = {"name", "description", "inputs", "outputs"}
+    return {"Function": use.function, **use.method.model_dump(mode="json", exclude=left_out, exclude_none=True)}
 
 
 def _storage_port(component: Component, known: Library) -> Tag:
@@ -147,6 +169,7 @@ def _parameter(parameter: ParameterEntry, known: Library) -> Tag:
         ("VssDatatype", parameter.vss_datatype), ("VssUnit", parameter.vss_unit),
         ("VssSymbols", [each.model_dump(mode="json") for each in parameter.vss_symbols or ()]),
         ("ConversionFactor", parameter.conversion_factor), ("ConversionOffset", parameter.conversion_offset),
+        ("Scaling", kind.scaling), ("Offset", kind.offset), ("Code", _dumped(parameter.code)),
     ]  # fmt: skip
     return tag(
         "PERSISTENCY-DATA-ELEMENT",

@@ -43,13 +43,13 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
     model.Component: ("component", {
         "Name": _COMPONENT + _SHORT_NAME, "ExecutableName": "components.arxml: EXECUTABLE, " + _SHORT_NAME,
         "HeaderFiles": _COMPONENT + _ADMIN, "FunctionGroupModes": "deployment.arxml: states of the process",
-        "Function": _COMPONENT + _ADMIN, "Version": _COMPONENT + _ADMIN, "Description": _COMPONENT + _DESCRIPTION,
+        "Function": _COMPONENT + _ADMIN, "Version": _COMPONENT + _ADMIN, "Code": _COMPONENT + _ADMIN, "Description": _COMPONENT + _DESCRIPTION,
         "Startup": "deployment.arxml: STARTUP-CONFIG",
     }),
     model.Call: ("call", dict.fromkeys((
         "Name", "Modes", "RunType", "CycleTime", "Scheduling", "Function", "Description", "Trigger", "EventList",
         "Triggers", "FunctionModes", "PrevRunnable", "ExecOffset", "DebounceDelay", "Priority", "ParallelProcessing",
-        "StackSize", "AsilLevel", "SupervisionType", "Watchdog", "ContractTypes", "VssPath",
+        "StackSize", "AsilLevel", "SupervisionType", "Watchdog", "ContractTypes", "VssPath", "Code",
     ), _CALL)),
     model.FunctionMode: ("mode", dict.fromkeys(("Function", "Name", "Description", "Calls"), _COMPONENT + _ADMIN)),
     model.ParameterEntry: ("parameter", {
@@ -57,6 +57,7 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
         **dict.fromkeys((
             "RangeErrorAction", "InterfaceType", "Attribute", "Function", "Calls", "AsilLevel", "CodeDatatype",
             "Variable", "VssPath", "VssDatatype", "VssUnit", "VssSymbols", "ConversionFactor", "ConversionOffset",
+            "Code",
         ), _PARAMETER),
     }),
     model.ParameterType: ("parameter", {
@@ -89,7 +90,7 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
     )),
     model.Method: ("method", {
         "Name": _METHOD + _SHORT_NAME, "Description": _METHOD + _DESCRIPTION,
-        "MethodID": _SOMEIP + "METHOD-DEPLOYMENT", "Calls": _PORT,
+        "MethodID": _SOMEIP + "METHOD-DEPLOYMENT", "Calls": _PORT, "Uses": _PORT,
     }),
     model.MethodArgument: ("argument", {
         "Name": _ARGUMENT + _SHORT_NAME, "DataType": _ARGUMENT + "TYPE-TREF",
