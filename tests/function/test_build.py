@@ -119,7 +119,7 @@ def test_wheel_speed_calculation_has_an_interface_of_every_category():
     modes = [mode["Name"] for mode in document["ModeInterfaceList"]]
     assert modes == ["WheelSpeedCalculation_Mode_In", "WheelSpeedCalculation_Mode_Out"]
     assert len(contract["SignalList"]) == 8
-    assert len(contract["ParameterList"]) == 3
+    assert len(contract["ParameterList"]) == 4
 
 
 def test_every_field_of_the_paper_about_errors_is_carried():

@@ -146,7 +146,7 @@ def test_a_finding_about_a_declaration_points_into_it():
     text = path.read_text().replace("timeout: 1500", "timeout: 100")
     told = check_functions([(text.encode(), "acc.yaml"), *(f for f in FILES if "mpc" in f[1])], interfaces())
     assert [(f.rule, f.file, f.pointer) for f in told] == [
-        ("F109", "acc.yaml", "/components/0/runnables/1/data/8/timeout")
+        ("F109", "acc.yaml", "/components/0/runnables/1/data/9/timeout")
     ]
     assert "timeout: 100" in text.splitlines()[told[0].line - 1]
 
