@@ -4,7 +4,6 @@ import contextlib
 import itertools
 import json
 import os
-import re
 import resource
 import socket
 import subprocess
@@ -252,13 +251,6 @@ def test_what_is_no_request_is_refused_at_once_and_the_next_one_answered(service
     answer = service.send(FLOODS[case])
     assert answer.startswith(b"HTTP/1.1 4") or not answer, answer[:100]  # none: it closes before all of a flood is sent
     assert service.ask("GET", "/health/live").status_code == 200
-
-
-def test_of_a_length_and_chunks_only_the_chunks_count(service: Service) -> None:
-    """RFC 9112, 6.3. What follows them is a request of its own, whatever the length says."""
-    head = f"POST {LINT} HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n"
-    answer = service.send(head.encode() + b"0\r\n\r\nGET /nothing HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
-    assert re.findall(rb"HTTP/1.1 (\d+)", answer) == [b"200", b"404"]
 
 
 @pytest.mark.parametrize("encoding", ["gzip", "br", "deflate", "nonsense", "gzip, gzip"])

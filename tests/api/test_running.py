@@ -2,19 +2,16 @@
 
 import json
 import os
-import resource
 import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from statistics import median
-from typing import NamedTuple
 from urllib.parse import urlsplit
 
 import httpx
@@ -22,47 +19,10 @@ import pytest
 
 from sigcat.api.settings import Settings
 from tests.api.conftest import TREE
+from tests.api.serving import Service, served
 from tests.waiting import DEADLINE, wait_until
 
 OVERLAY = b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
-
-
-class Service(NamedTuple):
-    """A running service."""
-
-    address: str
-    process: "subprocess.Popen[str]"
-    log: Path
-
-    def logged(self, **fields: str) -> list[dict[str, object]]:
-        """Lines of its log, each of them JSON, that have these fields; a line is written when its answer was sent."""
-
-        def found() -> list[dict[str, object]]:
-            lines = [json.loads(line) for line in self.log.read_text().splitlines(keepends=True) if line.endswith("\n")]
-            return [line for line in lines if fields.items() <= line.items()]
-
-        return wait_until(found, f"a request with {fields} is logged")
-
-    @property
-    def memory(self) -> int:
-        """Bytes that the process holds in memory."""
-        pages = int(Path(f"/proc/{self.process.pid}/statm").read_text().split()[1])
-        return pages * resource.getpagesize()
-
-
-@contextmanager
-def served(tree: Path, **variables: str) -> Iterator[Service]:
-    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
-    environment = {**os.environ, **variables}
-    with (
-        tempfile.NamedTemporaryFile("w") as log,
-        subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True, env=environment) as process,
-    ):
-        assert process.stdout is not None
-        try:
-            yield Service(process.stdout.readline().split()[3], process, Path(log.name))
-        finally:
-            process.kill()
 
 
 @pytest.fixture(scope="module")
@@ -150,12 +110,14 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     command = [sys.executable, "-m", "uvicorn", "--factory", "sigcat.cli.serve:application", "--port", str(port)]
+    command += ["--http", "sigcat.api.connections.http:HttpConnection"]
     environment = {**os.environ, "SIGCAT_CONFIG": str(settings)}
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as process:
         try:
             wait_until(lambda: nodes_at(port) == 1, "the catalogue is served")
             tree.write_text(tree.read_text() + OVERLAY.decode())
             wait_until(lambda: nodes_at(port) == 2, "the changed catalogue is served")
+            assert "\nsigcat_connections 1.0" in httpx.get(f"http://127.0.0.1:{port}/metrics").text
         finally:
             process.terminate()
             assert process.stderr is not None

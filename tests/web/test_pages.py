@@ -33,7 +33,18 @@ def test_every_page_stands_and_runs_nothing_inline(site: Ask, address: str) -> N
     page = site(address)
     assert page.status_code == 200
     assert page.headers["content-security-policy"] == POLICY
-    assert not re.search(r"<style|\sstyle=|\son\w+=|<script(?! type=\"module\" src=)|https?://(?!sigcat/)", page.text)
+    assert not re.search(r"<style|\sstyle=|\son\w+=|<script(?! type=\"module\" src=)|https?://", page.text)
+
+
+@pytest.mark.parametrize(
+    "address",
+    [*PAGES, "/docs/", "/tree/small/", "/api/v1/rules/", "/openapi.json", "/api/v1/schemas", "/tree/small/Nope"],
+)
+def test_no_answer_repeats_the_host_that_a_client_sent(site: Ask, address: str) -> None:
+    usual, other = site(address), site(address, headers={"Host": "stranger.example:81"})
+    assert (other.status_code, other.text) == (usual.status_code, usual.text)
+    assert "stranger" not in f"{other.headers} {other.text}"
+    assert other.headers.get("location", "/").startswith("/")
 
 
 def test_without_javascript_branches_open_by_links(site: Ask) -> None:

@@ -1,5 +1,9 @@
 """The REST service: routes over a library, and nothing else."""
 
+import logging
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager
+
 from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.middleware.gzip import GZipMiddleware
@@ -7,12 +11,18 @@ from fastapi.routing import APIRoute
 
 from sigcat import __version__
 from sigcat.api.answers.problems import install_problems
+from sigcat.api.connections.http import ConnectionRules
+from sigcat.api.connections.open_connections import OpenConnections
+from sigcat.api.connections.open_files import connections_allowed
+from sigcat.api.connections.refusals import Refusals
+from sigcat.api.connections.trusted_proxies import trusted_by
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
-from sigcat.api.middleware.list_headers import ListHeaders
 from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.middleware.request_headers import RequestHeaders
 from sigcat.api.middleware.request_log import RequestLog
+from sigcat.api.middleware.request_notes import RequestNotes
 from sigcat.api.openapi_document import openapi_document
 from sigcat.api.requests.held_bodies import HeldBodies
 from sigcat.api.requests.query_parameters import refuse_unknown
@@ -32,6 +42,7 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 """
 
 
+_log = logging.getLogger("sigcat")
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router,
@@ -49,6 +60,8 @@ def create_app(
         docs_url=None,
         redoc_url=None,
         generate_unique_id_function=_operation_id,
+        telemetry={"tracing": False, "metrics": False, "logs": False},  # `/metrics` and the log are the service's own
+        lifespan=_state_for_connections,
     )
     app.state.library = library
     app.state.functions = functions or FunctionLibrary()
@@ -58,6 +71,7 @@ def create_app(
     app.state.export_queue = WorkQueue(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
+    app.state.request_notes = RequestNotes(app.state.metrics, is_logged=settings.log == "json")
     for router in _ROUTERS:
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
     for router in (exports.router, *([metrics.router] if settings.metrics else [])):
@@ -72,10 +86,10 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
-    app.add_middleware(ListHeaders)
+    app.add_middleware(RequestHeaders)
     if settings.reading == "token":
         app.add_middleware(ReadAccess, settings=settings)
-    app.add_middleware(RequestLog, settings=settings, metrics=app.state.metrics)
+    app.add_middleware(RequestLog, notes=app.state.request_notes)
     if settings.origins:  # around all of these: a page has to be able to read why it was refused
         app.add_middleware(
             CORSMiddleware,
@@ -84,6 +98,21 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
             expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
         )
+
+
+@asynccontextmanager
+async def _state_for_connections(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
+    """What the server hands to each connection, while it runs."""
+    settings: Settings = app.state.settings
+    most = connections_allowed(settings.connections)
+    if most < settings.connections:
+        _log.warning(
+            "the system allows %d connections, not %d: raise its limit of open files", most, settings.connections
+        )
+    connections = OpenConnections(most, settings.client_connections, trusted_by(settings.trusted_proxies))
+    app.state.metrics.watch_connections(connections.__len__)
+    refusals = Refusals(app.state.request_notes, settings.root_path)
+    yield {"connection_rules": ConnectionRules(connections, refusals, settings.head_seconds, settings.unread_seconds)}
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -4,10 +4,12 @@ import gc
 import json
 import logging
 import sys
+from collections.abc import Mapping
 
 import uvicorn
 from fastapi import FastAPI
 
+from sigcat.api.connections.http import HttpConnection
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
 
@@ -27,14 +29,14 @@ class _Server(uvicorn.Server):
 
 
 class _Lines(logging.Formatter):
-    """One line of JSON for each record; those of requests are JSON already."""
+    """One line of JSON for each record; those of requests are mappings of their fields."""
 
     def format(self, record: logging.LogRecord) -> str:
         """The line."""
         time = self.formatTime(record, "%Y-%m-%dT%H:%M:%S%z")
         record_fields = {"time": time, "level": record.levelname.lower(), "logger": record.name}
-        if record.name == "sigcat.requests":
-            return json.dumps({**record_fields, **json.loads(record.getMessage())})
+        if isinstance(record.msg, Mapping):
+            return json.dumps({**record_fields, **record.msg})
         if record.exc_info:
             record_fields["trace"] = self.formatException(record.exc_info)
         return json.dumps({**record_fields, "message": record.getMessage()})
@@ -73,7 +75,8 @@ def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
         proxy_headers=bool(settings.trusted_proxies),
         forwarded_allow_ips=list(settings.trusted_proxies),
         timeout_graceful_shutdown=settings.stop_seconds,
-        h11_max_incomplete_event_size=32 * 1024,
+        http=HttpConnection,
+        ws="none",
         log_config=None,
         access_log=False,
         server_header=False,
@@ -81,10 +84,10 @@ def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
 
 
 def log_as_json(level: int) -> None:
-    """Send what sigcat and uvicorn log to standard error, a line of JSON each."""
+    """Send what sigcat and its server log to standard error, a line of JSON each."""
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(_Lines())
-    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING)):
+    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING), ("asyncio", logging.WARNING)):
         logger = logging.getLogger(name)
         logger.handlers, logger.propagate = [handler], False
         logger.setLevel(least)

@@ -48,6 +48,23 @@ class Settings(BaseModel):
     tokens: Tokens = Field(
         default=(), description="Tokens as `NAME:SCOPE+SCOPE:SHA-256`; `sigcat config --new-token` makes one."
     )
+    connections: int = Field(
+        default=1000,
+        description="Connections that are open at once, or fewer if the system allows fewer files; for a new one, the one "
+        "that waits longest for its client is closed, and if none does: 503.",
+        ge=1,
+    )
+    client_connections: int = Field(
+        default=100,
+        description="The same of one client: an IPv4 address, or an IPv6 network of 64 bits. `trusted_proxies` may have all.",
+        ge=1,
+    )
+    head_seconds: float = Field(
+        default=10.0, description="Seconds in which address and headers of a request have to arrive; later: 408.", gt=0
+    )
+    unread_seconds: float = Field(
+        default=20.0, description="Seconds in which a client has to read some of its answer; else it is cut off.", gt=0
+    )
     body_bytes: int = Field(
         default=4 * _MEBIBYTE, description="Bytes of a posted text; more is answered with 413.", ge=1
     )

@@ -62,7 +62,7 @@ def page(request: Request, template: str, status: int = 200, **context: Any) -> 
         for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
         library=library,
         title_of=partial(title_in, library),
-        address=request.url.path,
+        address=request.scope["path"],
         request_method=request.method,
         is_composed_with_errors=_is_composed_with_errors(context["hosted"]),
         **context,

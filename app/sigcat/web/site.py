@@ -4,16 +4,14 @@ from http import HTTPStatus
 from pathlib import Path
 
 from fastapi import FastAPI, Request
-from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 from starlette.staticfiles import StaticFiles
 
-from sigcat.api.answers.problems import answer_problem, problem_from
+from sigcat.api.answers.problems import ANSWERED, answer_problem, problem_from
 from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.catalogue.hosting.library import Library
-from sigcat.errors import SigcatError
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.pages import (
     api_reference,
@@ -40,14 +38,14 @@ def create_site(
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
-    for kind in (SigcatError, RequestValidationError, HTTPException, Exception):
+    for kind in ANSWERED:
         app.add_exception_handler(kind, _answer)
     return app
 
 
 async def _answer(request: Request, error: Exception) -> Response:
     """A problem document for programs, a page for people."""
-    path = request.url.path.removeprefix(request.scope.get("root_path", ""))
+    path = request.scope["path"].removeprefix(request.scope.get("root_path", ""))
     is_for_programs = path.startswith(("/api/", "/openapi.json", "/rows/")) or path.endswith(".json")
     if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):
         return await answer_problem(request, error)

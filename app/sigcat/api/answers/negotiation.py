@@ -18,7 +18,7 @@ from starlette.exceptions import HTTPException
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _LONGEST = 1000
-"""Characters of a header that count."""
+"""Characters of a header that count, and that are remembered."""
 _QUALITY = re.compile(r"[01](\.\d{0,3})?")
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
@@ -96,20 +96,28 @@ def chosen_type(accepted: str, offered: Sequence[str]) -> str:
     return liked[0]
 
 
-@lru_cache(256)
 def liked_types(accepted: str, offered: tuple[str, ...] = (JSON, YAML, CSV)) -> tuple[str, ...]:
     """The offered media types that an `Accept` header allows, the best one first, of equals in the order of the offer.
 
     Two headers for which this is equal get the same answer, whatever a route offers of these types.
     """
+    return _liked_types(accepted[:_LONGEST], offered)
+
+
+@lru_cache(256)
+def _liked_types(accepted: str, offered: tuple[str, ...]) -> tuple[str, ...]:
     wishes = _wishes(accepted) or [("*/*", 1.0)]
     weights = {media_type: _weight(media_type, wishes) for media_type in offered}
     return tuple(sorted((each for each in offered if weights[each] > 0), key=lambda each: -weights[each]))
 
 
-@lru_cache(256)
 def accepts_gzip(accepted: str) -> bool:
     """Whether an `Accept-Encoding` header allows gzip: by name, or by `*` where it is not named (RFC 9110, 12.5.3)."""
+    return _accepts_gzip(accepted[:_LONGEST])
+
+
+@lru_cache(256)
+def _accepts_gzip(accepted: str) -> bool:
     weights = dict(_wishes(accepted))
     return weights.get("gzip", weights.get("*", 0.0)) > 0
 
@@ -137,7 +145,7 @@ def _cell(value: Any) -> Any:
 
 def _wishes(header: str) -> list[tuple[str, float]]:
     """Names with their quality, of a header that lists what a client accepts."""
-    return [_wish(part) for part in header[:_LONGEST].split(",") if part.strip()]
+    return [_wish(part) for part in header.split(",") if part.strip()]
 
 
 def _wish(part: str) -> tuple[str, float]:

@@ -10,6 +10,7 @@ from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect
 
 from sigcat import codes
 from sigcat.api.answers import schemas
@@ -34,10 +35,15 @@ KINDS: dict[int, tuple[str, str]] = {
     413: ("too-large", "Body too large"),
     415: ("unsupported-media-type", "Unsupported media type"),
     422: ("input-refused", "The input cannot be used"),
+    431: ("head-too-large", "Headers too large"),
     500: ("internal-error", "Internal error"),
     503: ("busy", "Service busy"),
 }
 """Name in the problem's `type` and its title, by status."""
+
+
+ANSWERED = (SigcatError, RequestValidationError, HTTPException, ClientDisconnect, Exception)
+"""Exceptions that are answered. A client that is gone reads nothing, but its request is no failure of the service."""
 
 
 class BodyRefused(HTTPException):
@@ -70,6 +76,8 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, RequestValidationError):
         findings = [_invalid(each) for each in error.errors()]
         return problem_of(422, " ".join(finding.message for finding in findings), findings)
+    if isinstance(error, ClientDisconnect):
+        error = BodyRefused(HTTPStatus.BAD_REQUEST, "The connection must stay open until the body is whole.")
     if isinstance(error, HTTPException):
         return problem_of(error.status_code, _detail_of(error))
     return problem_of(500, "The server failed; its log says why.")
@@ -77,7 +85,7 @@ def problem_from(error: Exception) -> schemas.Problem:
 
 def install_problems(app: FastAPI) -> None:
     """Answer every exception with a problem."""
-    for kind in (SigcatError, RequestValidationError, HTTPException, Exception):
+    for kind in ANSWERED:
         app.add_exception_handler(kind, answer_problem)
 
 
@@ -104,7 +112,7 @@ async def answer_problem(request: Request, error: Exception) -> Response:
 
 def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
     if problem.status == HTTPStatus.INTERNAL_SERVER_ERROR:
-        _LOG.error("%s %s failed [%s]", request.method, request.url.path, problem.request_id, exc_info=error)
+        _LOG.error("%s %s failed [%s]", request.method, request.scope["path"], problem.request_id, exc_info=error)
 
 
 def _invalid(error: dict[str, Any]) -> Finding:

@@ -18,7 +18,7 @@ _ASKED = (b"accept", b"accept-encoding", b"if-none-match")
 _SENT_WITH_304 = (b"etag", b"cache-control", b"vary")
 
 Key = tuple[str, bytes, tuple[str, ...], bytes]
-"""Path and query; the forms that the client allows, the best first; how the answer may be packed (`ListHeaders`)."""
+"""Path and query; the forms that the client allows, the best first; how the answer may be packed (`RequestHeaders`)."""
 
 
 class CachedAnswer(NamedTuple):

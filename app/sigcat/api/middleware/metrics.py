@@ -1,6 +1,6 @@
 """What happens, for Prometheus: requests by route template, so that there are as many series as routes."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from http import HTTPMethod
 
 from fastapi import APIRouter, Request
@@ -36,6 +36,11 @@ class Metrics:
         exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
         exporting.set_function(lambda: exports.pending)
         self.registry.register(_Hosted(library))
+        self._connections = Gauge("sigcat_connections", "Connections that are open.", registry=self.registry)
+
+    def watch_connections(self, count: Callable[[], int]) -> None:
+        """Show how many connections there are, once there is a server that has them."""
+        self._connections.set_function(count)
 
     def count(self, method: str, route: str, status: int, seconds: float) -> None:
         """Note one answered request. Methods that HTTP does not have are one: a client must not invent series."""

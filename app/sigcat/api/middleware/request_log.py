@@ -1,10 +1,7 @@
 """What every request passes first: it gets an id, and how it went is counted and logged."""
 
 import asyncio
-import json
-import logging
 import re
-from random import Random
 from time import perf_counter
 from typing import Any
 
@@ -12,22 +9,18 @@ from fastapi import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
-from sigcat.api.middleware.metrics import Metrics
-from sigcat.api.settings import Settings
+from sigcat.api.middleware.request_notes import NO_ROUTE, Note, RequestNotes, new_request_id
 from sigcat.api.work_queue import Busy
 
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
-_ids = Random()  # noqa: S311 — an id names a request and keeps no secret; asking the system lets other threads go first
-_log = logging.getLogger("sigcat.requests")
 
 
 class RequestLog:
     """Gives each request an id, counts it and logs it. HEAD is GET of which the body is not sent."""
 
-    def __init__(self, app: ASGIApp, settings: Settings, metrics: Metrics) -> None:
+    def __init__(self, app: ASGIApp, notes: RequestNotes) -> None:
         self._app = app
-        self._metrics = metrics
-        self._is_logged = settings.log == "json"
+        self._notes = notes
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on."""
@@ -64,15 +57,9 @@ class RequestLog:
 
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
-        route = state.get("route") or getattr(scope.get("route"), "path", "") or "(none)"
-        self._metrics.count(method, route, status, seconds)
-        if self._is_logged:
-            client = scope.get("client") or ("", 0)
-            record = {
-                "request_id": state["request_id"], "method": method, "path": scope["path"][:500],
-                "route": route, "status": status, "ms": round(seconds * 1000, 2), "client": client[0],
-            }  # fmt: skip
-            _log.info("%s", json.dumps(record, ensure_ascii=True))
+        route = state.get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
+        client = scope.get("client") or ("", 0)
+        self._notes.add(Note(state["request_id"], method, scope["path"], route, status, seconds, client[0]))
 
 
 def _request_id(scope: Scope) -> str:
@@ -81,4 +68,4 @@ def _request_id(scope: Scope) -> str:
         if name == b"x-request-id" and _GIVEN_ID.fullmatch(value):
             given: str = value.decode("ascii")
             return given
-    return f"{_ids.getrandbits(64):016x}"
+    return new_request_id()

@@ -9,9 +9,11 @@ from fastapi.responses import Response
 
 from sigcat.api.answers.problems import KINDS
 from sigcat.errors import NotFound
-from sigcat.web.rendering import page
+from sigcat.web.rendering import mounted_below, page
 
 router = APIRouter()
+ADDRESS = "$SIGCAT"
+"""Address of the service in examples: which one a client used is not repeated to it."""
 
 
 class Parameter(NamedTuple):
@@ -59,7 +61,7 @@ class SchemaEntry(NamedTuple):
 def show_reference(request: Request) -> Response:
     """Every operation and schema of the API."""
     document = request.app.openapi()
-    base = str(request.base_url).rstrip("/")
+    base = ADDRESS + mounted_below(request).rstrip("/")
     return page(
         request, "docs.html", document=document, operations=operations(document, base), schemas=schemas(document)
     )

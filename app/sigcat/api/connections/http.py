@@ -1,0 +1,259 @@
+"""HTTP as clients really send it: `uvicorn --http sigcat.api.connections.http:HttpConnection`, which `sigcat serve` uses.
+
+uvicorn reads requests and answers them. Here is what it leaves open: a client that never ends the head of a request, sends one
+without end, never reads its answer, or opens connections without end.
+"""
+
+import asyncio
+from http import HTTPStatus
+from typing import Any, NamedTuple
+
+import httptools
+from uvicorn.config import Config
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.server import ServerState
+
+from sigcat.api.connections.open_connections import OpenConnections
+from sigcat.api.connections.refusals import Refusals, Refused
+from sigcat.api.work_queue import RETRY_SECONDS
+
+HEAD_BYTES = 32 * 1024
+"""Bytes of the address and the headers of a request."""
+_PIPELINED = 32
+"""Requests of one connection that wait for the answer to another one before them."""
+_LINGERING_SECONDS = 2.0
+"""How long a client may read why it was refused, before the connection is gone."""
+
+
+class ConnectionRules(NamedTuple):
+    """What holds for the connections of a process; in the state that the application gives its server."""
+
+    open_connections: OpenConnections
+    refusals: Refusals
+    head_seconds: float
+    unread_seconds: float
+
+
+class HttpConnection(HttpToolsProtocol):
+    """A connection whose requests come whole and in time, or are refused with a problem."""
+
+    def __init__(
+        self,
+        config: Config,
+        server_state: ServerState,
+        app_state: dict[str, Any],
+        _loop: asyncio.AbstractEventLoop | None = None,
+    ) -> None:
+        super().__init__(config, server_state, app_state, _loop)
+        self._rules: ConnectionRules = app_state["connection_rules"]
+        self.url = b""
+        self._has_room = True
+        self._is_in_head = False
+        self._head_bytes = 0
+        self._is_refused = False
+        self._head_timer: asyncio.TimerHandle | None = None
+        self._unread_timer: asyncio.TimerHandle | None = None
+
+    # -- the connection -------------------------------------------------------------------------------------------
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Let it in; where there is no room, its first request will be refused."""
+        super().connection_made(transport)
+        self._has_room = self._rules.open_connections.add(self, self._address)
+        self._expect_head()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Forget it."""
+        self._rules.open_connections.remove(self)
+        self._stop_expecting_head()
+        self._stop_expecting_reading()
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """Read on; what follows a refusal is not looked at."""
+        if self._is_refused:
+            return
+        self._unset_keepalive_if_required()
+        self._rules.open_connections.heard_from(self)
+        began_in_head = self._is_in_head
+        try:
+            self._feed(data)
+            if began_in_head and self._is_in_head:
+                self._count_head(len(data))
+        except httptools.HttpParserCallbackError as error:
+            self._refuse(error.__context__ if isinstance(error.__context__, Refused) else _unreadable(error))
+        except httptools.HttpParserError as error:
+            self._refuse(_unreadable(error))
+        except Refused as refused:
+            self._refuse(refused)
+        if self._head_timer is None and not self._is_refused and (self._is_in_head or not self._is_under_way):
+            self._expect_head()
+
+    @property
+    def waits_for_its_client(self) -> bool:
+        """Whether nothing is done for it until more comes."""
+        is_all_there = self._is_under_way and not self.cycle.more_body
+        return not (is_all_there or self.pipeline or self.transport.get_write_buffer_size())
+
+    def give_way(self) -> None:
+        """Close it, so that another one has room."""
+        self.transport.close()
+
+    @property
+    def _is_under_way(self) -> bool:
+        return self.cycle is not None and not self.cycle.response_complete
+
+    @property
+    def _address(self) -> str:
+        return self.client[0] if self.client else ""
+
+    # -- the head of a request ------------------------------------------------------------------------------------
+
+    def on_message_begin(self) -> None:
+        """A request begins."""
+        super().on_message_begin()
+        self._is_in_head = True
+        self._head_bytes = 0
+
+    def on_url(self, url: bytes) -> None:
+        """A part of its address."""
+        self._count_head(len(url))
+        super().on_url(url)
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        """A header; what stands behind a body in chunks is none."""
+        self._count_head(len(name) + len(value))
+        if self._is_in_head:
+            super().on_header(name, value)
+
+    def on_headers_complete(self) -> None:
+        """Hand the request to the application, if it is one."""
+        self._is_in_head = False
+        self._stop_expecting_head()
+        if not self._has_room:
+            raise Refused(
+                HTTPStatus.SERVICE_UNAVAILABLE,
+                "The service has as many connections at work as it may have. Try again later.",
+                [(b"retry-after", b"%d" % RETRY_SECONDS)],
+            )
+        self._check_head()
+        if not self.parser.should_upgrade():
+            super().on_headers_complete()
+
+    def on_message_complete(self) -> None:
+        """The request is whole."""
+        if not self.parser.should_upgrade():
+            super().on_message_complete()
+
+    def _feed(self, data: bytes) -> None:
+        """Parse. The parser stops at a request to speak another protocol, which is then read as if it did not ask so."""
+        while data:
+            try:
+                self.parser.feed_data(data)
+            except httptools.HttpParserUpgrade as stopped:
+                data = self._without_upgrade() + data[stopped.args[0] :]
+            else:
+                break
+
+    def _without_upgrade(self) -> bytes:
+        headers = b"".join(b"%b: %b\r\n" % header for header in self.headers if header[0] != b"upgrade")
+        return b"%b %b HTTP/1.1\r\n%b\r\n" % (self.parser.get_method(), self.url, headers)
+
+    def _count_head(self, size: int) -> None:
+        self._head_bytes += size
+        if self._head_bytes > HEAD_BYTES:
+            detail = f"The address and the headers must have at most {HEAD_BYTES:,} bytes."
+            raise Refused(HTTPStatus.REQUEST_HEADER_FIELDS_TOO_LARGE, detail)
+
+    def _check_head(self) -> None:
+        """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
+        version = self.parser.get_http_version()
+        names = [name for name, _ in self.headers]
+        if version not in ("1.0", "1.1"):
+            raise _bad("The version of HTTP must be 1.0 or 1.1.")
+        if names.count(b"host") != 1 and (version == "1.1" or b"host" in names):
+            raise _bad("The header `Host` must be there once.")
+        if b"transfer-encoding" in names and (
+            version == "1.0" or (b"transfer-encoding", b"chunked") not in self.headers
+        ):
+            raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
+        if not httptools.parse_url(self.url).path or self.parser.get_method() == b"CONNECT":
+            raise _bad("The address must be a path.")
+        if len(self.pipeline) >= _PIPELINED:
+            raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+
+    def _expect_head(self) -> None:
+        self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
+
+    def _stop_expecting_head(self) -> None:
+        if self._head_timer is not None:
+            self._head_timer.cancel()
+            self._head_timer = None
+
+    def _give_up_head(self) -> None:
+        """The time is over in which a request should have begun, or come as far as its body."""
+        self._head_timer = None
+        if self._is_in_head:
+            detail = f"The headers must arrive within {self._rules.head_seconds:g} seconds."
+            self._refuse(Refused(HTTPStatus.REQUEST_TIMEOUT, detail))
+        else:
+            self.transport.close()
+
+    # -- answers --------------------------------------------------------------------------------------------------
+
+    def _refuse(self, refused: Refused) -> None:
+        """Answer with a problem and close. Requests before it are answered first, and the last one closes."""
+        self._is_refused = True
+        self._stop_expecting_head()
+        path = self.url.partition(b"?")[0].decode("latin-1")
+        answer = self._rules.refusals.answer(refused, path, self._address, self.server_state.default_headers)
+        if self._is_under_way and not self.cycle.more_body:
+            self.cycle.keep_alive = False
+        elif self._is_under_way and (self.pipeline or self.cycle.response_started):
+            self.transport.abort()
+        else:
+            self._close_with(answer)
+
+    def _close_with(self, answer: bytes) -> None:
+        if self._is_under_way:  # its body is what is wrong: the application waits for it in vain
+            self.cycle.disconnected = True
+            self.cycle.message_event.set()
+        self.transport.write(answer)
+        if self.transport.can_write_eof():
+            self.transport.write_eof()
+        self._head_timer = self.loop.call_later(_LINGERING_SECONDS, self.transport.abort)
+
+    def on_response_complete(self) -> None:
+        """The answer is made; the client has yet to read it."""
+        super().on_response_complete()
+        self._expect_reading()
+
+    def pause_writing(self) -> None:
+        """The client is slower than the answer."""
+        super().pause_writing()
+        self._expect_reading()
+
+    def _expect_reading(self) -> None:
+        self._stop_expecting_reading()
+        if unread := self.transport.get_write_buffer_size():
+            self._unread_timer = self.loop.call_later(self._rules.unread_seconds, self._check_reading, unread)
+
+    def _stop_expecting_reading(self) -> None:
+        if self._unread_timer is not None:
+            self._unread_timer.cancel()
+            self._unread_timer = None
+
+    def _check_reading(self, before: int) -> None:
+        """Go on as long as the client reads something."""
+        if self.transport.get_write_buffer_size() >= before:
+            self.transport.abort()
+        else:
+            self._expect_reading()
+
+
+def _bad(detail: str) -> Refused:
+    return Refused(HTTPStatus.BAD_REQUEST, detail)
+
+
+def _unreadable(error: Exception) -> Refused:
+    return _bad(f"The request cannot be read as HTTP: {error}.")

@@ -1,0 +1,336 @@
+"""Connections of a served process: what is no request is refused with a problem, and none keeps the others out."""
+
+import json
+import socket
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+
+from sigcat.api.answers.problems import KINDS
+from sigcat.api.client_network import network_of
+from sigcat.api.connections.http import HEAD_BYTES
+from sigcat.api.connections.open_connections import OpenConnections
+from sigcat.api.connections.trusted_proxies import trusted_by
+from tests.api.conftest import TREE
+from tests.api.serving import Service, served
+from tests.waiting import DEADLINE, wait_until
+
+LIVE = b"GET /health/live HTTP/1.1\r\nHost: a\r\n\r\n"
+LAST = b"GET /health/live HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n"
+LINT = b"POST /api/v1/lint HTTP/1.1\r\nHost: a\r\n"
+ELSEWHERE = "127.0.0.2"
+"""Another address of this machine: another client."""
+
+
+@contextmanager
+def connected(service: Service, sent: bytes = b"", source: str = "127.0.0.1") -> Iterator[socket.socket]:
+    """A connection on which something was sent."""
+    parts = urlsplit(service.address)
+    assert parts.hostname
+    with socket.create_connection((parts.hostname, parts.port or 0), DEADLINE, (source, 0)) as connection:
+        connection.sendall(sent)
+        yield connection
+
+
+def received(connection: socket.socket) -> bytes:
+    """All that comes until the service closes, which it has to."""
+    answer = b""
+    with suppress(ConnectionError):
+        while part := connection.recv(65536):
+            answer += part
+    return answer
+
+
+def answer_to(service: Service, sent: bytes) -> bytes:
+    with connected(service, sent) as connection:
+        return received(connection)
+
+
+def statuses(answer: bytes) -> list[int]:
+    return [int(part[:3]) for part in answer.split(b"HTTP/1.1 ")[1:]]
+
+
+def problem_in(answer: bytes) -> dict[str, object]:
+    """The problem of the last answer, which has its id in a header too."""
+    head, _, body = answer.rpartition(b"\r\n\r\n")
+    problem: dict[str, object] = json.loads(body)
+    headers = dict(line.split(b": ", 1) for line in head.rpartition(b"HTTP/1.1 ")[2].split(b"\r\n")[1:])
+    assert headers[b"content-type"] == b"application/problem+json"
+    assert headers[b"x-request-id"].decode() == problem["request_id"]
+    assert headers[b"connection"] == b"close"
+    return problem
+
+
+@pytest.fixture(scope="module")
+def service() -> Iterator[Service]:
+    with served(TREE / "tree.vspec", SIGCAT_HEAD_SECONDS="1", SIGCAT_ROOT_PATH="/signals") as service:
+        yield service
+
+
+CHUNKED = b"Transfer-Encoding: chunked\r\n"
+NO_REQUESTS = {
+    "a length beside chunks": (LINT + b"Content-Length: 5\r\n" + CHUNKED + b"\r\n0\r\n\r\n", 400, "Content-Length"),
+    "chunks beside a length": (LINT + CHUNKED + b"Content-Length: 5\r\n\r\n0\r\n\r\n", 400, "Content-Length"),
+    "two lengths": (LINT + b"Content-Length: 5\r\nContent-Length: 6\r\n\r\naaaaaa", 400, "Content-Length"),
+    "one length twice": (LINT + b"Content-Length: 5\r\nContent-Length: 5\r\n\r\naaaaa", 400, "Content-Length"),
+    "a list of lengths": (LINT + b"Content-Length: 5, 6\r\n\r\naaaaaa", 400, "Content-Length"),
+    "a length below zero": (LINT + b"Content-Length: -1\r\n\r\n", 400, "Content-Length"),
+    "packed chunks": (LINT + b"Transfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n", 400, "chunked"),
+    "chunks in HTTP/1.0": (b"POST /api/v1/lint HTTP/1.0\r\n" + CHUNKED + b"\r\n0\r\n\r\n", 400, "chunked"),
+    "a chunk that is none": (LINT + CHUNKED + b"\r\nzz\r\n", 400, "chunk size"),
+    "another method": (b"INVENTED / HTTP/1.1\r\nHost: a\r\n\r\n", 400, "method"),
+    "a proxy's method": (b"CONNECT a:1 HTTP/1.1\r\nHost: a\r\n\r\n", 400, "read as HTTP"),
+    "another version": (b"GET / HTTP/9.9\r\nHost: a\r\n\r\n", 400, "version"),
+    "no version": (b"GET /\r\n\r\n", 400, "version"),
+    "another protocol": (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 400, "read as HTTP"),
+    "no host": (b"GET / HTTP/1.1\r\n\r\n", 400, "`Host`"),
+    "two hosts": (b"GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n", 400, "`Host`"),
+    "an address without a path": (b"GET http://a HTTP/1.1\r\nHost: a\r\n\r\n", 400, "path"),
+    "a header without a name": (b"GET / HTTP/1.1\r\nHost: a\r\n: b\r\n\r\n", 400, "header"),
+    "a folded header": (b"GET / HTTP/1.1\r\nHost: a\r\nX: a\r\n b\r\n\r\n", 400, "header"),
+    "a long header": (b"GET / HTTP/1.1\r\nHost: a\r\nX: " + b"a" * HEAD_BYTES + b"\r\n\r\n", 431, "32,768 bytes"),
+    "a long address": (b"GET /" + b"a" * HEAD_BYTES + b" HTTP/1.1\r\nHost: a\r\n\r\n", 431, "32,768 bytes"),
+    "a header that does not end": (b"GET / HTTP/1.1\r\nHost: a\r\nX: " + b"a" * 20 * HEAD_BYTES, 431, "32,768 bytes"),
+    "many headers": (b"GET / HTTP/1.1\r\nHost: a\r\n" + b"".join(b"X%d: 1\r\n" % n for n in range(9_000)), 431, "32,768 bytes"),
+    "many headers behind a body": (LINT + CHUNKED + b"\r\n0\r\n" + b"X: 1\r\n" * HEAD_BYTES, 431, "32,768 bytes"),
+    "half a head": (b"GET / HTTP/1.1\r\nHost: a\r\n", 408, "within 1 seconds"),
+    "half a head after a request": (LIVE + b"GET / HTTP", 408, "within 1 seconds"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", NO_REQUESTS)
+def test_what_is_no_request_is_a_problem_with_an_id_and_a_line_in_the_log(service: Service, case: str) -> None:
+    sent, status, detail = NO_REQUESTS[case]
+    answer = answer_to(service, sent)
+    assert statuses(answer)[-1] == status
+    problem = problem_in(answer)
+    assert (problem["status"], problem["type"]) == (status, f"/signals/problems/{KINDS[status][0]}")
+    assert detail in str(problem["detail"])
+    (line,) = service.logged(request_id=str(problem["request_id"]))
+    assert (line["status"], line["refused"], line["client"]) == (status, problem["detail"], "127.0.0.1")
+    assert "Traceback" not in service.log.read_text()
+
+
+def test_requests_before_what_is_none_are_answered(service: Service) -> None:
+    assert statuses(answer_to(service, 3 * LIVE + b"nothing\r\n\r\n")) == [200, 200, 200]
+
+
+@pytest.mark.parametrize("body", [b"", b"Vehicle: 1"])
+def test_a_wish_for_another_protocol_is_not_heard(service: Service, body: bytes) -> None:
+    """Java's client asks for HTTP/2 like this, with its first request; RFC 9110 lets a server go on in HTTP/1.1."""
+    head = LINT + b"Connection: upgrade, http2-settings\r\nUpgrade: h2c\r\nContent-Length: %d\r\n\r\n" % len(body)
+    answer = answer_to(service, head + body + LAST)
+    assert statuses(answer) == [200, 200]
+
+
+def test_half_a_head_that_drips_is_late_too(service: Service) -> None:
+    with connected(service, b"GET /") as connection:
+        start = time.monotonic()
+        with suppress(ConnectionError):
+            while time.monotonic() < start + DEADLINE:
+                connection.sendall(b"a")
+                connection.settimeout(0.1)
+                with suppress(TimeoutError):
+                    assert statuses(connection.recv(65536)) == [408]
+                    break
+    assert time.monotonic() < start + DEADLINE
+
+
+@pytest.mark.parametrize("sent", [b"", b"\r\n\r\n"])
+def test_a_connection_without_a_request_is_closed(service: Service, sent: bytes) -> None:
+    assert answer_to(service, sent) == b""
+
+
+def test_requests_that_wait_for_others_on_their_connection_are_bounded(service: Service) -> None:
+    found = statuses(answer_to(service, 5_000 * LIVE))
+    assert 10 < len(found) < 100
+    assert set(found) == {200}
+
+
+def test_a_client_that_leaves_in_the_middle_of_its_body_is_no_failure(service: Service) -> None:
+    with connected(service, LINT + b"Content-Length: 100\r\nX-Request-Id: left-before\r\n\r\nVehicle"):
+        pass
+    (line,) = service.logged(request_id="left-before")
+    assert line["status"] == 400
+    assert "Traceback" not in service.log.read_text()
+
+
+# -- how many -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def narrow(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """A service of few connections, with an answer that is longer than what a connection holds."""
+    tree = tmp_path_factory.mktemp("narrow") / "tree.vspec"
+    lines = (f"Vehicle.S{n}: {{type: sensor, datatype: float, description: {'Long. ' * 50}}}\n" for n in range(20_000))
+    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + "".join(lines))
+    with served(tree, SIGCAT_CONNECTIONS="6", SIGCAT_CLIENT_CONNECTIONS="4", SIGCAT_UNREAD_SECONDS="1") as service:
+        yield service
+
+
+def is_answered(service: Service, source: str = "127.0.0.1") -> bool:
+    with connected(service, LAST, source) as connection:
+        return statuses(received(connection)) == [200]
+
+
+WAITING = {
+    "nothing": b"",
+    "half heads": b"GET / HTTP/1.1\r\nHost",
+    "half bodies": LINT + b"Content-Length: 10\r\n\r\nVehicle",
+    "answered requests": LIVE,
+}
+
+
+@pytest.mark.parametrize("case", WAITING)
+def test_the_connection_that_waits_longest_for_its_client_gives_way(narrow: Service, case: str) -> None:
+    with ExitStack() as stack:
+        held = [stack.enter_context(connected(narrow, WAITING[case])) for _ in range(20)]
+        assert is_answered(narrow)
+        wait_until(lambda: sum(map(is_open, held)) < 4, "the first ones are closed")
+        assert [is_open(each) for each in held] == sorted(map(is_open, held))
+        assert is_answered(narrow, ELSEWHERE)
+
+
+def is_open(connection: socket.socket) -> bool:
+    connection.settimeout(0.01)
+    try:
+        while connection.recv(65536):
+            pass
+    except TimeoutError:
+        return True
+    except ConnectionError:
+        pass
+    return False
+
+
+def test_with_all_at_work_the_next_is_told_to_come_again_until_those_who_read_nothing_are_cut_off(
+    narrow: Service,
+) -> None:
+    unread = b"GET /api/v1/catalogues/local/nodes?fields=description HTTP/1.1\r\nHost: a\r\nAccept: text/csv\r\n\r\n"
+    with ExitStack() as stack:
+        held = [stack.enter_context(connected(narrow, unread)) for _ in range(4)]
+        assert all(each.recv(10) for each in held)
+        refused = wait_until(lambda: answer_unless_200(narrow), "all connections are at work")
+        assert problem_in(refused)["type"] == "/problems/busy"
+        assert b"\r\nretry-after: " in refused
+        assert is_answered(narrow, ELSEWHERE), "another client has connections of its own"
+        wait_until(lambda: is_answered(narrow), "those that read nothing are cut off")
+    assert "Traceback" not in narrow.log.read_text()
+
+
+def answer_unless_200(service: Service) -> bytes:
+    answer = answer_to(service, LAST)
+    return b"" if statuses(answer) == [200] else answer
+
+
+def test_who_reads_slowly_reads_all(narrow: Service) -> None:
+    with connected(narrow, b"GET /api/v1/catalogues/local/export/json HTTP/1.0\r\n\r\n") as connection:
+        size, reading = 0, time.monotonic() + 3
+        while part := connection.recv(65536):
+            size += len(part)
+            time.sleep(0.01 if time.monotonic() < reading else 0)
+    assert size > 5_000_000
+
+
+def test_connections_are_counted(narrow: Service) -> None:
+    with connected(narrow, LIVE) as connection:
+        connection.recv(65536)
+        metrics = httpx.get(f"{narrow.address}/metrics").text
+    (count,) = [line.split()[1] for line in metrics.splitlines() if line.startswith("sigcat_connections ")]
+    assert 2 <= float(count) <= 6
+
+
+# -- who gives way, without a network -------------------------------------------------------------------------------
+
+
+class Held:
+    """A connection."""
+
+    def __init__(self, *, waits: bool = True) -> None:
+        self.waits_for_its_client = waits
+        self.is_open = True
+
+    def give_way(self) -> None:
+        self.is_open = False
+
+
+def added(connections: OpenConnections, *held: tuple[str, Held]) -> list[bool]:
+    return [connections.add(each, address) for address, each in held]
+
+
+def test_room_is_made_among_the_connections_of_the_same_client_first() -> None:
+    first, other, second, third = Held(), Held(), Held(), Held()
+    connections = OpenConnections(10, 2, trusted_by(()))
+    assert all(added(connections, ("10.0.0.1", first), ("10.0.0.2", other), ("10.0.0.1", second), ("10.0.0.1", third)))
+    assert [each.is_open for each in (first, other, second, third)] == [False, True, True, True]
+
+
+def test_what_was_heard_from_last_gives_way_last() -> None:
+    held = [Held() for _ in range(4)]
+    connections = OpenConnections(3, 3, trusted_by(()))
+    added(connections, *(("10.0.0.1", each) for each in held[:3]))
+    connections.heard_from(held[0])
+    added(connections, ("10.0.0.1", held[3]))
+    assert [each.is_open for each in held] == [True, False, True, True]
+
+
+def test_what_is_at_work_never_gives_way() -> None:
+    working, extra = [Held(waits=False), Held(waits=False)], [Held() for _ in range(5)]
+    connections = OpenConnections(2, 2, trusted_by(()))
+    added(connections, *(("10.0.0.1", each) for each in working))
+    assert added(connections, *(("10.0.0.2", each) for each in extra)) == [False] * 5
+    assert len(connections) == 3, "the one that is about to be refused"
+    assert all(each.is_open for each in working)
+
+
+def test_a_trusted_proxy_has_all_connections() -> None:
+    connections = OpenConnections(100, 2, trusted_by(("10.0.0.0/24", "192.0.2.7")))
+    for address, count in (("10.0.0.9", 50), ("192.0.2.7", 30), ("192.0.2.8", 2)):
+        before = len(connections)
+        assert all(added(connections, *((address, Held(waits=False)) for _ in range(count))))
+        assert len(connections) == before + count
+    assert not connections.add(Held(waits=False), "192.0.2.8")
+
+
+@pytest.mark.parametrize(
+    ("proxies", "address", "trusted"),
+    [
+        ((), "10.0.0.1", False), (("*",), "10.0.0.1", True), (("10.0.0.1",), "10.0.0.1", True), (("10.0.0.1",), "10.0.0.2", False),
+        (("10.0.0.0/8",), "10.9.9.9", True), (("2001:db8::/32",), "2001:db8::1", True), (("10.0.0.0/8",), "", False), (("proxy",), "10.0.0.1", False),
+    ],
+)  # fmt: skip
+def test_proxies_are_named_by_address_or_network(proxies: Sequence[str], address: str, trusted: bool) -> None:
+    assert trusted_by(proxies)(address) == trusted
+
+
+@pytest.mark.parametrize(
+    ("address", "client"),
+    [
+        ("192.0.2.7", "192.0.2.7"), ("2001:db8:1:2:3:4:5:6", "2001:db8:1:2::/64"), ("2001:db8:1:2::9", "2001:db8:1:2::/64"),
+        ("::ffff:192.0.2.7", "192.0.2.7"), ("", ""), ("a socket", "a socket"),
+    ],
+)  # fmt: skip
+def test_a_client_is_an_address_or_a_network_of_64_bits(address: str, client: str) -> None:
+    assert network_of(address) == client
+
+
+def test_the_limit_of_open_files_bounds_connections(tmp_path: Path) -> None:
+    resource = pytest.importorskip("resource", reason="a system with limits of open files")
+    import subprocess
+    import sys
+
+    code = (
+        "import resource\nfrom sigcat.api.connections.open_files import connections_allowed\n"
+        "resource.setrlimit(resource.RLIMIT_NOFILE, ({soft}, {hard}))\n"
+        "print(connections_allowed(1000), resource.getrlimit(resource.RLIMIT_NOFILE)[0])"
+    )
+    most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    for soft, hard, expected in ((256, min(most, 5000) if most > 0 else 5000, "1000 1200"), (256, 512, "312 512")):
+        command = [sys.executable, "-c", code.format(soft=soft, hard=hard)]
+        found = subprocess.run(command, capture_output=True, text=True, check=True, cwd=tmp_path).stdout
+        assert found.split() == expected.split()
