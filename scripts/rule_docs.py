@@ -19,6 +19,7 @@ _CATEGORIES: Mapping[str, str] = {
     "mode": "Mode interfaces",
     "scheduling": "Scheduling interfaces",
     "function": "Function files",
+    "code": "C code of functions",
     "portable_names": "Portable names",
     "integration": "Integration with a platform",
     "export": "Exports",

@@ -5,6 +5,31 @@ Written by `make generate` from the records in interface_rules/, which say why e
 
 from sigcat.findings import RuleCode
 
+# code
+CODE_FILE_ELSEWHERE = RuleCode("F200", "error")
+CODE_FILE_MISSING = RuleCode("F201", "warning")
+SIGNATURE_UNFIT = RuleCode("F202", "error")
+OBJECT_UNFIT = RuleCode("F203", "error")
+ARGUMENT_UNKNOWN = RuleCode("F204", "error")
+NAME_NO_C_NAME = RuleCode("F205", "error")
+EXPRESSION_OF_NO_OBJECT = RuleCode("F206", "error")
+VARIABLE_NOT_DEFINABLE = RuleCode("F207", "error")
+MEMBER_UNFIT = RuleCode("F208", "error")
+ADAPTER_WORD_UNKNOWN = RuleCode("F209", "error")
+METHOD_UNFIT = RuleCode("F210", "warning")
+QUEUE_UNFIT = RuleCode("F220", "error")
+KEY_USED_TWICE = RuleCode("F221", "error")
+SET_ERROR_UNDECLARED = RuleCode("F222", "error")
+RANGE_ERROR_WITHOUT_RANGE = RuleCode("F223", "warning")
+RESET_UNKNOWN = RuleCode("F224", "error")
+LISTED_DIFFERENTLY = RuleCode("F225", "warning")
+INITIAL_NOT_ALLOWED = RuleCode("F226", "error")
+MODE_WITHOUT_INTERFACE = RuleCode("F227", "error")
+CHECKPOINT_UNKNOWN = RuleCode("F230", "error")
+CHECKPOINT_UNREACHED = RuleCode("F231", "error")
+CHECKPOINT_UNSUPERVISED = RuleCode("F232", "warning")
+SUPERVISION_IN_WORDS = RuleCode("F233", "info")
+
 # configuration
 NOT_TOML = RuleCode("C001", "error")
 SETTING_UNKNOWN = RuleCode("C002", "error")

@@ -92,7 +92,7 @@ def build(arguments: argparse.Namespace) -> int:
     from sigcat.function.function_json.model import to_json
 
     data = arguments.file.read_bytes()
-    function, findings = build_function(data, str(arguments.file), read_tree(arguments))
+    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=_is_there)
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -137,9 +137,14 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in arguments.files]
-    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1)
+    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=_is_there)
     _print(findings, arguments.format)
     return int(has_errors(findings))
+
+
+def _is_there(declaration: str, path: str) -> bool:
+    """Whether a path that a declaration gives leads to something."""
+    return (Path(declaration).parent / path).exists()
 
 
 def _print(findings: "Sequence[Finding]", form: str) -> None:

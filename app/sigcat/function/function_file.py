@@ -17,6 +17,7 @@ from sigcat.function.checks.consequences import without_consequences
 from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions
 from sigcat.function.checks.definitions import unused_definitions, used_by
+from sigcat.function.code_files import IsThere, missing_files
 from sigcat.function.declaration.declaration import Declared, read_declaration
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
@@ -174,8 +175,13 @@ def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFu
     return CheckedFunction(document, resolved, in_order([*findings, *resolved.findings(problems)]))
 
 
-def check_files(files: Sequence[FunctionFile], catalogue: Catalogue) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
-    """Each file alone, against the catalogue with everything that any of them defines; and that catalogue."""
+def check_files(
+    files: Sequence[FunctionFile], catalogue: Catalogue, is_there: IsThere | None = None
+) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
+    """Each file alone, against the catalogue with everything that any of them defines; and that catalogue.
+
+    `is_there` says whether the files of the code exist; without it nobody asks.
+    """
     over, definitions = extended(catalogue, files)
     checked = [
         check_declaration(file, own, over) if isinstance(file, Declared) else check_document(file, over)
@@ -183,9 +189,14 @@ def check_files(files: Sequence[FunctionFile], catalogue: Catalogue) -> tuple[tu
     ]
     used = frozenset(text for each in checked if each.function for text in used_by(each.function))
     return tuple(
-        each._replace(findings=in_order([*each.findings, *_unused(each, own, used)]))
+        each._replace(findings=in_order([*each.findings, *_unused(each, own, used), *_missing(each, is_there)]))
         for each, own in zip(checked, definitions, strict=True)
     ), over
+
+
+def _missing(checked: CheckedFunction, is_there: IsThere | None) -> Iterator[Finding]:
+    if is_there is not None and checked.resolved is not None:
+        yield from missing_files(checked.resolved, is_there)
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
@@ -225,10 +236,10 @@ def check_function_json(
 
 @collector_paused()
 def build_function(
-    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
+    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS, is_there: IsThere | None = None
 ) -> tuple[FunctionJson, tuple[Finding, ...]]:
     """The Function JSON of a `function.yaml`, and its warnings. Raises InputRefused with every finding."""
-    (checked,), _ = check_files([read_declaration(data, name, limits)], catalogue)
+    (checked,), _ = check_files([read_declaration(data, name, limits)], catalogue, is_there)
     if checked.sound_function is None:
         count = sum(finding.severity == "error" for finding in checked.findings)
         message = f"{name} cannot be built: {count} error{'s' if count != 1 else ''}."

@@ -3,7 +3,11 @@
 from collections.abc import Collection, Iterator
 
 from sigcat.function.checks.calls import check_calls
+from sigcat.function.checks.checkpoints import check_checkpoints
+from sigcat.function.checks.code import check_code
 from sigcat.function.checks.data_interfaces import check_data_interfaces
+from sigcat.function.checks.elements import check_elements
+from sigcat.function.checks.error_causes import check_error_causes
 from sigcat.function.checks.error_references import check_error_references
 from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
@@ -22,3 +26,7 @@ def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()
     yield from check_error_references(function, known_errors)
     yield from check_modes(function)
     yield from check_types(function)
+    yield from check_code(function)
+    yield from check_elements(function)
+    yield from check_error_causes(function, known_errors)
+    yield from check_checkpoints(function)

@@ -12,9 +12,9 @@ from sigcat.asil import LEVELS, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
+from sigcat.function.checks.words import check_words
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import (
@@ -55,6 +55,7 @@ def check_conventions(function: FunctionJson, catalogue: Catalogue | None = None
     """Every departure. With a catalogue, also from what it says about the signals."""
     for one in _CHECKS:
         yield from one(function)
+    yield from check_words(function)
     yield from _units(function, catalogue)
     if catalogue is not None:
         yield from check_against(function, catalogue)
@@ -280,15 +281,10 @@ def _lost_ranges(function: FunctionJson) -> Problems:
     held = {t.reference: _integers(t) for t in function.datatypes if t.kind is None}
     for pointer, _, item in (*data(function), *parameters(function)):
         limits = held.get(item.datatype)
-        scale = None if isinstance(item, ParameterInterface) else _scale(item.factor, item.offset)
-        if (
-            limits is None
-            or item.min is None
-            or item.max is None
-            or (scale is None and not isinstance(item, ParameterInterface))
-        ):
+        scale = _scale(item.factor, item.offset)
+        if limits is None or item.min is None or item.max is None or scale is None:
             continue
-        factor, offset = scale or (Fraction(1), Fraction(0))
+        factor, offset = scale
         low, high = sorted(Fraction(end) * factor + offset for end in limits)
         if item.min < low or item.max > high:
             message = (

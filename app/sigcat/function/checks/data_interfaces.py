@@ -11,7 +11,7 @@ from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.walk import data, errors, parameters, runnables
+from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
@@ -23,6 +23,10 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
         yield from _range(pointer, item)
     for pointer, _, item in data(function):
         yield from _replacement(pointer, item)
+        yield from _late_value(pointer, item)
+        if isinstance(item, DataQueue):
+            yield from _queue(pointer, item)
+    yield from _keys(function)
     yield from _durations(function)
     yield from _time_outs(function, known_errors)
 
@@ -42,20 +46,79 @@ def _range(pointer: Pointer, item: Item) -> Problems:
 
 
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """What is to replace a value out of range has to be known. Texts and arrays stand in the catalogue alone."""
-    action = item.range_error_action
-    known = {"Default": item.default, "Init": item.init_value}.get(action or "", 0)
-    if known is None and not (item.vss_datatype or "").endswith(("string", "[]")):
-        what, fix = _REPLACEMENTS[action or ""]
+    """What is to replace a value out of range has to be known."""
+    if _is_unknown(item.range_error_action, item):
+        what, fix = _REPLACEMENTS[item.range_error_action or ""]
         message = f"{item.name!r} must have {what} to replace values out of range."
         subject = Subject("data", item.vss_path or item.name, ("default",))
         yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "RangeErrorAction"), message, fix, subject)
+
+
+def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
+    """What is to stand in after a time-out has to be known; and there has to be one."""
+    if _is_unknown(item.timeout_value, item):
+        what, fix = _REPLACEMENTS[item.timeout_value or ""]
+        message = f"{item.name!r} must have {what} to stand in after the time-out."
+        subject = Subject("data", item.vss_path or item.name, ("default",))
+        fix = fix.replace("rangeErrorAction", "timeoutValue")
+        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "TimeoutValue"), message, fix, subject)
+    for key, value in (
+        ("TimeoutStart", item.timeout_start),
+        ("TimeoutValue", item.timeout_value),
+        ("TimeoutRecovery", item.timeout_recovery),
+    ):
+        if value is not None and item.timeout is None:
+            message = f"{item.name!r} must have a timeout to have `{key[:1].lower()}{key[1:]}`."
+            fix = "Give `timeout`, the longest time between two values in ms, or remove it."
+            yield Problem(
+                codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, key), message, fix, Subject("data", item.name)
+            )
+            return
 
 
 _REPLACEMENTS = {
     "Default": ("a default", "Give `default` in the catalogue, or write `rangeErrorAction: Init` and `init`."),
     "Init": ("a start value", "Give `init`."),
 }
+
+
+def _is_unknown(replacement: str | None, item: Signal | DataQueue) -> bool:
+    """Whether a value that is to stand in is not there. That of a text stands in the catalogue alone."""
+    known = {"Default": (item.default, item.default_elements), "Init": (item.init_value, item.init_elements)}
+    values = known.get(replacement or "", (0,))
+    return all(value is None for value in values) and not (item.vss_datatype or "").endswith(("string", "string[]"))
+
+
+# -- queues and stored values -------------------------------------------------------------------------------------
+
+
+def _queue(pointer: Pointer, item: DataQueue) -> Problems:
+    """As many values at once as the queue has, into an array, with a place for their number."""
+    count, subject = item.values_per_step or 1, Subject("data", item.vss_path or item.name)
+    at = (*pointer, "ValuesPerStep")
+    if count > item.queue_length:
+        message = (
+            f"{item.name!r} must take at most {item.queue_length} values at once, which its queue holds, not {count}."
+        )
+        fix = "Lengthen the queue, or take fewer values."
+        yield Problem(codes.QUEUE_UNFIT, at, message, fix, subject)
+    if count > 1 and not (item.variable and item.count_variable):
+        lacking = "countVariable" if item.variable else "variable"
+        message = f"{item.name!r} must have `{lacking}` to take {count} values at once."
+        fix = "Name the array that takes the values as `variable`, and what takes their number as `countVariable`."
+        yield Problem(codes.QUEUE_UNFIT, at, message, fix, subject)
+
+
+def _keys(function: FunctionJson) -> Problems:
+    """A key holds one parameter: two calls may use the same one, but not two different ones."""
+    default = (function.code.storage if function.code else None) or function.info.function_name
+    holders: dict[tuple[str, str], str] = {}
+    for pointer, _, item in parameters(function):
+        key, held = (item.storage or default, item.key or item.name), item.vss_path or item.name
+        if holders.setdefault(key, held) != held:
+            message = f"The key {key[1]!r} of the storage {key[0]!r} holds {holders[key]!r} and {held!r}."
+            fix, subject = "Give each a `key` of its own.", Subject("data", held)
+            yield Problem(codes.KEY_USED_TWICE, (*pointer, "Key"), message, fix, subject)
 
 
 def _is_outside(value: float, low: float | None, high: float | None) -> bool:
@@ -110,6 +173,10 @@ def declared_or_meant(name: str, declared: Collection[str], known: Collection[st
 def _durations(function: FunctionJson) -> Problems:
     for pointer, _, item in data(function):
         yield from _duration((*pointer, "Timeout"), item.timeout)
+    for pointer, _, reaction in safety_reactions(function):
+        yield from _duration((*pointer, "Timeout"), reaction.timeout)
+    for pointer, _, method in methods(function):
+        yield from _duration((*pointer, "Timeout"), method.timeout)
     for pointer, _, runnable in runnables(function):
         yield from _duration((*pointer, "ExecOffset"), runnable.execution_offset)
         yield from _duration((*pointer, "DebounceDelay"), runnable.debounce_delay)

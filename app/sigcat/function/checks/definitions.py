@@ -38,6 +38,7 @@ def used_by(function: FunctionJson) -> Iterator[str]:
         yield from _named(located[2])
     for _, _, runnable in runnables(function):
         yield runnable.vss_path or ""
+        yield from _named(runnable)
         if watchdog := runnable.watchdog:
             yield from (limits.error_name for limits in (watchdog.alive, watchdog.deadline) if limits)
             yield watchdog.logical_error or ""
@@ -49,7 +50,8 @@ def _named(item: object) -> Iterator[str]:
     """Names of the errors that an interface refers to."""
     for attribute in ("dependencies", "errors"):
         yield from getattr(item, attribute, ())
-    yield getattr(item, "timeout_error", None) or ""
+    for attribute in ("timeout_error", "range_error", "overflow_error", "overrun_error", "unknown_error"):
+        yield getattr(item, attribute, None) or ""
 
 
 def _texts(value: Any) -> Iterator[str]:

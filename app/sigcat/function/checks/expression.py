@@ -25,6 +25,31 @@ def may_hold_value(text: str) -> bool:
     return tokens is not None and _is_complete(tokens)
 
 
+def root_of(text: str) -> str | None:
+    """The name that an expression begins with, casts left out: `in` of `((Bus *)in)->values[i]`; None if it has none."""
+    tokens = _tokens(text) or []
+    for index, (kind, name) in enumerate(tokens):
+        if kind == "name" and name not in _TYPES and not _is_cast(tokens[index + 1 :]):
+            return name
+    return None
+
+
+def _is_cast(following: list[tuple[str, str]]) -> bool:
+    """Whether a name is a type in a cast, by the tokens after it: `*)in`."""
+    rest = list(following)
+    while rest and rest[0] == ("prefix", "*"):
+        rest.pop(0)
+    return len(rest) > 1 and rest[0] == ("close", ")") and rest[1][0] in ("name", "open", "prefix")
+
+
+_IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+
+
+def is_identifier(text: str) -> bool:
+    """Whether this can be the name of a variable, function or macro."""
+    return bool(_IDENTIFIER.fullmatch(text)) and text not in _TYPES | _KEYWORDS and len(text) <= EXPRESSION_CHARACTERS
+
+
 def _tokens(text: str) -> list[tuple[str, str]] | None:
     """Kinds and texts of the tokens; None where C has no such token, or none that names a value."""
     found, at, text = [], 0, text.rstrip()

@@ -1,14 +1,15 @@
 """Modes of a function: those that its mode interfaces know, each with the calls that can run in it."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
+from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson, Mode
-from sigcat.function.function_json.walk import Located, runnables
-from sigcat.names import either
+from sigcat.function.function_json.walk import Located, runnables, safety_reactions
+from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
 
@@ -22,6 +23,8 @@ def check_modes(function: FunctionJson) -> Problems:
     unknown = list(_unknown_calls(function, calls))
     yield from unknown
     yield from _names(function)
+    yield from _initial(function)
+    yield from _values(function)
     yield from _without_entry(function)
     if not unknown:  # a call may be in no mode because its name is misspelled there
         yield from _in_no_mode(function, calls)
@@ -50,6 +53,51 @@ def _names(function: FunctionJson) -> Problems:
             message = f"The mode must be one that the mode interfaces allow, not {mode.name!r}."
             fix, subject = hint(mode.name, allowed) or f"Use one of {', '.join(allowed)}.", Subject("mode", mode.name)
             yield Problem(codes.MODE_NOT_IN_INTERFACE, ("ModesList", i, "Name"), message, fix, subject)
+
+
+def _initial(function: FunctionJson) -> Problems:
+    """What is taken before anything is known has to be allowed: of modes, and of safety reactions."""
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.initial is not None and mode.initial not in mode.modes:
+            subject = Subject("mode", mode.name)
+            yield _not_allowed(
+                "The initial mode", mode.initial, mode.modes, ("ModeInterfaceList", index, "Initial"), subject
+            )
+    types = {datatype.reference: datatype for datatype in function.datatypes}
+    for pointer, _, reaction in safety_reactions(function):
+        datatype = types.get(reaction.datatype)
+        allowed = [each.symbol for each in (datatype.symbols or ())] if datatype else []
+        if reaction.initial is not None and allowed and reaction.initial not in allowed:
+            what, subject = f"`initial` of {reaction.name}", Subject("safety_reaction", reaction.name)
+            yield _not_allowed(what, reaction.initial, allowed, (*pointer, "Initial"), subject)
+
+
+def _not_allowed(what: str, word: str, allowed: Sequence[str], at: Pointer, subject: Subject) -> Problem:
+    message = f"{what} must be {either(allowed) if allowed else 'one that is allowed'}, not {word!r}."
+    return Problem(codes.INITIAL_NOT_ALLOWED, at, message, did_you_mean(word, allowed), subject)
+
+
+def _values(function: FunctionJson) -> Problems:
+    """Numbers of modes in the code: one for each, and each its own."""
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.values is None:
+            continue
+        at, subject = ("ModeInterfaceList", index, "Values"), Subject("mode", mode.name)
+        numbers = {each.symbol: each.value for each in mode.values}
+        lacking = [name for name in mode.modes if name not in numbers]
+        if lacking:
+            message = f"`values` of {mode.name} must have {', '.join(map(repr, lacking))}."
+            yield Problem(codes.ENUMERATION_MISCODED, at, message, "Give each mode a number.", subject)
+        for position, name in enumerate(numbers):
+            if name not in mode.modes:
+                message = f"{mode.name} does not allow {name!r}."
+                fix = did_you_mean(name, mode.modes) or "Remove it."
+                yield Problem(codes.ENUMERATION_MISCODED, (*at, position), message, fix, subject)
+        if len(set(numbers.values())) < len(mode.values):
+            fix = "Give each mode a number of its own."
+            yield Problem(
+                codes.ENUMERATION_MISCODED, at, f"Two modes of {mode.name} have the same number.", fix, subject
+            )
 
 
 def _without_entry(function: FunctionJson) -> Problems:

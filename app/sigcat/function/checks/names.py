@@ -9,6 +9,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import contracts, data, methods, parameters, runnables
 from sigcat.names import camel_case, either
 
@@ -62,19 +63,18 @@ def _paths_twice(function: FunctionJson) -> Problems:
 
 
 def _variables_twice(function: FunctionJson) -> Problems:
-    """In one call a variable holds one interface; in another call of the component it holds the same one."""
-    holders: dict[tuple[str, str], tuple[Pointer, str]] = {}
-    for pointer, located, item in (*data(function), *parameters(function)):
-        if not item.variable:
-            continue
-        held = (located.pointer, item.vss_path or item.name)
-        known = holders.setdefault((located.component.name, item.variable), held)
-        if known[1] != held[1]:
-            where = "one call" if known[0] == held[0] else f"component {located.component.name!r}"
-            message = f"The variable {item.variable!r} holds two interfaces of {where}."
-            yield Problem(
-                codes.VARIABLE_USED_TWICE, (*pointer, "Variable"), message, "Give each a variable of its own."
-            )
+    """In one call a variable holds one thing; in another call of the component, and as a mode, it holds the same."""
+    components = [component.name for component in function.components]
+    holders: dict[tuple[str, str], CodeVariable] = {}
+    for each in variables(function):
+        for component in [each.place.component] if each.place.component else components:
+            known = holders.setdefault((component, each.expression), each)
+            if known.holds != each.holds:
+                where = "one call" if known.place.call == each.place.call else f"component {component!r}"
+                message = f"The variable {each.expression!r} holds two interfaces of {where}."
+                fix = "Give each a variable of its own."
+                yield Problem(codes.VARIABLE_USED_TWICE, each.pointer, message, fix)
+                break
 
 
 def _calls_twice(function: FunctionJson) -> Problems:
@@ -148,9 +148,11 @@ def _identifiers(function: FunctionJson) -> Problems:
 
 
 def _expressions(function: FunctionJson) -> Problems:
-    for pointer, _, item in (*data(function), *parameters(function)):
-        if item.variable and not may_hold_value(item.variable):
+    for each in variables(function):
+        if not may_hold_value(each.expression):
+            key = str(each.pointer[-1])
             fix = "Name the variable as the code does, such as in.speed, in->speed or in[3]."
-            message = f"`variable` must be an expression of C that holds a value, not {item.variable!r}."
-            subject = Subject("data", item.vss_path or item.name)
-            yield Problem(codes.VARIABLE_NO_EXPRESSION, (*pointer, "Variable"), message, fix, subject)
+            message = (
+                f"`{key[:1].lower()}{key[1:]}` must be an expression of C that holds a value, not {each.expression!r}."
+            )
+            yield Problem(codes.VARIABLE_NO_EXPRESSION, each.pointer, message, fix, each.place.subject)

@@ -1,12 +1,14 @@
 """Signals, queues and parameters: what the catalogue knows of them, and what the declaration adds."""
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from sigcat import codes
 from sigcat.asil import Level
 from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.function.declaration.declaration import DataItem, ParameterItem
+from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
@@ -36,10 +38,21 @@ def data_interface(item: DataItem, at: Pointer, context: Context) -> Resolving[P
         subject = Subject("data", item.path)
         yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject)
     is_signal = item.queue_length is None
+    yield from _of_no_queue(item, at)
     made = (
         (yield from _signal(item, value, at, context)) if is_signal else (yield from _queue(item, value, at, context))
     )
     return Part(made, _origin(item, at, "AsilLevel" if is_signal else "AsilInfo"))
+
+
+def _of_no_queue(item: DataItem, at: Pointer) -> Iterator[Problem]:
+    """What only a queue has."""
+    for field in ("overflow", "overflow_error", "values_per_step", "count_variable"):
+        if item.queue_length is None and getattr(item, field) is not None:
+            key = key_of(field)
+            message = f"{item.path!r} must be a queue to have `{key}`."
+            fix, subject = "Give `queueLength`, or remove it.", Subject("data", item.path)
+            yield Problem(codes.QUEUE_UNFIT, (*at, key), message, fix, subject)
 
 
 def _origin(item: DataItem | ParameterItem, at: Pointer, asil_key: str) -> Origin:

@@ -2,9 +2,11 @@
 
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import ActiveMode, ModeInItem, ModeOutItem, ModesItem
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import Mode
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ModeInterface
@@ -30,7 +32,17 @@ def mode_interfaces(item: ModesItem, at: Pointer, context: Context) -> Resolving
     for part in parts:
         side, place = sides.get(part.value.direction, (None, at)) if part.value else (None, at)
         made.append(part if side is None else (yield from _with_code(part, side, place, context)))
+    listed = {part.value.direction for part in parts if part.value}
+    yield from (
+        _without_interface(name, place, context) for name, (side, place) in sides.items() if side and name not in listed
+    )
     return made
+
+
+def _without_interface(direction: str, at: Pointer, context: Context) -> Problem:
+    name = f"{context.function}_Mode_{direction}"
+    message = f"The interface {name} must be listed for its side in the code to count."
+    return Problem(codes.MODE_WITHOUT_INTERFACE, at, message, "Add it to `interfaces`.", Subject("mode", name))
 
 
 def _with_code(

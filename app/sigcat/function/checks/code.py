@@ -1,0 +1,231 @@
+"""The C code of a function: its files, its objects, the calls in it, and who defines its variables."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from sigcat import codes
+from sigcat.function.checks.expression import is_identifier, root_of
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.hints import Hints
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.variables import CodeVariable, variables
+from sigcat.function.function_json.walk import methods, runnables
+from sigcat.names import either
+
+Problems = Iterator[Problem]
+
+_CLASS = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*", re.ASCII)
+_TYPE = re.compile(r"(const +)?((struct|union|enum) +)?[A-Za-z_]\w*( +[A-Za-z_]\w*){0,3}( *\*)?", re.ASCII)
+_MEMBER = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
+ADAPTER = "Adapter"
+
+
+def check_code(function: FunctionJson) -> Problems:
+    """Every problem of the code."""
+    code = function.code
+    if code is not None:
+        yield from _paths(code)
+        yield from _macros(code)
+        yield from _class(code)
+        yield from _objects(code)
+    yield from _arguments(function)
+    yield from _symbols(function)
+    yield from _methods(function)
+    yield from _roots(function)
+    yield from _definers(function)
+
+
+def declared_objects(function: FunctionJson) -> tuple[CodeObject, ...]:
+    """The objects of the code."""
+    return (function.code.objects or ()) if function.code else ()
+
+
+# -- files --------------------------------------------------------------------------------------------------------
+
+
+def _paths(code: CodeInterface) -> Problems:
+    """Files move with the declaration: none stands elsewhere."""
+    lists = {"Sources": code.sources, "Headers": code.headers, "IncludeFolders": code.include_folders}
+    for key, paths in lists.items():
+        for index, path in enumerate(paths or ()):
+            if not _is_inside(path):
+                message = (
+                    f"A path must be relative, with `/`, and lead into the folder of the declaration, not {path!r}."
+                )
+                fix = "Put the file beside the declaration, or below it."
+                yield Problem(codes.CODE_FILE_ELSEWHERE, ("Code", key, index), message, fix)
+
+
+def _is_inside(path: str) -> bool:
+    is_plain = path.isprintable() and not any(character in path for character in '\\"<>|?*:')
+    return is_plain and not path.startswith("/") and ".." not in path.split("/") and bool(path.strip())
+
+
+# -- the signature ------------------------------------------------------------------------------------------------
+
+
+def _class(code: CodeInterface) -> Problems:
+    if code.signature not in (GLOBALS, POINTERS, CLASS):
+        message = f"`Signature` must be {either((GLOBALS, POINTERS, CLASS))}, not {code.signature!r}."
+        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message)
+    elif code.signature == CLASS and code.class_name is None:
+        message = "The class whose members the calls are must be named."
+        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message, "Give `class`, with its namespaces.")
+    elif code.signature != CLASS and code.class_name is not None:
+        message = f"A class must be named only where the calls are its members, not with {code.signature.lower()}."
+        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "ClassName"), message, "Remove it, or write `signature: class`.")
+    elif code.signature == POINTERS and not code.objects:
+        message = "With pointers, the objects that calls take pointers to must be declared; there is none."
+        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message, "List them under `objects`.")
+    if code.class_name is not None and not _CLASS.fullmatch(code.class_name):
+        message = f"The class must have a name of C++, such as control::Acc, not {code.class_name!r}."
+        yield Problem(codes.NAME_NO_C_NAME, ("Code", "ClassName"), message)
+
+
+def _macros(code: CodeInterface) -> Problems:
+    for index, each in enumerate(code.definitions or ()):
+        at: Pointer = ("Code", "Definitions", index)
+        if not is_identifier(each.name):
+            yield _no_name(each.name, "A definition of the preprocessor", at)
+        if each.value is not None and not each.value.isprintable():
+            message = f"The value of {each.name} must be one line, not {each.value!r}."
+            yield Problem(codes.NAME_NO_C_NAME, at, message)
+
+
+def _objects(code: CodeInterface) -> Problems:
+    seen: set[str] = set()
+    for index, each in enumerate(code.objects or ()):
+        at: Pointer = ("Code", "Objects", index)
+        if not is_identifier(each.name):
+            yield _no_name(each.name, "An object", (*at, "Name"))
+        if each.name in seen:
+            message, fix = f"There are two objects {each.name!r}.", "Rename one."
+            yield Problem(codes.OBJECT_UNFIT, (*at, "Name"), message, fix)
+        seen.add(each.name)
+        yield from _object(each, index, code.signature, at)
+
+
+def _object(each: CodeObject, index: int, signature: str, at: Pointer) -> Problems:
+    if not _TYPE.fullmatch(each.type):
+        message = f"The type of {each.name!r} must be the name of one in C, not {each.type!r}."
+        yield Problem(codes.OBJECT_UNFIT, (*at, "Type"), message, "Write it as the header does, such as ExtU_Acc_T.")
+    if each.member is not None and not _MEMBER.fullmatch(each.member):
+        yield _no_name(each.member, "The member that points to an object", (*at, "Member"))
+    if each.member is not None and (index == 0 or signature != POINTERS):
+        message = "Only with pointers, an object after the first one is pointed to by a member of the first."
+        yield Problem(codes.OBJECT_UNFIT, (*at, "Member"), message, "Remove `member`.")
+    if signature == POINTERS and each.defined_by not in (None, ADAPTER):
+        message = f"With pointers the adapter holds {each.name!r}, for each instance: the function cannot define it."
+        yield Problem(codes.OBJECT_UNFIT, (*at, "DefinedBy"), message, "Remove `definedBy`.")
+
+
+def _no_name(name: str, what: str, at: Pointer) -> Problem:
+    fix = "Use letters, digits and underscores, and a letter first."
+    return Problem(codes.NAME_NO_C_NAME, at, f"{what} must have a name of C, not {name!r}.", fix)
+
+
+# -- calls --------------------------------------------------------------------------------------------------------
+
+
+def _arguments(function: FunctionJson) -> Problems:
+    hint = Hints()
+    names = [each.name for each in declared_objects(function)]
+    signature = function.code.signature if function.code else GLOBALS
+    for pointer, _, call in runnables(function):
+        subject = Subject("scheduling", call.name)
+        if call.arguments and signature != POINTERS:
+            message = f"{call.name} must take no arguments, as its code has the signature {signature.lower()}."
+            fix = "Remove them, or write `signature: pointers` under `code`."
+            yield Problem(codes.ARGUMENT_UNKNOWN, (*pointer, "Arguments"), message, fix, subject)
+            continue
+        for index, argument in enumerate(call.arguments or ()):
+            if argument not in names:
+                message = f"The arguments of {call.name} must be objects of the code, not {argument!r}."
+                fix = hint(argument, names) or "List it under `objects` of `code`."
+                yield Problem(codes.ARGUMENT_UNKNOWN, (*pointer, "Arguments", index), message, fix, subject)
+
+
+def _symbols(function: FunctionJson) -> Problems:
+    for pointer, _, call in runnables(function):
+        named: list[tuple[Pointer, str]] = [(("Symbol",), call.symbol)] if call.symbol is not None else []
+        for key, symbols in (("PreProcessing", call.pre_processing), ("PostProcessing", call.post_processing)):
+            named += [((key, index), symbol) for index, symbol in enumerate(symbols or ())]
+        for below, symbol in named:
+            if not is_identifier(symbol):
+                yield _no_name(symbol, f"A function that {call.name} calls", (*pointer, *below))
+        for i, contract in enumerate(call.contracts or ()):
+            for j, method in enumerate(contract.methods or ()):
+                if method.symbol is not None and not is_identifier(method.symbol):
+                    at = (*pointer, "funcContractList", i, "MethodList", j, "Symbol")
+                    yield _no_name(method.symbol, f"The function of {method.name}", at)
+
+
+def _methods(function: FunctionJson) -> Problems:
+    """What only the other side of a method has."""
+    for pointer, _, method in methods(function):
+        used = {
+            "Timeout": method.timeout,
+            "RequestVariable": method.request_variable,
+            "StatusVariable": method.status_variable,
+        }
+        misplaced = used if method.role == PROVIDER else {"Symbol": method.symbol}
+        for key, value in misplaced.items():
+            if value is not None:
+                role, other = ("provided", "used") if method.role == PROVIDER else ("consumed", "offered")
+                message = (
+                    f"{method.name!r} is {role}: `{key[:1].lower()}{key[1:]}` is that of a method that is {other}."
+                )
+                yield Problem(
+                    codes.METHOD_UNFIT, (*pointer, key), message, "Remove it.", Subject("method", method.name)
+                )
+
+
+# -- variables ----------------------------------------------------------------------------------------------------
+
+
+def _roots(function: FunctionJson) -> Problems:
+    """With pointers there is nothing but the objects of an instance."""
+    if function.code is None or function.code.signature != POINTERS or not function.code.objects:
+        return
+    hint = Hints()
+    names = [each.name for each in function.code.objects]
+    for each in variables(function):
+        root = root_of(each.expression)
+        if root is not None and root not in names:
+            message = f"{each.expression!r} must begin with an object of the code, not with {root!r}."
+            fix = hint(root, names) or f"Begin with {either(names)}, or list it under `objects`."
+            yield Problem(codes.EXPRESSION_OF_NO_OBJECT, each.pointer, message, fix, each.place.subject)
+
+
+def _definers(function: FunctionJson) -> Problems:
+    """What the adapter is to define needs a name and a type that it knows."""
+    objects = {each.name for each in declared_objects(function)}
+    types = {each.reference: each for each in function.datatypes}
+    for each in variables(function):
+        if each.defined_by != ADAPTER or each.expression in objects:
+            continue
+        if not is_identifier(each.expression):
+            message = f"The adapter must define a variable by its name, not {each.expression!r}."
+            fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its type and `definedBy: adapter`."
+            yield _undefinable(each, message, fix)
+        elif each.datatype is not None and not _is_plain(each.datatype, types):
+            message = f"The adapter must know the type of {each.expression!r} in C, and has none for a struct or an open array."
+            fix = "List it under `objects` of `code`, with its type."
+            yield _undefinable(each, message, fix)
+
+
+def _undefinable(each: CodeVariable, message: str, fix: str) -> Problem:
+    at = (*each.pointer[:-1], "DefinedBy")
+    return Problem(codes.VARIABLE_NOT_DEFINABLE, at, message, fix, each.place.subject)
+
+
+def _is_plain(reference: str, types: Mapping[str, Datatype]) -> bool:
+    """Whether a datatype is a number, an enumeration, or an array of a fixed length of these."""
+    datatype = types.get(reference)
+    if datatype is not None and datatype.kind == "array":
+        return datatype.length is not None and _is_plain(datatype.element or "", types)
+    return datatype is not None and datatype.kind != "struct"

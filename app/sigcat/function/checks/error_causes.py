@@ -1,0 +1,127 @@
+"""What sets errors beside time-outs and supervision, what resets them, and what calls say of the same one."""
+
+from collections.abc import Collection, Iterator
+
+from sigcat import codes
+from sigcat.function.checks.data_interfaces import declared_or_meant
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.hints import Hints
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
+
+Problems = Iterator[Problem]
+
+RESTART = "Restart"
+
+
+def check_error_causes(function: FunctionJson, known_errors: Collection[str]) -> Problems:
+    """Every problem of them. `known_errors` are names of errors that others declare."""
+    yield from _undeclared(function, known_errors)
+    yield from _never_set(function)
+    yield from _resets(function)
+    yield from _listed_differently(function)
+
+
+def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
+    """Errors that are named, each with its pointer and what names it."""
+    for pointer, _, item in (*data(function), *parameters(function)):
+        subject = Subject("data", item.name)
+        if item.range_error:
+            yield (*pointer, "RangeError"), item.range_error, subject
+        if isinstance(item, DataQueue) and item.overflow_error:
+            yield (*pointer, "OverflowError"), item.overflow_error, subject
+    for pointer, _, call in runnables(function):
+        if call.overrun_error:
+            yield (*pointer, "OverrunError"), call.overrun_error, Subject("scheduling", call.name)
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.unknown_error:
+            yield ("ModeInterfaceList", index, "UnknownError"), mode.unknown_error, Subject("mode", mode.name)
+
+
+def _undeclared(function: FunctionJson, known: Collection[str]) -> Problems:
+    hint = Hints()
+    declared = dict.fromkeys(error.name for _, _, error in errors(function))
+    for pointer, name, subject in _causes(function):
+        if name not in declared:
+            key = str(pointer[-1])
+            what = f"`{key[:1].lower()}{key[1:]}` of {subject.name!r}"
+            message = f"{what} must be an error that the function declares, not {name!r}."
+            fix = declared_or_meant(name, declared, known, hint)
+            yield Problem(codes.SET_ERROR_UNDECLARED, pointer, message, fix, subject, Subject("error", name))
+
+
+def _never_set(function: FunctionJson) -> Problems:
+    """Range errors of what has no range: an enumeration has one, and so has a struct with ranges of its own."""
+    types = {datatype.reference: datatype for datatype in function.datatypes}
+    for pointer, _, item in (*data(function), *parameters(function)):
+        kind = innermost(item.datatype, types)
+        is_bounded = item.min is not None or item.max is not None or (kind is not None and kind.kind is not None)
+        if item.range_error and not is_bounded:
+            message = f"{item.name!r} must have a range to have a range error."
+            fix = "Give `min` and `max`, or remove `rangeError`."
+            yield Problem(
+                codes.RANGE_ERROR_WITHOUT_RANGE, (*pointer, "RangeError"), message, fix, Subject("data", item.name)
+            )
+
+
+# -- resets -------------------------------------------------------------------------------------------------------
+
+
+def _resets(function: FunctionJson) -> Problems:
+    hint = Hints()
+    types = {datatype.reference: datatype for datatype in function.datatypes}
+    consumed = {item.name: item for _, _, item in data(function) if item.role == CONSUMER}
+    for pointer, _, error in errors(function):
+        if error.reset is None or error.reset == RESTART:
+            continue
+        subject, signal = Subject("error", error.name), consumed.get(error.reset)
+        if signal is None:
+            message = (
+                f"{error.name} must be reset by a signal that the function consumes, or `restart`, not {error.reset!r}."
+            )
+            fix = hint(error.reset, consumed) or "List the signal under the data of a call, as consumed."
+            yield Problem(codes.RESET_UNKNOWN, (*pointer, "Reset"), message, fix, subject)
+        elif not _is_condition(signal, types):
+            message = (
+                f"{error.name} must be reset by a boolean or an integer, not by {error.reset!r}, which is neither."
+            )
+            yield Problem(codes.RESET_UNKNOWN, (*pointer, "Reset"), message, "Name another signal.", subject)
+
+
+def _is_condition(signal: Signal | DataQueue, types: dict[str, Datatype]) -> bool:
+    datatype = types.get(signal.datatype)
+    meant = c_type(datatype.c_definition) if datatype and datatype.kind in (None, "enumeration") else None
+    return meant is not None and meant.kind in ("boolean", "unsigned", "signed")
+
+
+# -- the same one at several calls --------------------------------------------------------------------------------
+
+_OF_ERRORS = ("variable", "status_variable", "defined_by", "reset", "occurrence_count_limit", "ignition_count_limit")
+_OF_REACTIONS = ("variable", "defined_by", "initial", "timeout")
+
+
+def _listed_differently(function: FunctionJson) -> Problems:
+    """An error is one, whichever calls list it, and so is a reaction."""
+    first: dict[str, tuple[object, ...]] = {}
+    listed: list[tuple[Pointer, ErrorInterface | SafetyReaction, tuple[object, ...], Subject]] = [
+        (pointer, each, _values(each, _OF_ERRORS), Subject("error", each.name)) for pointer, _, each in errors(function)
+    ]
+    listed += [
+        (pointer, each, _values(each, _OF_REACTIONS), Subject("safety_reaction", each.name))
+        for pointer, _, each in safety_reactions(function)
+    ]
+    for pointer, each, values, subject in listed:
+        if any(values) and first.setdefault(each.name, values) != values:
+            message = f"{each.name} must be described alike at every call that lists it."
+            fix = "Describe it at one call, and list its name alone at the others."
+            yield Problem(codes.LISTED_DIFFERENTLY, pointer, message, fix, subject)
+
+
+def _values(each: ErrorInterface | SafetyReaction, fields: tuple[str, ...]) -> tuple[object, ...]:
+    return tuple(getattr(each, field) for field in fields)

@@ -1,0 +1,35 @@
+"""Words of Function JSON that say what an adapter does: one of a few, spelled as here."""
+
+from collections.abc import Iterator, Mapping
+
+from pydantic import BaseModel
+
+from sigcat import codes
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.walk import parts
+from sigcat.names import did_you_mean, either
+
+WORDS: Mapping[str, tuple[str, ...]] = {
+    "defined_by": ("Function", "Adapter"),
+    "timeout_start": ("Init", "First"),
+    "timeout_value": ("Last", "Default", "Init"),
+    "overflow": ("DropOldest", "DropNewest"),
+    "unknown_action": ("Keep", "Initial"),
+}
+"""Fields of any model, with the words that they may have."""
+
+
+def check_words(function: FunctionJson) -> Iterator[Problem]:
+    """Every word that is none of those that are known."""
+    for pointer, part in parts(function):
+        for field, known in WORDS.items():
+            word = _given(part, field)
+            if word is not None and word not in known:
+                key = type(part).model_fields[field].alias or field
+                message = f"`{key}` must be {either(known)}, not {word!r}."
+                yield Problem(codes.ADAPTER_WORD_UNKNOWN, (*pointer, key), message, did_you_mean(word, known))
+
+
+def _given(part: BaseModel, field: str) -> str | None:
+    return getattr(part, field) if field in type(part).model_fields else None

@@ -1,0 +1,38 @@
+"""Files of the code that a declaration names and that are not there."""
+
+from collections.abc import Callable, Iterator
+from pathlib import PurePosixPath
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.code import CodeInterface
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+
+IsThere = Callable[[str, str], bool]
+"""Whether there is a file or folder, by the name of the declaration and the path that this gives: reading is left to who
+knows the disk."""
+
+
+def missing_files(function: ResolvedFunction, is_there: IsThere) -> Iterator[Finding]:
+    """A finding for each source, header or folder that is not there. Of Function JSON it is not known where they are."""
+    code = function.function.code
+    if code is None or function.origin is None:
+        return
+    for pointer, what, path, places in _named(code):
+        if not any(is_there(function.document.name, place) for place in places):
+            message = f"There is no {what} {path!r}."
+            fix = "Correct the path, or add the file." if what != "folder" else "Correct the path, or add the folder."
+            yield function.finding(codes.CODE_FILE_MISSING, pointer, message, fix)
+
+
+def _named(code: CodeInterface) -> Iterator[tuple[Pointer, str, str, tuple[str, ...]]]:
+    """What the code names: where, what it is, its path, and where it may be."""
+    for index, path in enumerate(code.sources or ()):
+        yield ("Code", "Sources", index), "file", path, (path,)
+    folders = code.include_folders or ()
+    for index, path in enumerate(code.headers or ()):
+        places = (path, *(str(PurePosixPath(folder) / path) for folder in folders))
+        yield ("Code", "Headers", index), "header", path, places
+    for index, path in enumerate(folders):
+        yield ("Code", "IncludeFolders", index), "folder", path, (path,)

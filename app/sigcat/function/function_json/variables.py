@@ -1,0 +1,93 @@
+"""The variables of the C code that a function names: what each holds, and where it is named."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Subject
+from sigcat.function.function_json.data_interfaces import DataQueue
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.walk import data, errors, methods, parameters, safety_reactions
+
+
+class Place(NamedTuple):
+    """Whose variable it is."""
+
+    component: str
+    """Name of the component; empty where it is one of the whole function."""
+    call: Pointer
+    subject: Subject
+
+
+class CodeVariable(NamedTuple):
+    """An expression of the C code."""
+
+    pointer: Pointer
+    expression: str
+    place: Place
+    holds: str
+    """What it holds: two variables of the same interface have different ones."""
+    datatype: str | None = None
+    """Reference to the datatype; None where it is a number that the adapter and the function agree on."""
+    defined_by: str | None = None
+
+
+def variables(function: FunctionJson) -> Iterator[CodeVariable]:
+    """Every variable that is named, in the order of the document."""
+    yield from _of_data(function)
+    yield from _of_statuses(function)
+    yield from _of_methods(function)
+    yield from _of_modes(function)
+
+
+def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
+    for pointer, located, item in (*data(function), *parameters(function)):
+        name = item.vss_path or item.name
+        place = Place(located.component.name, located.pointer, Subject("data", name))
+        if item.variable:
+            at = (*pointer, "Variable")
+            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by)
+        if isinstance(item, DataQueue) and item.count_variable:
+            at = (*pointer, "CountVariable")
+            yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by)
+
+
+def _of_statuses(function: FunctionJson) -> Iterator[CodeVariable]:
+    for pointer, located, error in errors(function):
+        place = Place(located.component.name, located.pointer, Subject("error", error.name))
+        if error.variable:
+            yield CodeVariable((*pointer, "Variable"), error.variable, place, error.name, None, error.defined_by)
+        if error.status_variable:
+            at, holds = (*pointer, "StatusVariable"), f"{error.name} status"
+            yield CodeVariable(at, error.status_variable, place, holds, error.datatype, error.defined_by)
+    for pointer, located, reaction in safety_reactions(function):
+        if reaction.variable:
+            place = Place(located.component.name, located.pointer, Subject("safety_reaction", reaction.name))
+            at = (*pointer, "Variable")
+            yield CodeVariable(at, reaction.variable, place, reaction.name, reaction.datatype, reaction.defined_by)
+
+
+def _of_methods(function: FunctionJson) -> Iterator[CodeVariable]:
+    for pointer, located, method in methods(function):
+        place = Place(located.component.name, located.pointer, Subject("method", method.name))
+        yield from _of_arguments(pointer, place, method)
+        for key, expression in (("Request", method.request_variable), ("Status", method.status_variable)):
+            if expression:
+                yield CodeVariable((*pointer, f"{key}Variable"), expression, place, f"{method.name} {key}")
+
+
+def _of_arguments(pointer: Pointer, place: Place, method: MethodInterface) -> Iterator[CodeVariable]:
+    for key, arguments in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
+        for index, argument in enumerate(arguments):
+            if argument.variable:
+                at, holds = (*pointer, key, index, "Variable"), f"{method.name} {key} {argument.name}"
+                yield CodeVariable(at, argument.variable, place, holds, argument.datatype)
+
+
+def _of_modes(function: FunctionJson) -> Iterator[CodeVariable]:
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.variable:
+            place = Place("", (), Subject("mode", mode.name))
+            at = ("ModeInterfaceList", index, "Variable")
+            yield CodeVariable(at, mode.variable, place, mode.name, mode.datatype, mode.defined_by)
