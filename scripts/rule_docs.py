@@ -22,6 +22,7 @@ _CATEGORIES: Mapping[str, str] = {
     "code": "C code of functions",
     "portable_names": "Portable names",
     "integration": "Integration with a platform",
+    "adapter": "Adapters",
     "export": "Exports",
     "request": "Requests to the service",
     "configuration": "Configuration of the service",

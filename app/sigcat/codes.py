@@ -5,6 +5,13 @@ Written by `make generate` from the records in interface_rules/, which say why e
 
 from sigcat.findings import RuleCode
 
+# adapter
+VARIABLE_MISSING = RuleCode("G001", "error")
+VALUE_NOT_CARRIED = RuleCode("G002", "error")
+TIME_NOT_WHOLE = RuleCode("G003", "error")
+HEADER_MISSING = RuleCode("G004", "error")
+SUPERVISION_WITHOUT_EFFECT = RuleCode("G005", "warning")
+
 # code
 CODE_FILE_ELSEWHERE = RuleCode("F200", "error")
 CODE_FILE_MISSING = RuleCode("F201", "warning")

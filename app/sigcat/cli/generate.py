@@ -3,9 +3,10 @@
 import argparse
 from pathlib import Path
 
+from sigcat.cli import generate_core
 from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_output, refuse_overwriting
-from sigcat.errors import UsageError, existing_file
+from sigcat.cli.output_options import add_output, make_folder, refuse_overwriting
+from sigcat.errors import existing_file
 from sigcat.platforms.platform import Generator, Platform
 from sigcat.platforms.table import PLATFORMS
 
@@ -17,6 +18,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     for platform in PLATFORMS.values():
         for generator in platform.generators:
             _add_kind(kinds, platform, generator)
+    generate_core.add_kind(kinds)
 
 
 def _add_kind(
@@ -49,18 +51,10 @@ def run(arguments: argparse.Namespace) -> int:
     release = getattr(arguments, "release", None)
     files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, release)
     refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
-    _make(arguments.output)
+    make_folder(arguments.output)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)
     if arguments.report is not None:
         report = arguments.generator.report(source.read_bytes(), str(source), DEFAULT_LIMITS)
         write_bytes(written_as(report, arguments.report.suffix), arguments.report)
     return 0
-
-
-def _make(folder: Path) -> None:
-    if folder.exists() and not folder.is_dir():
-        raise UsageError(f"{folder} must be a folder, not a file")
-    if not folder.parent.is_dir():
-        raise UsageError(f"{folder.parent}: there is no such folder")
-    folder.mkdir(exist_ok=True)

@@ -1,0 +1,128 @@
+"""Lines of code, each of which may know what it was made from."""
+
+import re
+import textwrap
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from sigcat.function.document.document import Pointer
+
+
+class Line(NamedTuple):
+    """A line of code."""
+
+    text: str
+    source: Pointer | None = None
+    """What it was made from in Function JSON, so that a compiler's message finds its way back."""
+
+
+Lines = tuple[Line, ...]
+
+
+def lines(text: str, source: Pointer | None = None) -> Lines:
+    """The lines of a text, without its common indentation."""
+    return tuple(Line(line.rstrip(), source) for line in textwrap.dedent(text).strip("\n").split("\n"))
+
+
+def joined(parts: Iterable[Lines]) -> Lines:
+    """Parts, one after the other."""
+    return tuple(line for part in parts for line in part)
+
+
+def spaced(parts: Iterable[Lines]) -> Lines:
+    """Parts with an empty line between them."""
+    found: list[Line] = []
+    for part in parts:
+        if part:
+            found += [*([Line("")] if found else []), *part]
+    return tuple(found)
+
+
+def indented(part: Lines, levels: int = 1) -> Lines:
+    """Lines, further in."""
+    return tuple(line._replace(text=f"{'    ' * levels}{line.text}" if line.text else "") for line in part)
+
+
+def block(head: str, body: Iterable[Lines], end: str = "}", source: Pointer | None = None) -> Lines:
+    """Lines between braces."""
+    return (Line(f"{head} {{", source), *indented(joined(body)), Line(end))
+
+
+def choice(ways: Sequence[tuple[str, Lines]]) -> Lines:
+    """What is done under the first condition that holds; an empty condition is the last one."""
+    found: list[Line] = []
+    for number, (condition, body) in enumerate(ways):
+        if not condition and not number:
+            return body
+        before = "} else " if number else ""
+        found += [Line(f"{before}if ({condition}) {{" if condition else "} else {"), *indented(body)]
+    return (*found, Line("}"))
+
+
+def function(head: str, body: Iterable[Lines], comment: str = "") -> Lines:
+    """A function with what a reader should know before it. Arguments that it does not use are marked."""
+    before = (Line(f"/* {comment} */"),) if comment else ()
+    whole = joined(body)
+    first = _declarations(whole)
+    declared, statements = whole[:first], (*_unused(head, whole), *whole[first:])
+    space = (Line(""),) if declared and statements and statements[0].text else ()
+    return (*before, Line(head), Line("{"), *indented((*declared, *space, *statements)), Line("}"))
+
+
+_ARGUMENT = re.compile(r"\b(\w+)(?:,|\)$)")
+
+
+def _unused(head: str, body: Lines) -> Lines:
+    text = "\n".join(line.text for line in body if "_MARK(" not in line.text)  # empty, if nobody measures
+    names = _ARGUMENT.findall(head.partition("(")[2])
+    return joined(lines(f"(void){name};") for name in names if name != "void" and not re.search(rf"\b{name}\b", text))
+
+
+_DECLARATION = re.compile(r"(?:const )?\w+ \*?\w+(?:\[\w+\])?(?: = .*)?;$")
+
+
+def _declarations(body: Lines) -> int:
+    """How many lines at the beginning declare variables."""
+    return next((n for n, line in enumerate(body) if not _DECLARATION.match(line.text) or line.text.startswith("return")),
+                len(body))  # fmt: skip
+
+
+WIDEST = 120
+_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ")
+
+
+def wrapped(part: Lines) -> Lines:
+    """Lines that are not wider than a page: a comment goes before its line, a long line is broken where it can be."""
+    return tuple(each for line in part for each in _wrapped(line))
+
+
+def _wrapped(line: Line) -> Lines:
+    if line.text.lstrip().startswith("/*"):
+        return _wrapped_comment(line)
+    code, mark, comment = line.text.partition(" /* ")
+    indent = " " * (len(code) - len(code.lstrip()))
+    if len(line.text) <= WIDEST or code.lstrip().startswith("*"):
+        return (line,)
+    if mark and code.strip():
+        return (Line(f"{indent}/* {comment}"), *_wrapped(line._replace(text=code)))
+    for sign in _BREAKS:
+        at = code.rfind(sign, len(indent) + 1, WIDEST - len(sign.rstrip()))
+        if at > len(indent) + 20:
+            cut = at + (len(sign) - 1 if sign in (", ", " = ") else 0)
+            rest = Line(f"{indent}    {code[cut:].lstrip()}", line.source)
+            return (Line(code[:cut].rstrip(), line.source), *_wrapped_rest(rest, indent))
+    return (line,)
+
+
+def _wrapped_comment(line: Line) -> Lines:
+    indent = " " * (len(line.text) - len(line.text.lstrip()))
+    if len(line.text) <= WIDEST:
+        return (line,)
+    rows = textwrap.wrap(line.text.strip(), WIDEST - len(indent), subsequent_indent=" * ")
+    return tuple(Line(f"{indent}{row}", line.source) for row in rows)
+
+
+def _wrapped_rest(line: Line, indent: str) -> Lines:
+    """What follows a break stands at one indentation."""
+    found = _wrapped(line)
+    return tuple(each._replace(text=f"{indent}    {each.text.lstrip()}") for each in found)

@@ -1,0 +1,102 @@
+"""Numbers as literals of C, and numbers of one type as those of another (section 4)."""
+
+import struct
+
+from sigcat.adapter.core.numbers import Number, NumberType
+from sigcat.adapter.core.plan import Element
+from sigcat.function.function_json.conversion import IDENTITY
+
+_SMALLEST = {-(2**31): "INT32_MIN", -(2**63): "INT64_MIN"}
+
+
+def literal(number: Number, of: NumberType) -> str:
+    """A number as a literal of its type."""
+    if of.is_boolean:
+        return "true" if number else "false"
+    if of.is_floating:
+        return f"{_shortest_float(number)}F" if of.name == "float" else repr(float(number))
+    return _integer(int(number), of)
+
+
+def _integer(number: int, of: NumberType) -> str:
+    if of.is_wide:
+        return _SMALLEST.get(number) or f"{'U' if of.name == 'uint64' else ''}INT64_C({number})"
+    return _SMALLEST.get(number) or f"{number}{'U' if of.name.startswith('u') else ''}"
+
+
+def time(nanoseconds: int) -> str:
+    """A time in ns."""
+    return f"UINT64_C({nanoseconds})"
+
+
+def _shortest_float(number: float) -> str:
+    wanted = struct.pack("f", number)
+    texts = (f"{number:.{digits}g}" for digits in range(1, 10))
+    return repr(float(next((text for text in texts if struct.pack("f", float(text)) == wanted), repr(number))))
+
+
+def _with_point(text: str) -> str:
+    return text if "." in text or "e" in text else f"{text}.0"
+
+
+def within(value: str, element: Element) -> str | None:
+    """The condition that a number is within its range; None where all numbers of its type are."""
+    source = element.source
+    if source.is_floating and element.is_checked:
+        least = literal(float(source.smallest) if element.least is None else element.least, source)
+        greatest = literal(float(source.largest) if element.greatest is None else element.greatest, source)
+        return f"({value} >= {least}) && ({value} <= {greatest})"
+    sides = [
+        f"({value} {sign} {literal(limit, source)})"
+        for sign, limit in ((">=", element.least), ("<=", element.greatest))
+        if limit is not None
+    ]
+    return " && ".join(sides) or None
+
+
+def converted(value: str, element: Element, instead_of_nan: str, prefix: str) -> str:
+    """The number of the source as that of the target. An enumeration has a function of its own."""
+    if element.conversion == IDENTITY:
+        return _of_same_scale(value, element.source, element.target, instead_of_nan, prefix)
+    scaled = _scaled(_as_double(value, element.source), element, prefix)
+    return _from_double(scaled, element.target, instead_of_nan, prefix)
+
+
+def _scaled(value: str, element: Element, prefix: str) -> str:
+    factor, offset = (repr(float(number)) for number in (element.conversion.factor, element.conversion.offset))
+    if element.conversion.offset == 0:
+        return f"({value} * {_with_point(factor)})"
+    if element.conversion.factor == 1:
+        return f"({value} + {_with_point(offset)})"
+    return f"{prefix}_Scaled({value}, {_with_point(factor)}, {_with_point(offset)})"
+
+
+def _as_double(value: str, source: NumberType) -> str:
+    if source.is_boolean:
+        return f"({value} ? 1.0 : 0.0)"
+    return value if source.name == "double" else f"(double){value}"
+
+
+def _from_double(value: str, target: NumberType, instead_of_nan: str, prefix: str) -> str:
+    if target.name == "double":
+        return value
+    if target.is_boolean:
+        return f"({value} != 0.0)"
+    if target.name == "float":
+        return f"{prefix}_ToFloat({value})"
+    return f"{prefix}_To{target.name.capitalize()}({value}, {instead_of_nan})"
+
+
+def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_of_nan: str, prefix: str) -> str:
+    if source == target:
+        return value
+    if target.is_boolean:
+        return f"({value} != {literal(0, source)})"
+    if source.is_boolean:
+        return f"({value} ? {literal(1, target)} : {literal(0, target)})"
+    if source.is_floating:
+        return _from_double(_as_double(value, source), target, instead_of_nan, prefix)
+    if target.is_floating or (source.smallest >= target.smallest and source.largest <= target.largest):
+        return f"({target.c}){value}"
+    wide = "Uint64" if source.name == "uint64" else "Int64"
+    return f"{prefix}_{wide}To{target.name.capitalize()}({value})"

@@ -1,0 +1,195 @@
+"""Methods that a function offers or uses (section 12)."""
+
+from sigcat.adapter.core.c import modes
+from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
+from sigcat.adapter.core.c.literals import time
+from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.values import Ends, assigned, check, flag, index, known_values, names_functions
+from sigcat.adapter.core.plan import CLASS, Argument, Method
+
+STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
+"""What became of a request, as its status variable has it."""
+
+
+def offered(scope: Scope) -> list[Method]:
+    """Methods that others call."""
+    return [method for method in scope.plan.methods if method.is_offered]
+
+
+def used(scope: Scope) -> list[Method]:
+    """Methods that the function calls."""
+    return [method for method in scope.plan.methods if not method.is_offered]
+
+
+def arguments_type(method: Method, scope: Scope) -> str:
+    """Struct of the arguments."""
+    return f"{scope.prefix}_{method.named.name}_Arguments"
+
+
+def results_type(method: Method, scope: Scope) -> str:
+    """Struct of the results."""
+    return f"{scope.prefix}_{method.named.name}_Results"
+
+
+def offered_head(method: Method, scope: Scope) -> str:
+    """The head of the function that answers a request."""
+    known = []
+    if method.arguments:
+        known.append(f"const {arguments_type(method, scope)} *arguments")
+    if method.results:
+        known.append(f"{results_type(method, scope)} *results")
+    return f"{scope.prefix}_Reply {scope.prefix}_Method_{method.named.name}({', '.join((scope.self_argument, *known))})"
+
+
+def answer_head(method: Method, scope: Scope) -> str:
+    """The head of the function that takes an answer."""
+    results = f", const {results_type(method, scope)} *results" if method.results else ""
+    name = f"{scope.prefix}_Answer_{method.named.name}"
+    return f"void {name}({scope.self_argument}, uint32_t number, bool is_ok{results}, uint64_t t)"
+
+
+def method_functions(scope: Scope) -> list[Lines]:
+    """What the platform calls for each method."""
+    found: list[Lines] = []
+    for method in scope.plan.methods:
+        for each in (*method.arguments, *method.results):
+            found += names_functions(each.value, _ends(each, method, scope))
+        found += _checked_functions(method, scope)
+        found += [_offered(method, scope)] if method.is_offered else [_answer(method, scope)]
+    return found
+
+
+def _ends(argument: Argument, method: Method, scope: Scope, source: str = "", target: str = "") -> Ends:
+    return Ends(source, target, f"{scope.prefix}_{method.named.name}_{argument.name}", method.named.pointer)
+
+
+def _offered(method: Method, scope: Scope) -> Lines:
+    c = scope.constant
+    call = next((step for step in scope.plan.steps if step.name == method.call), None)
+    runs = modes.condition(call, scope) if call else "true"
+    at = "self->object." if scope.plan.code.signature == CLASS else ""
+    objects = ", ".join(f"&self->code.{name}" for name in call.arguments) if call else ""
+    done = joined([
+        *(_taken_argument(each, method, scope) for each in method.arguments),
+        lines(f"{at}{method.symbol}({objects});", method.named.pointer),
+        *(_result(each, method, scope) for each in method.results),
+    ])  # fmt: skip
+    unknown = [f"!{_known_name(each, method, scope)}(arguments)" for each in method.arguments if each.value.is_checked]
+    ways = [("!self->is_ready" + ("" if runs == "true" else f" || !{runs}"), lines(f"reply = {c('EXCLUDED')};"))]
+    ways += [(" || ".join(unknown), lines(f"reply = {c('BAD_ARGUMENT')};"))] if unknown else []
+    needs_index = any(index(each.value) for each in (*method.arguments, *method.results) if not each.value.is_checked)
+    body = [
+        lines(f"{scope.prefix}_Reply reply = {c('OK')};"),
+        lines("uint32_t i;") if needs_index else (),
+        choice([*ways, ("", done)]),
+        lines("return reply;"),
+    ]
+    return function(offered_head(method, scope), body, method.named.comment)
+
+
+def _known_name(argument: Argument, method: Method, scope: Scope) -> str:
+    return f"{scope.prefix}_IsKnown_{method.named.name}_{argument.name}"
+
+
+def _checked_functions(method: Method, scope: Scope) -> list[Lines]:
+    """Of each argument with an enumeration: whether its numbers have names, and how it is taken."""
+    found = []
+    for each in method.arguments if method.is_offered else ():
+        if each.value.is_checked:
+            ends = _ends(each, method, scope, f"arguments->{each.name}", scope.variable(each.variable))
+            declared = [index(each.value), known_values(each.value)]
+            arguments = f"const {arguments_type(method, scope)} *arguments"
+            found.append(function(f"static bool {_known_name(each, method, scope)}({arguments})", [
+                *declared, flag(each.value), check(each.value, ends), lines("return is_within;"),
+            ]))  # fmt: skip
+            head = (
+                f"static void {scope.prefix}_Take_{method.named.name}_{each.name}({scope.self_argument}, {arguments})"
+            )
+            found.append(function(head, [*declared, assigned(each.value, ends, scope.prefix, is_new=True)]))
+    return found
+
+
+def _taken_argument(argument: Argument, method: Method, scope: Scope) -> Lines:
+    if argument.value.is_checked:
+        return lines(f"{scope.prefix}_Take_{method.named.name}_{argument.name}(self, arguments);")
+    source, target = f"arguments->{argument.name}", scope.variable(argument.variable)
+    return assigned(argument.value, _ends(argument, method, scope, source, target), scope.prefix)
+
+
+def _result(result: Argument, method: Method, scope: Scope) -> Lines:
+    source = scope.variable(result.variable)
+    return assigned(
+        result.value, _ends(result, method, scope, source, f"results->{result.name}"), scope.prefix, quiet=True
+    )
+
+
+# -- used methods -------------------------------------------------------------------------------------------------
+
+
+def _answer(method: Method, scope: Scope) -> Lines:
+    place = f"self->method.{method.named.name}"
+    keep = lines(f"{place}.answer = *results;") if method.results else ()
+    taken = joined([lines(f"{place}.is_answered = true;\n{place}.is_ok = is_ok;"), keep])
+    body = [
+        lines(f"(void){scope.prefix}_Now(self, t);"),
+        block(f"if ((number == {place}.number) && ({place}.status == {STATUS['PENDING']}U))", [taken]),
+    ]
+    return function(answer_head(method, scope), body, method.named.comment)
+
+
+def taken(call: object, scope: Scope) -> Lines:
+    """Answers, taken with the snapshot of a call."""
+    name = getattr(call, "name", "")
+    return joined(_taken(method, scope) for method in used(scope) if method.call == name)
+
+
+def _taken(method: Method, scope: Scope) -> Lines:
+    place, pointer = f"self->method.{method.named.name}", method.named.pointer
+    results = [_answered(each, method, scope) for each in method.results]
+    done = joined([
+        lines(f"{place}.is_answered = false;"),
+        lines(f"{place}.status = {place}.is_ok ? {STATUS['DONE']}U : {STATUS['FAILED']}U;"),
+        block(f"if ({place}.is_ok)", results) if results else (),
+    ])  # fmt: skip
+    ways = [(f"{place}.is_answered", done)]
+    if method.time_out is not None:
+        late = f"({place}.status == {STATUS['PENDING']}U) && ((t - {place}.since) > {time(method.time_out)})"
+        ways.append((late, lines(f"{place}.status = {STATUS['TIMED_OUT']}U;")))
+        ways.append(("", lines("/* nothing new */")))
+    status = scope.variable(method.status_variable) if method.status_variable else ""
+    return joined([choice(ways), lines(f"{status} = {place}.status;", pointer) if status else ()])
+
+
+def _answered(result: Argument, method: Method, scope: Scope) -> Lines:
+    source = f"self->method.{method.named.name}.answer.{result.name}"
+    return assigned(result.value, _ends(result, method, scope, source, scope.variable(result.variable)), scope.prefix)
+
+
+def requested(call: object, scope: Scope) -> Lines:
+    """Requests that a call has made."""
+    name = getattr(call, "name", "")
+    return joined(_requested(method, scope) for method in used(scope) if method.call == name)
+
+
+def _requested(method: Method, scope: Scope) -> Lines:
+    assert method.request_variable is not None
+    name = method.named.name
+    place, variable = f"self->method.{name}", scope.variable(method.request_variable)
+    arguments = [
+        assigned(each.value, _ends(each, method, scope, scope.variable(each.variable), f"{place}.arguments.{each.name}"),
+                 scope.prefix, quiet=True)
+        for each in method.arguments
+    ]  # fmt: skip
+    asked = joined([
+        *arguments,
+        lines(f"{variable} = 0;", method.named.pointer),
+        lines(f"""
+            {place}.status = {STATUS['PENDING']}U;
+            {place}.since = t;
+            {place}.number++;
+            self->publish.{name} = true;
+        """),
+    ])  # fmt: skip
+    return block(
+        f"if (({variable} != 0) && ({place}.status != {STATUS['PENDING']}U))", [asked], source=method.named.pointer
+    )

@@ -1,0 +1,58 @@
+"""What every part of the source knows: the plan, how names begin, and where the variables of the code are."""
+
+import re
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan
+from sigcat.names import screaming_snake_case
+
+
+class Scope(NamedTuple):
+    """The plan of a core, on its way to C."""
+
+    plan: CorePlan
+
+    @property
+    def prefix(self) -> str:
+        """What all functions and types begin with: `CoreAcc_Adapter`."""
+        return self.plan.type_name
+
+    @property
+    def macro(self) -> str:
+        """What all constants and macros begin with: `CORE_ACC_ADAPTER`."""
+        return screaming_snake_case(self.prefix)
+
+    @property
+    def self_argument(self) -> str:
+        """The argument that all functions have."""
+        return f"{self.prefix} *self"
+
+    def variable(self, expression: str) -> str:
+        """Where a variable of the code is, seen from a function of the adapter."""
+        code = self.plan.code
+        if code.signature == GLOBALS:
+            return expression
+        names = "|".join(re.escape(each.name) for each in code.objects)
+        if names:
+            expression, count = re.subn(rf"(?<![\w.>])({names})\b", r"self->code.\1", expression)
+            if count:
+                return expression
+        return f"self->object.{expression}" if code.signature == CLASS else expression
+
+    def constant(self, name: str) -> str:
+        """A constant of the adapter: `PRESENT` → `CORE_ACC_ADAPTER_PRESENT`."""
+        return f"{self.macro}_{name}"
+
+    @property
+    def present(self) -> str:
+        """The verdict that a cause is present."""
+        return self.constant("PRESENT")
+
+    @property
+    def absent(self) -> str:
+        """The verdict that a cause is absent."""
+        return self.constant("ABSENT")
+
+    def call(self, name: str) -> str:
+        """The constant of a call: `Step` → `CORE_ACC_ADAPTER_STEP`."""
+        return self.constant(f"CALL_{screaming_snake_case(name)}")

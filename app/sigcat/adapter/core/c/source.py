@@ -1,0 +1,124 @@
+"""The source: every function in the order of a reader, and those that they need before them."""
+
+from sigcat.adapter.core.c import (
+    errors,
+    header,
+    inputs,
+    life,
+    methods,
+    modes,
+    outputs,
+    parameters,
+    schedule,
+    supervision,
+)
+from sigcat.adapter.core.c.helpers import used_helpers
+from sigcat.adapter.core.c.lines import Lines, function, joined, lines, spaced
+from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.values import declared
+from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
+
+
+def source(scope: Scope, title: Lines, header_name: str) -> Lines:
+    """The whole source."""
+    body = _functions(scope)
+    text = "\n".join(line.text for line in joined(body))
+    return spaced([
+        title,
+        _includes(text, header_name),
+        _mark(scope),
+        _evaluation(scope),
+        *_variables(scope),
+        *used_helpers(text, scope.prefix, scope.macro),
+        *body,
+    ])  # fmt: skip
+
+
+def _includes(text: str, header_name: str) -> Lines:
+    known = (("<float.h>", True), ("<math.h>", "_Quiet" in text), ("<stddef.h>", True), ("<string.h>", "mem" in text))
+    rows = [f'#include "{header_name}"', "", *(f"#include {name}" for name, is_used in known if is_used)]
+    return lines("\n".join(rows))
+
+
+def _mark(scope: Scope) -> Lines:
+    macro = scope.constant("MARK")
+    return lines(f"""
+        /* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+        #ifndef {macro}
+        #define {macro}(self, point, call) ((void)0)
+        #endif
+    """)
+
+
+def _evaluation(scope: Scope) -> Lines:
+    return lines(f"""
+        #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
+        #error "{scope.plan.function}: doubles must be evaluated as doubles"
+        #endif
+        #if defined(__FAST_MATH__)
+        #error "{scope.plan.function}: -ffast-math changes results"
+        #endif
+    """)
+
+
+def _variables(scope: Scope) -> list[Lines]:
+    plan = scope.plan
+    if plan.code.signature != GLOBALS:
+        return []
+    held = [lines(f"{each.type} {each.name};", ("Code",)) for each in plan.code.objects]
+    here = [_extern(each) for each in plan.code.externs if each.is_defined_here]
+    there = [_extern(each) for each in plan.code.externs if not each.is_defined_here]
+    calls = [call for call in (plan.init, *plan.steps, plan.terminate) if call and not plan.code.headers]
+    prototypes = [
+        lines(f"extern {'int' if call.success is not None else 'void'} {call.symbol}(void);", call.pointer)
+        for call in calls
+    ]
+    return [
+        joined([lines(f"/* Of the code of {plan.function}. */"), *there, *prototypes]) if there or prototypes else (),
+        joined([lines(f"/* Imported by the code of {plan.function}. */"), *held, *here]) if held or here else (),
+        lines(f"{scope.prefix} {scope.prefix}_Instance;"),
+    ]
+
+
+def _extern(each: Extern) -> Lines:
+    before = "" if each.is_defined_here else "extern "
+    return lines(f"{before}{declared(WireType(each.c, each.length), each.name)};")
+
+
+def _functions(scope: Scope) -> list[Lines]:
+    steps = scope.plan.steps
+    return [part for part in (
+        *inputs.receive_functions(scope),
+        *_receive_status(scope),
+        *(part for call in steps for part in inputs.take_functions(call, scope)),
+        *(part for call in steps for part in outputs.give_functions(call, scope)),
+        *parameters.parameter_functions(scope),
+        parameters.load_function(scope), parameters.set_function(scope),
+        *parameters.learn_functions(scope),
+        *errors.error_functions(scope),
+        *errors.reaction_functions(scope),
+        *modes.mode_out_functions(scope),
+        *supervision.window_functions(scope),
+        *supervision.checkpoint_functions(scope),
+        *schedule.enter_functions(scope),
+        *modes.mode_functions(scope),
+        *schedule.due_functions(scope),
+        *(part for call in steps for part in schedule.call_functions(call, scope)),
+        supervision.supervise_function(scope),
+        *methods.method_functions(scope),
+        *life.life_functions(scope),
+    ) if part]  # fmt: skip
+
+
+def _receive_status(scope: Scope) -> list[Lines]:
+    found = []
+    for name, wire in header.received_status(scope):
+        place = f"self->received.{name}"
+        body = lines(f"""
+            {place}.value = value;
+            {place}.reception.time = {scope.prefix}_Now(self, t);
+            {place}.reception.count++;
+            {place}.reception.is_there = true;
+        """)
+        found.append(function(header.status_head(name, wire, scope), [body]))
+    return found

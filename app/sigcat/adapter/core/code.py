@@ -1,0 +1,82 @@
+"""How the code of a function is called, and which variables nobody else declares."""
+
+import re
+from collections.abc import Iterator
+
+from sigcat import codes
+from sigcat.adapter.core.numbers import type_of_c
+from sigcat.adapter.core.plan import CLASS, GLOBALS, Code, CodeObject, Extern
+from sigcat.adapter.core.planning import Context, Planning
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.code import CodeInterface
+from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.walk import data, errors, parameters, safety_reactions
+
+_PLAIN = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+ADAPTER = "Adapter"
+
+
+def planned_code(context: Context) -> Planning[Code]:
+    """How the code is included and called. Without `Code`, calls are plain functions over globals."""
+    declared = context.function.code or CodeInterface(signature=GLOBALS)
+    objects = tuple(CodeObject(each.name, each.type, each.member) for each in declared.objects or ())
+    if declared.signature == CLASS and not declared.class_name:
+        message = "The class that has the calls as members must have a name."
+        yield Problem(codes.VARIABLE_MISSING, ("Code",), message, "Give `class`.")
+    externs: dict[str, Extern] = {}
+    for name, at, extern in _externs(declared, context):
+        if extern is not None:
+            externs.setdefault(name, extern)
+        elif not declared.headers and declared.signature == GLOBALS:
+            message = f"The type of {name} is not known: no header declares it."
+            yield Problem(codes.HEADER_MISSING, at, message, "Name the header under `code`, `headers`.")
+    held = tuple(each for each in objects if declared.signature != GLOBALS or _is_defined_here(declared, each.name))
+    return Code(declared.signature, declared.headers or (), held, declared.class_name, tuple(externs.values()))
+
+
+def _is_defined_here(declared: CodeInterface, name: str) -> bool:
+    return any(each.name == name and each.defined_by == ADAPTER for each in declared.objects or ())
+
+
+def _externs(declared: CodeInterface, context: Context) -> Iterator[tuple[str, Pointer, Extern | None]]:
+    """Variables that the adapter defines, or that no header declares; None where they have no plain type."""
+    if declared.signature != GLOBALS:
+        return
+    roots = {each.name for each in declared.objects or ()}
+    for variable, at, datatype, defined_by in _variables(context):
+        name = _PLAIN.match(variable)
+        if name is None or name[0] in roots or (declared.headers and defined_by != ADAPTER):
+            continue
+        if _is_text(datatype, context):  # it cannot be carried anyway
+            continue
+        c, length = _plain_type(datatype, context)
+        is_plain = name[0] == variable and c is not None
+        yield name[0], at, Extern(variable, c or "", length, defined_by == ADAPTER) if is_plain else None
+
+
+def _is_text(reference: str, context: Context) -> bool:
+    datatype = innermost(reference, context.datatypes)
+    return datatype is not None and datatype.kind is None and type_of_c(datatype.c_definition) is None
+
+
+def _plain_type(reference: str, context: Context) -> tuple[str | None, int | None]:
+    datatype = context.datatypes.get(reference)
+    if datatype is None or datatype.kind == "struct":
+        return None, None
+    if datatype.kind == "array":
+        return _plain_type(datatype.element or "", context)[0], datatype.length
+    found = type_of_c(datatype.c_definition)
+    return (datatype.c_definition if found else None), None
+
+
+def _variables(context: Context) -> Iterator[tuple[str, Pointer, str, str | None]]:
+    """Every variable of an interface: expression, place, datatype, and who defines it."""
+    function = context.function
+    for each in (data(function), parameters(function), errors(function), safety_reactions(function)):
+        for at, _, item in each:
+            if item.variable is not None:
+                yield item.variable, at, item.datatype, item.defined_by
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.variable is not None:
+            yield mode.variable, ("ModeInterfaceList", index), mode.datatype, mode.defined_by

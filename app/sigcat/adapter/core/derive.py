@@ -1,0 +1,142 @@
+"""From a resolved function to the plan of its core, and what stands in the way."""
+
+from collections.abc import Generator
+from dataclasses import replace
+from typing import NamedTuple, TypeVar
+
+from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
+from sigcat.adapter.core.code import planned_code
+from sigcat.adapter.core.errors import causes_of, errors_of, foreign_errors, reactions_of, short_names, status_items
+from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.interfaces import inputs_of, outputs_of, port_key, ports_of, received
+from sigcat.adapter.core.methods import methods_of
+from sigcat.adapter.core.modes import mode_in, mode_out
+from sigcat.adapter.core.parameters import parameters_of
+from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Reaction
+from sigcat.adapter.core.planning import Context, ListedCall, Planning, context_of
+from sigcat.adapter.core.structs import wire_structs
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, has_errors
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
+from sigcat.function.function_json.walk import data, parameters, runnables
+
+T = TypeVar("T")
+INIT, TERMINATE = "Init", "Shutdown"
+"""Run types of the calls at the beginning and at the end."""
+
+
+class Planned(NamedTuple):
+    """The plan of a core, and warnings about it."""
+
+    plan: CorePlan
+    findings: tuple[Finding, ...]
+
+
+def derive(function: ResolvedFunction) -> Planned:
+    """The plan of the core. Raises InputRefused with everything that stands in its way."""
+    plan, problems = _run(_planned(context_of(function.function)))
+    findings = function.findings(problems)
+    if has_errors(findings):
+        raise InputRefused(f"The core of {function.name} cannot be generated.", findings)
+    return Planned(plan, findings)
+
+
+def _run(planning: Generator[Problem, None, T]) -> tuple[T, list[Problem]]:
+    problems: list[Problem] = []
+    while True:
+        try:
+            problems.append(next(planning))
+        except StopIteration as end:
+            return end.value, problems
+
+
+def _planned(context: Context) -> Planning[CorePlan]:
+    function = context.function
+    listed = [ListedCall(short_name(each.runnable.name, context.name), each.pointer, each.runnable)
+              for each in runnables(function)]  # fmt: skip
+    mode = yield from mode_in(context)
+    out = yield from mode_out(context)
+    values = yield from parameters_of(listed, context)
+    methods = yield from methods_of(listed, context)
+    calls = yield from _calls(listed, context)
+    steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.call.run_type not in (INIT, TERMINATE))
+    status = yield from _status(listed, steps, mode, values, context)
+    references = [item.datatype for walk in (data(function), parameters(function)) for _, _, item in walk]
+    return CorePlan(
+        function=identifier(context.name),
+        version=function.info.version,
+        description=comment(function.info.description),
+        code=(yield from planned_code(context)),
+        structs=wire_structs(references, context),
+        ports=received({step.name: step.inputs for step in steps}, _triggers(listed)),
+        parameters=values,
+        errors=status.errors,
+        foreign_errors=foreign_errors(status.errors, status.reactions),
+        reactions=status.reactions,
+        mode_in=mode,
+        mode_out=out,
+        methods=methods,
+        init=_of_type(INIT, calls, listed),
+        steps=steps,
+        due=in_order_of_due(steps),
+        terminate=_of_type(TERMINATE, calls, listed),
+    )
+
+
+class _Status(NamedTuple):
+    errors: tuple[Error, ...]
+    reactions: tuple[Reaction, ...]
+
+
+def _status(
+    listed: list[ListedCall],
+    steps: tuple[Call, ...],
+    mode: ModeIn | None,
+    values: tuple[Parameter, ...],
+    context: Context,
+) -> Planning[_Status]:
+    declared, reacting = status_items(listed)
+    taken = {output.named.name for step in steps for output in step.outputs} | {"Mode_In", "Mode_Out"}
+    taken |= {item.port for step in steps for item in step.inputs}
+    own = short_names(declared, context.name, "_ErrorSts", taken)
+    names = short_names(reacting, context.name, "_SftyCondSts", taken)
+    resets = {
+        name: f"{step.name}.in.{item.named.name}.is_set"
+        for step in steps for item in step.inputs if item.is_reset for name in item.names
+    }  # fmt: skip
+    errors = yield from errors_of(declared, causes_of(steps, mode, values), resets, own, context)
+    reactions = yield from reactions_of(reacting, own, names, context)
+    return _Status(errors, reactions)
+
+
+def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
+    """The calls, in the order of the file."""
+    ports = ports_of([(each.at, each.call) for each in listed])
+    graph = logical_graph([each.call for each in listed])
+    declared, _ = status_items(listed)
+    resets = frozenset(reset for each in declared if (reset := getattr(each.item, "reset", None)))
+    taken: set[str] = set()
+    made: list[Call] = []
+    for each in listed:
+        inputs = yield from inputs_of(each.call, each.at, ports, resets, context)
+        outputs = yield from outputs_of(each.call, each.at, taken, context)
+        call = yield from planned_call(each.call, each.at, inputs, outputs, graph, context)
+        made.append(replace(call, name=unique(call.name, [other.name for other in made])))
+    return made
+
+
+def _of_type(run_type: str, calls: list[Call], listed: list[ListedCall]) -> Call | None:
+    found = (call for call, each in zip(calls, listed, strict=True) if each.call.run_type == run_type)
+    return next(found, None)
+
+
+def _triggers(listed: list[ListedCall]) -> dict[str, frozenset[str]]:
+    """Names under which what triggers a call is received, by calls."""
+    ports = ports_of([(each.at, each.call) for each in listed])
+    return {
+        each.name: frozenset(ports[port_key(item)] for item in triggers(each.call))
+        for each in listed
+        if each.call.run_type == EVENT_TRIGGERED
+    }

@@ -1,0 +1,219 @@
+"""Errors of a function, with everything that makes them present (section 6), and its safety reactions (section 7)."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+from typing import NamedTuple
+
+from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.numbers import type_of_c
+from sigcat.adapter.core.plan import (
+    Call,
+    Cause,
+    Error,
+    ForeignError,
+    Input,
+    ModeIn,
+    Named,
+    Parameter,
+    Reaction,
+    WireType,
+)
+from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression, nanoseconds
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+
+RESTART = "Restart"
+
+
+Names = Mapping[str, str]
+"""Identifiers by the names of interfaces."""
+
+
+class Declared(NamedTuple):
+    """An error or a reaction, where it stands, and the call that lists it."""
+
+    call: str
+    at: Pointer
+    item: "ErrorInterface | SafetyReaction"
+
+
+def short_names(items: Iterable[Declared], function: str, ending: str, taken: set[str]) -> Names:
+    """The middle of the names of errors or reactions: `Acc_RangeError_ErrorSts` of Acc → `RangeError`. `taken` grows."""
+    names: dict[str, str] = {}
+    for name in dict.fromkeys(each.item.name for each in items):
+        names[name] = unique(identifier(name.removeprefix(f"{function}_").removesuffix(ending)), taken)
+        taken.add(names[name])
+    return names
+
+
+def causes_of(calls: Iterable[Call], mode: ModeIn | None, parameters: Iterable[Parameter]) -> dict[str, list[Cause]]:
+    """What makes errors present, but their own variables, by their interface names."""
+    found: dict[str, list[Cause]] = {}
+    for name, cause in (*_of_calls(calls), *_of_others(mode, parameters)):
+        if name is not None:
+            found.setdefault(name, []).append(cause)
+    return found
+
+
+def _of_calls(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
+    for call in calls:
+        for item in call.inputs:
+            yield from _of_input(call.name, item)
+        for output in call.outputs:
+            place = f"{call.name}.out.{output.named.name}"
+            yield output.range_error, Cause(f"{place}.range", call.name, is_late=True)
+            if output.queue:
+                yield output.queue.overflow_error, Cause(f"{place}.overflow", call.name, is_late=True)
+        yield call.overrun_error, Cause(f"{call.name}.overrun", call.name, is_late=False)
+        if call.alive:
+            yield call.alive.error, Cause(f"{call.name}.alive", call.name, is_late=True, is_supervised=True)
+        if call.deadline:
+            yield call.deadline.error, Cause(f"{call.name}.deadline", call.name, is_late=True, is_supervised=True)
+        if call.logical:
+            yield call.logical.error, Cause(f"checkpoint.{call.name}", call.name, is_late=False)
+
+
+def _of_input(call: str, item: Input) -> Iterator[tuple[str | None, Cause]]:
+    place = f"{call}.in.{item.named.name}"
+    yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=item.is_immediate)
+    yield item.range_error, Cause(f"{place}.range", call, is_late=item.is_immediate)
+    if item.queue:
+        yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=item.is_immediate)
+
+
+def _of_others(mode: ModeIn | None, parameters: Iterable[Parameter]) -> Iterator[tuple[str | None, Cause]]:
+    if mode:
+        yield mode.unknown_error, Cause("mode.unknown", None, is_late=False)
+    for parameter in parameters:
+        yield parameter.range_error, Cause(f"parameter.{parameter.named.name}", None, is_late=False)
+
+
+# -- errors -------------------------------------------------------------------------------------------------------
+
+
+def errors_of(
+    declared: Iterable[Declared], causes: Mapping[str, list[Cause]], resets: Mapping[str, str], names: Names,
+    context: Context,
+) -> Planning[tuple[Error, ...]]:  # fmt: skip
+    """The errors, each after those that it depends on. `resets` are places of verdicts, by the names of signals."""
+    items: dict[str, Declared] = {}
+    for each in declared:
+        items.setdefault(each.item.name, each)
+    made: dict[str, Error] = {}
+    for each in items.values():
+        error = yield from _error(each, causes.get(each.item.name, ()), resets, names, context)
+        made[each.item.name] = error
+    return tuple(made[name] for name in _in_order(items))
+
+
+def _in_order(items: Mapping[str, Declared]) -> tuple[str, ...]:
+    """Names, each after its dependencies; in the order of the file where that makes no difference, or is a circle."""
+    graph = {
+        name: [other for other in each.item.dependencies if other in items and other != name]
+        for name, each in items.items()
+        if isinstance(each.item, ErrorInterface)
+    }
+    try:
+        return tuple(TopologicalSorter(graph).static_order())
+    except CycleError:
+        return tuple(items)
+
+
+def _error(
+    declared: Declared, causes: Iterable[Cause], resets: Mapping[str, str], names: Names, context: Context
+) -> Planning[Error]:
+    call, at, item = declared
+    assert isinstance(item, ErrorInterface)
+    name = Named(names[item.name], comment(item.vss_path or item.name), at)
+    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
+    status = yield from expression(item.status_variable, item.name, (*at, "StatusVariable"))
+    written = (Cause(f"error.{name.name}.variable", call, is_late=True),) if variable else ()
+    others = [other for other in item.dependencies if other != item.name]
+    wire, numbers = status_type(item.datatype, {"PASSED": 0, "FAILED": 1}, context)
+    return Error(
+        named=name,
+        wire=wire,
+        passed=numbers["PASSED"],
+        failed=numbers["FAILED"],
+        call=call,
+        causes=(*causes, *written),
+        variable=variable,
+        status_variable=status,
+        maturation=(yield from nanoseconds(item.maturation_time, (*at, "MaturationTime"))) or 0,
+        reset=(yield from nanoseconds(item.reset_time, (*at, "ResetTime"))) or 0,
+        waits_for_restart=item.reset == RESTART,
+        reset_input=resets.get(item.reset or ""),
+        dependencies=tuple(names[other] for other in others if other in names),
+        foreign=tuple(identifier(other) for other in others if other not in names),
+        occurrence_limit=item.occurrence_count_limit,
+        ignition_limit=item.ignition_count_limit,
+    )
+
+
+def status_type(reference: str, usual: Mapping[str, int], context: Context) -> tuple[WireType, dict[str, int]]:
+    """The type of a status, and the numbers of its states; the usual ones where its datatype does not name them."""
+    datatype = context.datatypes.get(reference)
+    found = type_of_c(datatype.c_definition) if datatype else None
+    symbols: tuple[EnumerationValue, ...] = (datatype.symbols if datatype else None) or ()
+    known = {each.symbol.upper(): each.value for each in symbols}
+    numbers = {name: known.get(name, number) for name, number in usual.items()}
+    listed = tuple((each.symbol, each.value) for each in symbols) or tuple(usual.items())
+    return WireType(found.c if found else "uint8_t", symbols=listed), numbers
+
+
+def foreign_errors(errors: Iterable[Error], reactions: Iterable[Reaction]) -> tuple[ForeignError, ...]:
+    """Errors of others on which errors or reactions depend, each once, in the usual type of a status."""
+    names = dict.fromkeys(name for items in (errors, reactions) for each in items for name in each.foreign)
+    symbols = (("PASSED", 0), ("FAILED", 1))
+    return tuple(ForeignError(name, name, WireType("uint8_t", symbols=symbols), failed=1) for name in names)
+
+
+# -- safety reactions ---------------------------------------------------------------------------------------------
+
+
+def reactions_of(
+    declared: Iterable[Declared], own: Names, names: Names, context: Context
+) -> Planning[tuple[Reaction, ...]]:
+    """The safety reactions, each once, with all calls that list it. `own` are names of errors, `names` its own."""
+    items: dict[str, list[Declared]] = {}
+    for each in declared:
+        items.setdefault(each.item.name, []).append(each)
+    made = []
+    for listed in items.values():
+        reaction = yield from _reaction(listed, own, names, context)
+        made.append(reaction)
+    return tuple(made)
+
+
+def _reaction(listed: list[Declared], own: Names, names: Names, context: Context) -> Planning[Reaction]:
+    _, at, item = listed[0]
+    assert isinstance(item, SafetyReaction)
+    wire, numbers = status_type(item.datatype, {"INACTIVE": 0, "ACTIVE": 1}, context)
+    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
+    return Reaction(
+        named=Named(names[item.name], comment(item.vss_path or item.name), at),
+        wire=wire,
+        inactive=numbers["INACTIVE"],
+        active=numbers["ACTIVE"],
+        initial=numbers.get((item.initial or "INACTIVE").upper(), numbers["INACTIVE"]),
+        calls=tuple(dict.fromkeys(each.call for each in listed)),
+        errors=tuple(own[name] for name in item.errors if name in own),
+        foreign=tuple(identifier(name) for name in item.errors if name not in own),
+        variable=variable,
+        time_out=(yield from nanoseconds(item.timeout, (*at, "Timeout"))),
+    )
+
+
+def status_items(calls: Iterable[ListedCall]) -> tuple[list[Declared], list[Declared]]:
+    """Errors and reactions that calls list."""
+    errors, reactions = [], []
+    for name, at, call in calls:
+        for index, contract in enumerate(call.contracts or ()):
+            base = (*at, "funcContractList", index)
+            errors += [Declared(name, (*base, "ErrorList", n), item) for n, item in enumerate(contract.errors or ())]
+            reactions += [
+                Declared(name, (*base, "SafetyReactionList", n), item)
+                for n, item in enumerate(contract.safety_reactions or ())
+            ]
+    return errors, reactions

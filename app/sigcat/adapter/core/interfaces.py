@@ -1,0 +1,138 @@
+"""Inputs and outputs of a call (sections 2 to 5)."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from sigcat import codes
+from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.plan import Input, Named, Output, Port, Queue, TimeOut
+from sigcat.adapter.core.planning import Context, Planning, expression, nanoseconds
+from sigcat.adapter.core.values import value_of
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.runnable import Runnable
+
+Data = Signal | DataQueue
+
+
+def data_of(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
+    """Signals and queues of a call, with their pointers."""
+    found: list[tuple[Pointer, Data]] = []
+    for index, contract in enumerate(call.contracts or ()):
+        base = (*at, "funcContractList", index)
+        found += [((*base, "SignalList", number), item) for number, item in enumerate(contract.signals or ())]
+        found += [((*base, "DataQList", number), item) for number, item in enumerate(contract.queues or ())]
+    return found
+
+
+def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, object]) -> Named:
+    """How an interface is called, beside those that are there."""
+    unit = item.vss_unit or (item.units if item.vss_datatype is None else None)
+    text = f"{item.vss_path or item.name}{f' [{unit}]' if unit else ''}"
+    return Named(unique(identifier(item.name), taken), comment(text), at)
+
+
+def inputs_of(
+    call: Runnable, at: Pointer, ports: Mapping[str, str], resets: frozenset[str], context: Context
+) -> Planning[tuple[Input, ...]]:
+    """What a call consumes. `ports` has the names under which signals are received, by path or name."""
+    found: dict[str, Input] = {}
+    for pointer, item in data_of(call, at):
+        if item.role != CONSUMER:
+            continue
+        made = yield from _input(item, pointer, ports[port_key(item)], found, context)
+        if made is not None:
+            found[made.named.name] = replace(made, is_reset=bool({item.name, item.vss_path} & resets))
+    return tuple(found.values())
+
+
+def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> Planning[tuple[Output, ...]]:
+    """What a call provides; `taken` are names of what other calls send."""
+    found: dict[str, Output] = {}
+    for pointer, item in data_of(call, at):
+        if item.role == CONSUMER:
+            continue
+        name = named(item, pointer, dict.fromkeys([*taken, *found]))
+        variable = yield from _variable(item, pointer)
+        value = yield from value_of(item, pointer, context, to_code=False)
+        if variable is not None and value is not None:
+            queue = yield from _queue(item, pointer)
+            found[name.name] = Output(name, variable, value, item.range_error, queue)
+    taken.update(found)
+    return tuple(found.values())
+
+
+def port_key(item: Data) -> str:
+    """What makes two inputs one signal: their path, or their name."""
+    return item.vss_path or item.name
+
+
+def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], context: Context) -> Planning[Input | None]:
+    name = named(item, at, taken)
+    variable = yield from _variable(item, at)
+    value = yield from value_of(item, at, context, to_code=True)
+    time_out = yield from _time_out(item, at)
+    queue = yield from _queue(item, at)
+    if variable is None or value is None:
+        return None
+    return Input(
+        named=name,
+        port=port,
+        variable=variable,
+        value=value,
+        is_immediate=(item.access or "").lower() == "immediate",
+        time_out=time_out,
+        time_out_error=item.timeout_error,
+        range_error=item.range_error,
+        queue=queue,
+        names=tuple(filter(None, (item.name, item.vss_path))),
+    )
+
+
+def _variable(item: Data, at: Pointer) -> Planning[str | None]:
+    if item.variable is None:
+        subject = Subject("data", item.vss_path or item.name)
+        message = f"{item.name} must have a variable of the C code."
+        yield Problem(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `bus.speed`.", subject)
+        return None
+    return (yield from expression(item.variable, item.name, (*at, "Variable")))
+
+
+def _time_out(item: Data, at: Pointer) -> Planning[TimeOut | None]:
+    time = yield from nanoseconds(item.timeout, (*at, "Timeout"))
+    if time is None:
+        return None
+    return TimeOut(time, item.timeout_start == "First", item.timeout_value or "Last", item.timeout_recovery or 1)
+
+
+def _queue(item: Data, at: Pointer) -> Planning[Queue | None]:
+    if not isinstance(item, DataQueue):
+        return None
+    count = yield from expression(item.count_variable, item.name, (*at, "CountVariable"))
+    per_step = min(item.values_per_step or 1, item.queue_length)
+    return Queue(item.queue_length, item.overflow == "DropNewest", per_step, count, item.overflow_error)
+
+
+def ports_of(calls: list[tuple[Pointer, Runnable]]) -> dict[str, str]:
+    """Names under which signals are received, by path or name."""
+    names: dict[str, str] = {}
+    for at, call in calls:
+        for _, item in data_of(call, at):
+            if item.role == CONSUMER and port_key(item) not in names:
+                names[port_key(item)] = unique(identifier(item.name), names.values())
+    return names
+
+
+def received(inputs: Mapping[str, tuple[Input, ...]], triggers: Mapping[str, frozenset[str]]) -> tuple[Port, ...]:
+    """What is received, for all calls. `inputs` by call; `triggers` are names of ports, by call."""
+    ports: dict[str, Port] = {}
+    for call, consumed in inputs.items():
+        for each in consumed:
+            port = ports.setdefault(each.port, Port(each.port, each.named.comment, each.value.wire, ()))
+            ports[each.port] = replace(port, consumers=(*port.consumers, (call, each)))
+    return tuple(
+        replace(port, triggers=tuple(call for call, names in triggers.items() if port.name in names))
+        for port in ports.values()
+    )

@@ -1,0 +1,67 @@
+"""Parameters of a function (section 11). One that several calls list is one parameter."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sigcat import codes
+from sigcat.adapter.core.interfaces import named
+from sigcat.adapter.core.plan import Parameter
+from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression
+from sigcat.adapter.core.values import value_of
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.data_interfaces import ParameterInterface
+
+LEARNED = "LearningParameter"
+
+
+def parameters_of(calls: Sequence[ListedCall], context: Context) -> Planning[tuple[Parameter, ...]]:
+    """The parameters of all calls, which are given with their short names and pointers."""
+    found: dict[str, Parameter] = {}
+    by_variable: dict[str, str] = {}
+    for call, at, item in _listed(calls):
+        known = by_variable.get(item.variable or "")
+        if known is not None:
+            found[known] = replace(found[known], calls=(*found[known].calls, call))
+            continue
+        made = yield from _parameter(item, at, call, found, context)
+        if made is not None:
+            found[made.named.name] = made
+            by_variable[made.variable] = made.named.name
+    return tuple(found.values())
+
+
+def _listed(calls: Sequence[ListedCall]) -> list[tuple[str, Pointer, ParameterInterface]]:
+    return [
+        (name, (*at, "funcContractList", index, "ParameterList", number), item)
+        for name, at, call in calls
+        for index, contract in enumerate(call.contracts or ())
+        for number, item in enumerate(contract.parameters or ())
+    ]
+
+
+def _parameter(
+    item: ParameterInterface, at: Pointer, call: str, taken: dict[str, Parameter], context: Context
+) -> Planning[Parameter | None]:
+    if item.variable is None:
+        subject = Subject("data", item.vss_path or item.name)
+        message = f"{item.name} must have a variable of the C code."
+        yield Problem(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `parameters.gain`.", subject)
+        return None
+    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
+    value = yield from value_of(item, at, context, to_code=True)
+    if variable is None or value is None:
+        return None
+    back = yield from value_of(item, at, context, to_code=False)
+    assert back is not None
+    return Parameter(
+        named=named(item, at, taken),
+        key=item.key or item.name,
+        variable=variable,
+        value=value,
+        learned=back if item.attribute == LEARNED else None,
+        default=tuple(leaf.default for leaf in back.leaves),
+        replacement=tuple(leaf.replacement or leaf.default for leaf in back.leaves),
+        calls=(call,),
+        range_error=item.range_error,
+    )

@@ -1,0 +1,76 @@
+"""What all parts of planning know, and how they report what cannot be planned."""
+
+import json
+from collections.abc import Generator, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple, TypeVar
+
+from sigcat import codes
+from sigcat.function.checks.expression import may_hold_value
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.runnable import Runnable
+
+T = TypeVar("T")
+Planning = Generator[Problem, None, T]
+"""Gives a part of the plan, and on the way what is wrong with it."""
+
+NANOSECONDS_IN_MILLISECOND = 10**6
+
+
+class Context(NamedTuple):
+    """The function, and its datatypes by their references."""
+
+    function: FunctionJson
+    datatypes: Mapping[str, Datatype]
+
+    @property
+    def name(self) -> str:
+        """Name of the function."""
+        return self.function.info.function_name
+
+
+class ListedCall(NamedTuple):
+    """A call as the function lists it."""
+
+    name: str
+    """Last part of its name."""
+    at: Pointer
+    call: Runnable
+
+
+def context_of(function: FunctionJson) -> Context:
+    """The context of a function."""
+    return Context(function, {datatype.reference: datatype for datatype in function.datatypes})
+
+
+def nanoseconds(value: str | float | None, at: Pointer) -> Planning[int | None]:
+    """A duration of the wire format, in ms, as whole ns; None if there is none."""
+    number = milliseconds(value) if isinstance(value, str) else value
+    if number is None:
+        return None
+    exact = Fraction(repr(number)) * NANOSECONDS_IN_MILLISECOND
+    if exact.denominator != 1:
+        message = f"The time must be whole nanoseconds, not {number!r} ms."
+        yield Problem(codes.TIME_NOT_WHOLE, at, message)
+    return round(exact)
+
+
+def expression(text: str | None, what: str, at: Pointer) -> Planning[str | None]:
+    """An expression of C that holds a value, as the declaration has it; None if there is none, or C has no such."""
+    if text is None or may_hold_value(text):
+        return text
+    message = f"The variable of {what} must be an expression of C, not {text!r}."
+    yield Problem(codes.VARIABLE_MISSING, at, message, "Write it as in the code, such as bus.speed.")
+    return None
+
+
+def elements(text: str | None) -> Any:
+    """Elements of an array or members of a struct, as Function JSON has them; None if there are none."""
+    try:
+        return json.loads(text) if text is not None else None
+    except ValueError:
+        return None

@@ -1,0 +1,283 @@
+"""A value between the catalogue and the code: its leaves, with their limits and conversions (sections 4 and 5)."""
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.core.numbers import (
+    Number,
+    NumberType,
+    brought_to,
+    greatest_limit,
+    least_limit,
+    number_type,
+    type_of_c,
+)
+from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
+from sigcat.adapter.core.planning import Context, Planning, elements
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.type_list import smallest_integer
+
+Interface = Signal | DataQueue | ParameterInterface
+
+
+class Part(NamedTuple):
+    """A number, or an array of numbers, that a datatype is made of."""
+
+    wire: str
+    """Where it is in the catalogue's value: ``, `.x`, `[i]`."""
+    code: str
+    """Where it is in the variable."""
+    keys: tuple[str, ...]
+    """Members that lead to it."""
+    length: int | None
+    type: NumberType
+    symbols: tuple[EnumerationValue, ...] | None
+    least: Fraction | None = None
+    """Limits of a member, which has its own."""
+    greatest: Fraction | None = None
+
+
+class Side(NamedTuple):
+    """How a part is made on one side: in the catalogue, or in the code."""
+
+    type: NumberType
+    numbers: tuple[EnumerationValue, ...] | None
+    scale: Linear
+    """From the physical value, in the code's unit, to what is held."""
+
+
+def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Planning[Value | None]:
+    """The value of an interface, from the catalogue to the code or back. None if the core cannot carry it."""
+    members = {member.name: member.member for member in item.members or ()}
+    parts, what = parts_of(item.datatype, members, context)
+    if not parts:
+        message = f"{item.name} cannot be carried: {what}."
+        yield Problem(codes.VALUE_NOT_CARRIED, (*at, "Datatype"), message, "Give it another datatype.")
+        return None
+    is_struct = any(part.keys for part in parts)
+    leaves = tuple([_leaf(item, part, to_code=to_code, is_struct=is_struct) for part in parts])
+    if any(_is_inexact(leaf.element) for leaf in leaves):
+        message = f"{item.name} cannot be converted: a double does not hold 64-bit integers."
+        yield Problem(codes.VALUE_NOT_CARRIED, at, message, "Give both sides the same unit, or 32 bits.")
+        return None
+    wire = _wire_type(item, parts, leaves, context, to_code=to_code)
+    return Value(wire, leaves, is_bare=len(parts) == 1 and not is_struct and parts[0].length is None)
+
+
+def _is_inexact(element: Element) -> bool:
+    return element.conversion != IDENTITY and (element.source.is_wide or element.target.is_wide)
+
+
+# -- parts of a datatype ------------------------------------------------------------------------------------------
+
+
+def parts_of(reference: str, members: Mapping[str, str], context: Context) -> tuple[tuple[Part, ...], str]:
+    """The parts of a datatype; or none, and why."""
+    try:
+        return tuple(_parts(reference, "", "", (), None, members, context, depth=0)), ""
+    except _NotCarried as reason:
+        return (), str(reason)
+
+
+class _NotCarried(Exception):
+    """Why a datatype has no parts."""
+
+
+_DEEPEST = 16
+
+
+def _parts(
+    reference: str, wire: str, code: str, keys: tuple[str, ...], length: int | None, members: Mapping[str, str],
+    context: Context, depth: int,
+) -> Iterator[Part]:  # fmt: skip
+    datatype = context.datatypes.get(reference)
+    if datatype is None or depth > _DEEPEST:
+        raise _NotCarried(f"the datatype {reference} is not known" if datatype is None else "its structs are too deep")
+    if datatype.kind == "struct":
+        for field in datatype.fields or ():
+            path = ".".join((*keys, field.name))
+            ends = f"{wire}.{identifier(field.name)}", f"{code}.{members.get(path, field.name)}"
+            deeper = _parts(field.datatype, *ends, (*keys, field.name), length, members, context, depth + 1)
+            yield from (_limited(part, field.min, field.max) for part in deeper)
+    elif datatype.kind == "array":
+        if length is not None or datatype.length is None:
+            raise _NotCarried("arrays within arrays are not carried" if length else "the length of its array is open")
+        ends = f"{wire}[i]", f"{code}[i]"
+        yield from _parts(datatype.element or "", *ends, keys, datatype.length, members, context, depth + 1)
+    else:
+        yield Part(wire, code, keys, length, _number_type(datatype), datatype.symbols)
+
+
+def _limited(part: Part, least: float | None, greatest: float | None) -> Part:
+    """A part with the limits of its member, unless a deeper one has its own."""
+    return part._replace(
+        least=part.least if part.least is not None or least is None else Fraction(repr(least)),
+        greatest=part.greatest if part.greatest is not None or greatest is None else Fraction(repr(greatest)),
+    )
+
+
+def _number_type(datatype: Datatype) -> NumberType:
+    found = type_of_c(datatype.c_definition)
+    if found is None:
+        raise _NotCarried(f"{datatype.c_definition} does not hold a number of a fixed size")
+    return found
+
+
+# -- from one side to the other -----------------------------------------------------------------------------------
+
+
+def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Leaf:
+    code, wire = _code_side(item, part, is_struct=is_struct), _wire_side(item, part, is_struct=is_struct)
+    source, target = (wire, code) if to_code else (code, wire)
+    is_checked = item.range_error_action is not None or item.range_error is not None
+    low, high = _limits(item, part, is_struct=is_struct)
+    element = Element(
+        source=source.type,
+        target=target.type,
+        conversion=IDENTITY if part.symbols else source.scale.inverse.then(target.scale),
+        names=_names(source, target),
+        is_checked=is_checked and not part.symbols,
+        **(_on_source(low, high, source) if is_checked and not part.symbols else {}),
+    )
+    init, default = _given(item, "init", part), _given(item, "default", part)
+    return Leaf(
+        *((part.wire, part.code) if to_code else (part.code, part.wire)),
+        length=part.length,
+        element=element,
+        init=_held(init or default, part, target),
+        default=_held(default or init, part, target),
+        replacement=_replacement(item, init, default, part, target),
+    )
+
+
+def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
+    factor, offset = _number(getattr(item, "factor", None)), _number(getattr(item, "offset", None))
+    scale = (
+        Linear(Fraction(1) if factor is None else factor, offset or Fraction(0)).inverse if factor != 0 else IDENTITY
+    )
+    return Side(part.type, part.symbols, IDENTITY if is_struct else scale)
+
+
+def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
+    if is_struct or item.vss_datatype is None:
+        return Side(part.type, part.symbols, IDENTITY)
+    numbers = item.vss_symbols or part.symbols
+    name = item.vss_datatype.removesuffix("[]")
+    known = number_type(name)
+    if numbers and (known is None or not known.is_integer):
+        known = number_type(smallest_integer({each.symbol: each.value for each in numbers}))
+    factor, offset = _number(item.conversion_factor), _number(item.conversion_offset)
+    scale = Linear(Fraction(1) if factor is None else factor, offset or Fraction(0))
+    return Side(known or part.type, numbers if part.symbols else None, scale)
+
+
+def _number(value: str | float | None) -> Fraction | None:
+    if isinstance(value, str):
+        return of_text(value)
+    return None if value is None else Fraction(repr(value))
+
+
+def _names(source: Side, target: Side) -> Mapping[int, int] | None:
+    if source.numbers is None or target.numbers is None:
+        return None
+    known = {each.symbol: each.value for each in target.numbers}
+    return {each.value: known[each.symbol] for each in source.numbers if each.symbol in known}
+
+
+def _limits(item: Interface, part: Part, *, is_struct: bool) -> tuple[Fraction | None, Fraction | None]:
+    if is_struct:
+        return part.least, part.greatest
+    return _number(item.min), _number(item.max)
+
+
+def _on_source(low: Fraction | None, high: Fraction | None, source: Side) -> dict[str, Number | None]:
+    """Limits of the physical value on the scale of the source; a negative factor turns them round."""
+    ends = [None if end is None else source.scale(end) for end in (low, high)]
+    least, greatest = ends if source.scale.factor > 0 else reversed(ends)
+    return {
+        "least": None if least is None else least_limit(least, source.type),
+        "greatest": None if greatest is None else greatest_limit(greatest, source.type),
+    }
+
+
+# -- values that are given ----------------------------------------------------------------------------------------
+
+
+def _given(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | None:
+    """A start value or default, one number for each element; None if there is none."""
+    text = getattr(item, f"{name}_elements", None)
+    if isinstance(item, ParameterInterface) and name == "default":
+        text = item.default_text
+    given = elements(text)
+    for key in part.keys:
+        given = given.get(key) if isinstance(given, Mapping) else None
+    if given is None and not part.keys:
+        given = getattr(item, "init_value" if name == "init" else "default")
+    numbers = _listed(given, part)
+    return tuple(numbers) if numbers else None
+
+
+def _listed(given: Any, part: Part) -> list[Fraction]:
+    count = part.length or 1
+    each = given if isinstance(given, list) else [given] * count
+    numbers = [_element(number, part) for number in each][:count]
+    if not numbers or any(number is None for number in numbers):
+        return []
+    known = [number for number in numbers if number is not None]
+    return [*known, *[known[-1]] * (count - len(known))]
+
+
+def _element(given: Any, part: Part) -> Fraction | None:
+    if isinstance(given, str):
+        return next((Fraction(each.value) for each in part.symbols or () if each.symbol == given), None)
+    return (
+        Fraction(repr(given))
+        if isinstance(given, int | float) and not isinstance(given, bool)
+        else (Fraction(int(given)) if isinstance(given, bool) else None)
+    )
+
+
+def _held(given: tuple[Fraction, ...] | None, part: Part, target: Side) -> tuple[Number, ...]:
+    """Physical values as the target holds them: 0 where nothing is given."""
+    if given is None:
+        return (0,) * (part.length or 1)
+    if part.symbols is None:
+        return tuple(brought_to(target.scale(number), target.type) for number in given)
+    names = _names(Side(part.type, part.symbols, IDENTITY), target) or {}
+    return tuple(names.get(int(number), 0) for number in given)
+
+
+def _replacement(
+    item: Interface, init: tuple[Fraction, ...] | None, default: tuple[Fraction, ...] | None, part: Part, target: Side
+) -> tuple[Number, ...] | None:
+    if item.range_error_action is None:
+        return None
+    first, second = (default, init) if item.range_error_action == "Default" else (init, default)
+    return _held(first or second, part, target)
+
+
+def _wire_type(
+    item: Interface, parts: tuple[Part, ...], leaves: tuple[Leaf, ...], context: Context, *, to_code: bool
+) -> WireType:
+    if any(part.keys for part in parts):
+        datatype = context.datatypes[item.datatype]
+        length = datatype.length if datatype.kind == "array" else None
+        return WireType(struct_name(item.datatype, context), length, is_struct=True)
+    element = leaves[0].element
+    numbers = item.vss_symbols or parts[0].symbols or ()
+    symbols = tuple((each.symbol, each.value) for each in numbers) if parts[0].symbols else ()
+    return WireType((element.source if to_code else element.target).c, parts[0].length, symbols=symbols)
+
+
+def struct_name(reference: str, context: Context) -> str:
+    """Name of the struct, as it is received and sent."""
+    datatype = context.datatypes[reference]
+    inner = datatype.element if datatype.kind == "array" and datatype.element else reference
+    return f"{identifier(context.name)}_Adapter_{identifier(inner.removeprefix('DT_'))}"

@@ -1,0 +1,41 @@
+"""Every rule about adapters does what its own examples say."""
+
+import pytest
+
+from sigcat.adapter.core.derive import derive
+from sigcat.data import INTERFACE_RULES
+from sigcat.errors import InputRefused
+from sigcat.function.function_file import checked_file
+from sigcat.rules.record import load_rules
+from tests.function.shipped import interfaces
+
+OWN = [rule for rule in load_rules(INTERFACE_RULES) if rule.check == "adapter"]
+GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
+BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
+
+
+def findings_of(example):
+    checked = checked_file(example.encode(), "function.yaml", interfaces())
+    assert checked.sound is not None, checked.findings
+    try:
+        return derive(checked.sound).findings
+    except InputRefused as refused:
+        return refused.findings
+
+
+def test_there_are_rules():
+    assert len(OWN) >= 5
+    assert len(GOOD) >= len(OWN)
+    assert len(BAD) >= len(OWN)
+
+
+@pytest.mark.parametrize(("rule", "example"), GOOD)
+def test_a_good_example_has_no_finding(rule, example):
+    assert findings_of(example) == ()
+
+
+@pytest.mark.parametrize(("rule", "example"), BAD)
+def test_a_bad_example_has_a_finding_of_its_rule(rule, example):
+    (finding,) = findings_of(example)
+    assert (finding.rule, finding.severity) == (rule.id, rule.severity)
+    assert finding.line
