@@ -8,12 +8,19 @@ import io
 import json
 import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.cli import main as sigcat
+from sigcat.function.code_files import is_on_disk
+from sigcat.function.function_file import checked_file
+from sigcat.function.function_json.model import to_json
+from sigcat.function.sets.check_set import check_functions
 
 ROOT = Path(__file__).parents[1]
 
@@ -78,11 +85,33 @@ def sides() -> tuple[str, str]:
     return "old.vspec", "new.vspec+overlay.vspec" if Path("overlay.vspec").exists() else "new.vspec"
 
 
+def function_json() -> str:
+    """The Function JSON of a function.yaml, without what it was made from."""
+    function = checked_file(Path("function.yaml").read_bytes(), "function.yaml", _interfaces()).sound_function
+    assert function is not None
+    return to_json(function.model_copy(update={"provenance": None})).decode()
+
+
+def findings_of_function() -> str:
+    """The findings of a function.yaml and of the files that it names."""
+    file = (Path("function.yaml").read_bytes(), "function.yaml")
+    found = check_functions([file], _interfaces(), is_whole=False, is_there=is_on_disk)
+    return lines(finding.line_of_text for finding in found)
+
+
+@cache
+def _interfaces() -> Catalogue:
+    """The shipped tree with the overlays of interfaces."""
+    return load(next(source for source in shipped_sources() if source.id == "interfaces"))
+
+
 LANGUAGE = Cases("tests/catalogue/cases", "expected.json", export)
 BAD_INPUT = Cases("tests/catalogue/bad", "expected.txt", findings)
 OLDER_RELEASES = Cases("tests/catalogue/hosting/older", "expected.txt", findings_of_older)
 CHANGES = Cases("tests/catalogue/comparing/cases", "expected.txt", changes)
-ALL = (LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES)
+FUNCTIONS = Cases("tests/function/cases", "expected.json", function_json)
+BAD_FUNCTIONS = Cases("tests/function/bad", "expected.txt", findings_of_function)
+ALL = (LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES, FUNCTIONS, BAD_FUNCTIONS)
 
 
 def files() -> Mapping[str, str]:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.function.checks.expression import may_hold_value
+from sigcat.function.checks.expression import may_hold_value, root_of
 from sigcat.function.function_file import check_function
 from tests.function.shipped import interfaces
 
@@ -99,6 +99,16 @@ def test_expressions_that_hold_a_value_are_taken(text):
 )  # fmt: skip
 def test_what_names_no_value_in_c_is_refused(text):
     assert not may_hold_value(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "root"),
+    [("in.speed", "in"), ("x[i]", "x"), ("(*in).a[k].b", "in"), ("((const Bus *)in)->values[i + 1]", "in"), ("&x", "x"),
+     ("(Bus)in.a", "in"), ("(unsigned char)x", "x"), ("(Bus **)&in", "in"), ("(in)->a", "in"), ("*p", "p"), ("f()", "f"),
+     ("; x", None), ("", None)],
+)  # fmt: skip
+def test_an_expression_begins_with_a_name(text, root):
+    assert root_of(text) == root
 
 
 @pytest.mark.parametrize(("written", "fix"), [

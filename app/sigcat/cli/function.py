@@ -88,11 +88,12 @@ def _add_validate(actions: Actions) -> None:
 
 def build(arguments: argparse.Namespace) -> int:
     """Write the Function JSON; warnings go to standard error. Raises InputRefused if there are errors."""
+    from sigcat.function.code_files import is_on_disk
     from sigcat.function.function_file import build_function
     from sigcat.function.function_json.model import to_json
 
     data = arguments.file.read_bytes()
-    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=_is_there)
+    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=is_on_disk)
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -134,17 +135,13 @@ def overlay(arguments: argparse.Namespace) -> int:
 
 def validate(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if a file cannot be used, or files cannot be used together."""
+    from sigcat.function.code_files import is_on_disk
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in arguments.files]
-    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=_is_there)
+    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=is_on_disk)
     _print(findings, arguments.format)
     return int(has_errors(findings))
-
-
-def _is_there(declaration: str, path: str) -> bool:
-    """Whether a path that a declaration gives leads to something."""
-    return (Path(declaration).parent / path).exists()
 
 
 def _print(findings: "Sequence[Finding]", form: str) -> None:

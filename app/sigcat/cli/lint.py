@@ -144,7 +144,7 @@ def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argp
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
     text = sys.stdin.buffer.read()
     if holds_function(text):
-        findings = tuple(_check_functions(options, [(text, _INPUT_NAME)], is_whole=False))
+        findings = tuple(_check_functions(options, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False))
     else:
         every_rule = rules_for(options)
         rules, known = RuleSet(selected(every_rule, options)), frozenset(rule.id for rule in every_rule)
@@ -197,13 +197,15 @@ def _codes(given: list[str]) -> tuple[str, ...]:
 
 
 def _check_functions(
-    options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool
+    options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
 ) -> "Sequence[Finding]":
     """Check function files against the tree with the overlays of the options; loaded only when there are any."""
     from sigcat.catalogue.hosting.source import load
+    from sigcat.function import code_files
     from sigcat.function.sets.check_set import check_functions
 
-    return check_functions(files, load(_tree(options)), is_whole=is_whole)
+    is_there = code_files.is_on_disk if is_on_disk else None
+    return check_functions(files, load(_tree(options)), is_whole=is_whole, is_there=is_there)
 
 
 def _tree(options: "LintOptions") -> "Source":

@@ -1,17 +1,24 @@
 """Files of the code that a declaration names and that are not there."""
 
 from collections.abc import Callable, Iterator
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.code import CodeInterface
+from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 
 IsThere = Callable[[str, str], bool]
-"""Whether there is a file or folder, by the name of the declaration and the path that this gives: reading is left to who
-knows the disk."""
+"""Whether there is a file or folder, by the name of the declaration and the path that stands in it."""
+
+
+def is_on_disk(declaration: str, path: str) -> bool:
+    """Whether there is one beside a declaration that was read from a disk."""
+    try:
+        return (Path(declaration).parent / path).exists()
+    except OSError:  # no file can have such a name
+        return False
 
 
 def missing_files(function: ResolvedFunction, is_there: IsThere) -> Iterator[Finding]:
@@ -20,7 +27,7 @@ def missing_files(function: ResolvedFunction, is_there: IsThere) -> Iterator[Fin
     if code is None or function.origin is None:
         return
     for pointer, what, path, places in _named(code):
-        if not any(is_there(function.document.name, place) for place in places):
+        if is_inside(path) and not any(is_there(function.document.name, place) for place in places):
             message = f"There is no {what} {path!r}."
             fix = "Correct the path, or add the file." if what != "folder" else "Correct the path, or add the folder."
             yield function.finding(codes.CODE_FILE_MISSING, pointer, message, fix)

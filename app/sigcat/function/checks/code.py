@@ -8,7 +8,7 @@ from sigcat.function.checks.expression import is_identifier, root_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject
+from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject, is_inside
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -52,17 +52,12 @@ def _paths(code: CodeInterface) -> Problems:
     lists = {"Sources": code.sources, "Headers": code.headers, "IncludeFolders": code.include_folders}
     for key, paths in lists.items():
         for index, path in enumerate(paths or ()):
-            if not _is_inside(path):
+            if not is_inside(path):
                 message = (
                     f"A path must be relative, with `/`, and lead into the folder of the declaration, not {path!r}."
                 )
                 fix = "Put the file beside the declaration, or below it."
                 yield Problem(codes.CODE_FILE_ELSEWHERE, ("Code", key, index), message, fix)
-
-
-def _is_inside(path: str) -> bool:
-    is_plain = path.isprintable() and not any(character in path for character in '\\"<>|?*:')
-    return is_plain and not path.startswith("/") and ".." not in path.split("/") and bool(path.strip())
 
 
 # -- the signature ------------------------------------------------------------------------------------------------
@@ -197,7 +192,7 @@ def _roots(function: FunctionJson) -> Problems:
         root = root_of(each.expression)
         if root is not None and root not in names:
             message = f"{each.expression!r} must begin with an object of the code, not with {root!r}."
-            fix = hint(root, names) or f"Begin with {either(names)}, or list it under `objects`."
+            fix = hint(root, names) or f"Begin with {either(dict.fromkeys(names))}, or list it under `objects`."
             yield Problem(codes.EXPRESSION_OF_NO_OBJECT, each.pointer, message, fix, each.place.subject)
 
 

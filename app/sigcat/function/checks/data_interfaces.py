@@ -38,11 +38,16 @@ def _range(pointer: Pointer, item: Item) -> Problems:
         fix, subject = "Exchange `min` and `max`.", Subject("data", path, ("min", "max"))
         yield Problem(codes.RANGE_UPSIDE_DOWN, (*pointer, "Min"), message, fix, subject)
         return
-    for key, value in (("InitValue", item.init_value), ("Default", getattr(item, "default", None))):
+    for key, value in () if _has_elements(item) else (("InitValue", item.init_value), ("Default", item.default)):
         if value is not None and _is_outside(value, item.min, item.max):
             message = f"`{key}` of {item.name!r} must be {_words(item.min, item.max)}, not {value}."
             subject = Subject("data", path, ("default",))
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=subject)
+
+
+def _has_elements(item: Item) -> bool:
+    """Whether the values of an array or struct stand elsewhere, and 0 in place of them where a number is required."""
+    return item.init_elements is not None or (isinstance(item, ParameterInterface) and item.default_text is not None)
 
 
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:

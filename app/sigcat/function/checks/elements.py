@@ -62,8 +62,7 @@ def _value(text: str, item: Item, at: Pointer, types: Types) -> Problems:
         yield Problem(codes.START_VALUE_OUT_OF_RANGE, at, message, subject=subject)
         return
     for misfit in islice(_misfits(value, item.datatype, _limits(item), types), _MOST):
-        where = f"`{what}`{_shown(misfit.at)} of {item.name!r}"
-        message = f"{where} must be {misfit.wanted}, not {in_yaml(misfit.given)}."
+        message = f"`{what}{_shown(misfit.at)}` of {item.name!r} must be {misfit.wanted}, not {in_yaml(misfit.given)}."
         yield Problem(
             codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=_cause(at, subject)
         )

@@ -66,3 +66,9 @@ class Checkpoint(WireModel):
     initial: bool | None = own("Initial", "Whether a sequence begins with the call.")
     final: bool | None = own("Final", "Whether a sequence may end with the call.")
     next: tuple[str, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
+
+
+def is_inside(path: str) -> bool:
+    """Whether a path leads from a folder into it, on every system."""
+    is_plain = path.isprintable() and not any(character in path for character in '\\"<>|?*:')
+    return is_plain and not path.startswith("/") and ".." not in path.split("/") and bool(path.strip())

@@ -18,8 +18,10 @@ TypeOf = Callable[[str], Datatype | None]
 
 def init_elements(code: CodeValue, reference: str, type_of: TypeOf, default: str | None) -> str | None:
     """The start value of an array or struct, as its author wrote it; else the default."""
-    given = code.item.init
-    return _text(_in_code(given, reference, type_of)) if isinstance(given, list | dict) else default
+    given, datatype = code.item.init, type_of(reference)
+    if datatype is None or not isinstance(given, {"array": list, "struct": dict}.get(datatype.kind or "", ())):
+        return default if given is None else None
+    return _text(_in_code(given, reference, type_of))
 
 
 def default_elements(code: CodeValue, reference: str, type_of: TypeOf, catalogue: Catalogue) -> str | None:

@@ -54,6 +54,8 @@ def is_outside(number: Fraction, low: Fraction | None, high: Fraction | None) ->
 
 
 def _wanted(code: CodeValue, *, is_boolean: bool) -> str:
+    if is_array(code.own_datatype) and not code.symbols:
+        return "a list, or a number for all elements"
     if code.own_datatype not in DATATYPES:
         return "a mapping of members"
     if code.symbols:

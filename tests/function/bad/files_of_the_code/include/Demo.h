@@ -1,0 +1,1 @@
+/* Found in an include folder. */

@@ -1,0 +1,82 @@
+"""Functions that say how their code is called: the Function JSON that they give, and what is found wrong with others."""
+
+import io
+import json
+import shutil
+
+import jsonschema
+import pytest
+
+from scripts.cases import BAD_FUNCTIONS, FUNCTIONS, ROOT
+from sigcat.cli import main
+from sigcat.data import EXAMPLES
+from sigcat.function.code_files import is_on_disk
+from sigcat.function.function_file import check_function, checked_file
+from sigcat.function.function_json.model import function_schema, to_json
+from sigcat.integration.report import NOT_CARRIED
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
+from tests.function.shipped import interfaces, resolved
+from tests.published.schemas import schema
+
+
+def source(name: str) -> bytes:
+    return (ROOT / FUNCTIONS.folder / name / "function.yaml").read_bytes()
+
+
+@pytest.mark.parametrize("name", FUNCTIONS.names)
+def test_a_function_gives_its_function_json(name):
+    assert FUNCTIONS.made(name) == FUNCTIONS.text(name), "If that is meant, run `make generate`."
+
+
+@pytest.mark.parametrize("name", FUNCTIONS.names)
+def test_it_is_valid_under_the_published_schema_and_ours(name):
+    document = json.loads(FUNCTIONS.text(name))
+    jsonschema.validate(document, schema("function_json"))
+    jsonschema.validate(document, function_schema())
+
+
+@pytest.mark.parametrize("name", FUNCTIONS.names)
+def test_nothing_is_found_wrong_with_it_as_a_declaration_or_as_function_json(name):
+    checked = checked_file(source(name), "function.yaml", interfaces())
+    assert checked.findings == ()
+    assert checked.function is not None
+    assert check_function(to_json(checked.function), "function.json", interfaces()) == ()
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+@pytest.mark.parametrize("name", FUNCTIONS.names)
+def test_each_field_that_it_has_goes_into_the_integration_or_the_report_says_why_not(name, platform):
+    checked = checked_file(source(name), "function.yaml", interfaces())
+    assert checked.function is not None
+    report = integrate(PLATFORMS[platform], [resolved(checked.function)]).report
+    assert [entry for entry in report if entry.target == NOT_CARRIED and not entry.note] == []
+    assert "no field of Function JSON that sigcat knows" not in {entry.note for entry in report}
+
+
+@pytest.mark.parametrize("name", BAD_FUNCTIONS.names)
+def test_each_mistake_is_found_where_it_was_made(name):
+    assert BAD_FUNCTIONS.made(name) == BAD_FUNCTIONS.text(name), "If that is meant, run `make generate`."
+
+
+@pytest.mark.parametrize("command", [["function", "build"], ["function", "validate"], ["lint"]])
+def test_files_of_the_code_are_looked_for_beside_the_function_file(command, tmp_path, capsys):
+    file = tmp_path / "core_acc" / "function.yaml"
+    shutil.copytree(EXAMPLES / "core_acc", file.parent)
+    assert main([*command, str(file)]) == 0
+    assert "F201" not in "".join(capsys.readouterr())
+    (file.parent / "CoreAcc.c").unlink()
+    main([*command, str(file)])
+    assert f"{file}:14:13: warning F201 There is no file 'CoreAcc.c'." in "".join(capsys.readouterr())
+
+
+def test_of_a_posted_function_nobody_looks_for_files(monkeypatch, capsys):
+    posted = (EXAMPLES / "core_acc/function.yaml").read_bytes()
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(posted)))
+    assert main(["lint", "-"]) == 0
+    assert "F201" not in capsys.readouterr().out
+
+
+def test_a_path_that_no_file_can_have_is_none_that_is_there():
+    assert not is_on_disk("function.yaml", "a" * 5000)
+    assert not is_on_disk("function.yaml", "a\0b")
