@@ -19,6 +19,7 @@ GENERATORS: Mapping[str, str] = {
     "openapi": "",
     "licences": "",
     "examples": "examples/*/expected/**/*",
+    "drives": "examples/*/drive.csv",
     "cases": "tests/**/expected.*",
     "shown_outputs": "",
 }

@@ -3,10 +3,10 @@
  *
  * Model CoreAcc: adaptive cruise control, called every 50 ms.
  *
- * Four controllers each ask for an acceleration: one holds the set speed, one keeps the time gap to the vehicle ahead, one
- * limits the lateral acceleration in curves, and the predictive control proposes what saves energy. The proposal stands in
- * for the set speed as long as the speed stays near it; of the others, the smallest wins. What is requested changes
- * no faster than is comfortable.
+ * Four controllers each ask for an acceleration: one holds the set speed, one keeps the time gap to the vehicle
+ * ahead, one limits the lateral acceleration in curves, and the predictive control proposes what saves energy. The
+ * proposal stands in for the set speed as long as the speed stays near it. Then the smallest one wins. What is
+ * requested changes no faster than is comfortable.
  */
 #include "CoreAcc.h"
 
@@ -14,39 +14,42 @@
 
 #define STEP_TIME 0.05 /* s */
 
-#define NOT_AVAILABLE_ANGLE (-15.99)        /* rad: at or below, there is no steering wheel angle */
-#define NOT_AVAILABLE_ACCELERATION (-19.99) /* m/s^2: at or below, there is no acceleration */
-#define LARGEST_SPEED 100.0                 /* m/s: above, a speed is none */
-#define LOST_STEPS 10U                      /* a signal that is missing as long as this is lost */
+#define NO_ANGLE             (-15.99) /* rad: at or below, there is no steering wheel angle */
+#define NO_ACCELERATION      (-19.99) /* m/s^2: at or below, there is no acceleration */
+#define LARGEST_ANGLE        17.0     /* rad: above, it is none */
+#define LARGEST_ACCELERATION 21.0     /* m/s^2 */
+#define LARGEST_SPEED        100.0    /* m/s */
+#define LARGEST_DISTANCE     1000.0   /* m */
+#define LOST_STEPS           10U      /* a signal that is missing as long as this is lost */
 
 #define DRIVER_BRAKES 2.0 /* bar */
 
-#define SPEED_GAIN 0.35    /* 1/s */
-#define CURVE_GAIN 0.8     /* 1/s */
-#define GAP_GAIN 0.10      /* 1/s^2 */
-#define SPEED_REL_GAIN 0.6 /* 1/s */
+#define SPEED_GAIN     0.35 /* 1/s */
+#define CURVE_GAIN     0.8  /* 1/s */
+#define GAP_GAIN       0.10 /* 1/s^2 */
+#define SPEED_REL_GAIN 0.6  /* 1/s */
 
-#define TIME_GAP 1.8        /* s */
-#define STANDSTILL_GAP 4.0  /* m */
-#define HOLD_SPEED 0.2      /* m/s: slower is standing */
-#define HOLD_GAP 1.5        /* m beyond the gap at standstill: nearer is close enough to stand */
-#define START_GAP 2.5       /* m beyond the gap at standstill: the vehicle ahead has left */
-#define HOLD_REQUEST (-1.0) /* m/s^2 */
+#define TIME_GAP       1.8    /* s */
+#define STANDSTILL_GAP 4.0    /* m */
+#define HOLD_SPEED     0.2    /* m/s: slower is standing */
+#define HOLD_GAP       1.5    /* m beyond the gap at standstill: nearer is close enough to stand */
+#define START_GAP      2.5    /* m beyond the gap at standstill: the vehicle ahead has left */
+#define HOLD_REQUEST   (-1.0) /* m/s^2 */
 
-#define SPEED_BRAKING (-2.0)     /* m/s^2: hardest braking for the set speed */
-#define CURVE_BRAKING (-2.5)     /* m/s^2: hardest braking for a curve */
-#define NEEDED_BRAKING (-1.5)    /* m/s^2: harder, and the distance alone decides */
-#define ECO_LOWER 0.88           /* share of the set speed, below which the proposal does not count */
-#define ECO_UPPER 1.06           /* share of the set speed, above which it does not */
-#define NO_LIMIT 100.0           /* m/s^2, m/s: no controller asks for less */
-#define LARGEST_POWER 150000.0   /* W */
-#define STEERING_RATIO 15.0      /* steering wheel to wheels */
-#define WHEELBASE 3.0            /* m */
-#define CHARACTERISTIC_SPEED 28.0 /* m/s, of the understeering single-track model */
-#define SMALLEST_CURVATURE 0.0002 /* 1/m: less is straight */
+#define SPEED_BRAKING        (-2.0)   /* m/s^2: hardest braking for the set speed */
+#define CURVE_BRAKING        (-2.5)   /* m/s^2: hardest braking for a curve */
+#define NEEDED_BRAKING       (-1.5)   /* m/s^2: harder, and the distance alone decides */
+#define ECO_LOWER            0.88     /* share of the set speed, below which the proposal does not count */
+#define ECO_UPPER            1.06     /* share of the set speed, above which it does not */
+#define NO_LIMIT             100.0    /* m/s^2, m/s: no controller asks for less */
+#define LARGEST_POWER        150000.0 /* W */
+#define STEERING_RATIO       15.0     /* steering wheel to wheels */
+#define WHEELBASE            3.0      /* m */
+#define CHARACTERISTIC_SPEED 28.0     /* m/s, of the understeering single-track model */
+#define SMALLEST_CURVATURE   0.0002   /* 1/m: less is straight */
 
-#define TRACK_SAMPLES 10U    /* memory of the filter of the distance */
-#define TRACK_JUMP 6.0       /* m: a distance that jumps by more is that of another vehicle */
+#define TRACK_SAMPLES 10U /* memory of the filter of the distance */
+#define TRACK_JUMP    6.0 /* m: a distance that jumps by more is that of another vehicle */
 
 /* An acceleration, and the state in which it is requested. */
 typedef struct {
@@ -80,16 +83,22 @@ static real_T largestAcc(void)
   return (possible < comfortable) ? possible : comfortable;
 }
 
+/* NaN is not usable either. */
+static boolean_T isUsable(real_T value, real_T none, real_T largest)
+{
+  return (value > none) && (value < largest);
+}
+
 static boolean_T angleUsable(void)
 {
   return (core_inputs.bus_ACCIn.Bus_Sts.SteerAgTmo == 0U)
-         && (core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg > NOT_AVAILABLE_ANGLE);
+         && isUsable(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, NO_ANGLE, LARGEST_ANGLE);
 }
 
 static boolean_T proposalUsable(void)
 {
   return (core_inputs.bus_ACCIn.Bus_Sts.EcoAccPropTmo == 0U)
-         && ((real_T)core_inputs.bus_MPCOut.EcoAccProp > NOT_AVAILABLE_ACCELERATION);
+         && isUsable((real_T)core_inputs.bus_MPCOut.EcoAccProp, NO_ACCELERATION, LARGEST_ACCELERATION);
 }
 
 /* Keeps the last usable speed. */
@@ -107,7 +116,7 @@ static void readSpeed(void)
 static real_T ownAcc(void)
 {
   const real_T acc = core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt;
-  return (acc > NOT_AVAILABLE_ACCELERATION) ? acc : CoreAcc_DW.AccReq;
+  return isUsable(acc, NO_ACCELERATION, LARGEST_ACCELERATION) ? acc : CoreAcc_DW.AccReq;
 }
 
 /* Where the vehicle ahead is expected: its speed stays, the own one changes with the own acceleration. */
@@ -141,7 +150,7 @@ static void trackObject(void)
 {
   const real_T distance = (real_T)core_inputs.bus_ACCIn.Bus_Obj.ObjDst;
   predictObject();
-  if (!(distance > 0.0)) {
+  if (!isUsable(distance, 0.0, LARGEST_DISTANCE)) {
     CoreAcc_DW.ObjLost = (uint8_T)((CoreAcc_DW.ObjLost < LOST_STEPS) ? (CoreAcc_DW.ObjLost + 1U) : LOST_STEPS);
     CoreAcc_DW.ObjCnt = (CoreAcc_DW.ObjLost < LOST_STEPS) ? CoreAcc_DW.ObjCnt : (uint8_T)0U;
   } else {
@@ -158,7 +167,8 @@ static void trackObject(void)
 static real_T setSpeed(void)
 {
   const uint8_T unit = core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit;
-  const real_T speed = limited((real_T)core_inputs.bus_ACCIn.Bus_Cust.SetSpd, 0.0, LARGEST_SPEED);
+  const real_T given = (real_T)core_inputs.bus_ACCIn.Bus_Cust.SetSpd;
+  const real_T speed = isUsable(given, 0.0, LARGEST_SPEED) ? given : 0.0;
   if (unit == (uint8_T)SpdUnit_KM_PER_HOUR) {
     CoreAcc_DW.SpdUnit = 1.0 / 3.6;
   } else if (unit == (uint8_T)SpdUnit_MI_PER_HOUR) {
@@ -190,7 +200,8 @@ static Request_T forEco(real_T speed)
 {
   const real_T lower = SPEED_GAIN * ((ECO_LOWER * speed) - CoreAcc_DW.EgoSpd);
   const real_T upper = SPEED_GAIN * ((ECO_UPPER * speed) - CoreAcc_DW.EgoSpd);
-  const Request_T request = { limited((real_T)core_inputs.bus_MPCOut.EcoAccProp, lower, upper), (uint8_T)AccIntSts_Eco };
+  const real_T proposed = (real_T)core_inputs.bus_MPCOut.EcoAccProp;
+  const Request_T request = { limited(proposed, lower, upper), (uint8_T)AccIntSts_Eco };
   return request;
 }
 
@@ -270,15 +281,15 @@ static boolean_T isFaulty(void)
 }
 
 /*
- * Control begins when it becomes allowed. Once the driver brakes, the speed is lost or there is a fault, the vehicle is the
- * driver's until control is switched off and on again.
+ * Control begins when it becomes allowed. Once the driver brakes, the speed is lost or there is a fault, the vehicle
+ * is the driver's until control is switched off and on again.
  */
 static void engage(real_T speed)
 {
   const boolean_T allowed = (core_inputs.bus_ACCIn.Bus_Sts.ModeReq == (uint8_T)CoreAccMode_ACTIVE)
                             && (core_inputs.bus_ACCIn.Bus_Cust.EnaGACC != false) && (speed > 0.0);
-  const boolean_T released = (core_inputs.bus_ACCIn.Bus_Veh.BrkCylP > DRIVER_BRAKES) || (CoreAcc_DW.SpdLost >= LOST_STEPS)
-                             || isFaulty();
+  const boolean_T released =
+      (core_inputs.bus_ACCIn.Bus_Veh.BrkCylP > DRIVER_BRAKES) || (CoreAcc_DW.SpdLost >= LOST_STEPS) || isFaulty();
   const boolean_T begins = allowed && (CoreAcc_DW.Allowed == false);
   CoreAcc_DW.Engaged = allowed && !released && (begins || (CoreAcc_DW.Engaged != false));
   CoreAcc_DW.Allowed = allowed;
@@ -286,8 +297,8 @@ static void engage(real_T speed)
 
 static void control(real_T speed)
 {
-  const boolean_T controlled = (CoreAcc_DW.State >= (uint8_T)AccIntSts_Speed)
-                               && (CoreAcc_DW.State <= (uint8_T)AccIntSts_Curve);
+  const boolean_T controlled =
+      (CoreAcc_DW.State >= (uint8_T)AccIntSts_Speed) && (CoreAcc_DW.State <= (uint8_T)AccIntSts_Curve);
   const Request_T request = arbitrate(speed);
   CoreAcc_DW.AccReq = controlled ? CoreAcc_DW.AccReq : limited(ownAcc(), bySpeed(-5.0, -3.5), largestAcc());
   CoreAcc_DW.AccReq = comfortable(request.Acc);
@@ -346,8 +357,9 @@ void CoreAcc_step(void)
 void CoreAcc_initialize(void)
 {
   static const DW_CoreAcc_T start = { 0.0, 0.0, 0.0, 1.0 / 3.6, 0.0, 0U, 0U, 0U, 0U, 0U, 0U };
-  static const core_inputs_T nothing = { { { 0.0, -16.0, -20.0, 0.0 }, { 2495.0, 0.0F, 0U, 0U }, { 0.0F },
-                                           { 0U, 0U, 0U, 0U, 0U, 0U } }, { -20.0F } };
+  static const core_inputs_T nothing = {
+    { { 0.0, -16.0, -20.0, 0.0 }, { 2495.0, 0.0F, 0U, 0U }, { 0.0F }, { 0U, 0U, 0U, 0U, 0U, 0U } }, { -20.0F }
+  };
   CoreAcc_DW = start;
   core_inputs = nothing;
   core_outputs.bus_ACCOut.AccReq = 0.0F;

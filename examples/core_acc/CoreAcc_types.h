@@ -24,8 +24,8 @@ typedef enum {
 } CoreAccMode_T;
 
 /*
- * Values of AsmAcc_AccIntSts. While the steering wheel angle is not usable, curves do not limit the speed and the driver
- * is warned: Standby to Standstill are then told as their number + AccIntSts_NoCurveLimit.
+ * Values of AsmAcc_AccIntSts. While the steering wheel angle is not usable, curves do not limit the speed and the
+ * driver is warned: Standby to Standstill are then told as their number + AccIntSts_NoCurveLimit.
  */
 typedef enum {
   AccIntSts_NotStarted = 0, /* no step yet */

@@ -13,51 +13,52 @@
  *     T = d * mean of 1 / v                                                  travel time
  *
  * w is EnergyWeight. p is the price of a second: the driver shows it by the set speed. It is such that on a flat road
- * the set speed is the cheapest one if w is NEUTRAL_WEIGHT; with more weight on energy it is a lower one. q is what it costs
- * to gain speed again, so that the end of the horizon is no reason to be slow. Bounds are steep costs: of speeds outside
- * of the band around the set speed, of accelerations that are not comfortable, of more power than there is.
+ * the set speed is the cheapest one if w is NEUTRAL_WEIGHT; with more weight on energy it is a lower one. q is what it
+ * costs to gain speed again, so that the end of the horizon is no reason to be slow. Bounds are steep costs: of speeds
+ * outside of the band around the set speed, of accelerations that are not comfortable, of more power than there is.
  *
- * Discrete differential dynamic programming finds the cheapest plan: three speeds side by side at each point around the last
- * plan, the cheapest way through them is the next plan, and where that is the last one the speeds move together. Each
- * step begins with the plan of the step before.
+ * Discrete differential dynamic programming finds the cheapest plan: at each point there are three speeds, that of the
+ * last plan and one on either side of it. The cheapest way through them is the next plan; if that is the last one
+ * again, the three move closer together. Each step begins with the plan of the step before. After PASSES of these there
+ * is no solution.
  */
 #include "EcoControlMpc.h"
 
 #include <math.h>
 
-#define POINTS EcoControlMpc_POINTS
+#define POINTS   EcoControlMpc_POINTS
 #define SEGMENTS (POINTS - 1)
-#define WIDTH 3  /* speeds at each point, of which */
-#define CENTER 1 /* is the one of the last plan */
+#define WIDTH    3 /* speeds at each point, of which */
+#define CENTER   1 /* is the one of the last plan */
 
-#define STEP_TIME 0.5 /* s */
-#define GRAVITY 9.81  /* m/s^2 */
+#define STEP_TIME 0.5  /* s */
+#define GRAVITY   9.81 /* m/s^2 */
 
-#define ROLLING 0.01        /* rolling resistance */
-#define AIR 0.45            /* N / (m/s)^2: air drag */
-#define DRIVING 1.075       /* energy from the battery for energy at the wheels */
-#define RECUPERATION 0.70   /* energy to the battery for energy from the wheels */
-#define LOSS 2.5e-5         /* 1/N: the square of the force times this is lost */
-#define NEUTRAL_WEIGHT 0.6  /* EnergyWeight at which a flat road is driven at the set speed */
+#define ROLLING        0.01   /* rolling resistance */
+#define AIR            0.45   /* N / (m/s)^2: air drag */
+#define DRIVING        1.075  /* energy from the battery for energy at the wheels */
+#define RECUPERATION   0.70   /* energy to the battery for energy from the wheels */
+#define LOSS           2.5e-5 /* 1/N: the square of the force times this is lost */
+#define NEUTRAL_WEIGHT 0.6    /* EnergyWeight at which a flat road is driven at the set speed */
 
-#define LOWER_SPEED 0.90    /* share of the set speed */
-#define UPPER_SPEED 1.05    /* share of the set speed */
-#define LARGEST_ACC 0.8     /* m/s^2 */
-#define SMALLEST_ACC (-1.0) /* m/s^2 */
+#define LOWER_SPEED   0.90     /* share of the set speed */
+#define UPPER_SPEED   1.05     /* share of the set speed */
+#define LARGEST_ACC   0.8      /* m/s^2 */
+#define SMALLEST_ACC  (-1.0)   /* m/s^2 */
 #define LARGEST_POWER 150000.0 /* W */
-#define SPEED_COST 50.0     /* J / (m^2/s^2)^2 */
-#define ACC_COST 2.0e6      /* J / (m/s^2)^2 */
-#define FORCE_COST 2.0      /* J / N^2 */
-#define TOLERANCE 0.3       /* m/s^2: a plan further beyond a bound is none */
+#define SPEED_COST    50.0     /* J / (m^2/s^2)^2 */
+#define ACC_COST      2.0e6    /* J / (m/s^2)^2 */
+#define FORCE_COST    2.0      /* J / N^2 */
+#define TOLERANCE     0.3      /* m/s^2: a plan further beyond a bound is none */
 
-#define LARGEST_SLOPE 0.3   /* steeper is no road */
-#define APPROACH_ACC 0.5    /* m/s^2: with which the band is approached from outside */
-#define SMALLEST_SPEED 5.0  /* m/s: slower, there is nothing to plan */
+#define LARGEST_SLOPE  0.3 /* steeper is no road */
+#define APPROACH_ACC   0.5 /* m/s^2: with which the band is approached from outside */
+#define SMALLEST_SPEED 5.0 /* m/s: slower, there is nothing to plan */
 
-#define FIRST_SPREAD 16.0   /* m^2/s^2: between neighboring speeds, without a plan of the step before */
-#define NEXT_SPREAD 2.0     /* m^2/s^2: with one */
-#define LAST_SPREAD 0.3     /* m^2/s^2: closer is exact enough */
-#define PASSES 40           /* more are not made */
+#define FIRST_SPREAD 16.0 /* m^2/s^2: between neighboring speeds, without a plan of the step before */
+#define NEXT_SPREAD  2.0  /* m^2/s^2: with one */
+#define LAST_SPREAD  0.3  /* m^2/s^2: closer is exact enough */
+#define PASSES       60   /* more are not made */
 
 #define NO_PROPOSAL (-20.0F) /* m/s^2 */
 
@@ -249,15 +250,15 @@ static boolean_T isFeasible(const Problem_T *problem, const real_T plan[POINTS])
   return (beyond(acc, SMALLEST_ACC, LARGEST_ACC) < TOLERANCE) && (missing < TOLERANCE);
 }
 
-/* A first plan: to the set speed and on at that. */
+/* A first plan: fast to the set speed, or slowly down to it, and on at that. */
 static void beginPlan(const Problem_T *problem, real_T speed, real_T setSpeed, real_T plan[POINTS])
 {
   const real_T start = 0.5 * speed * speed;
   const real_T end = 0.5 * setSpeed * setSpeed;
   int32_T k;
   for (k = 0; k < POINTS; k++) {
-    const real_T change = APPROACH_ACC * problem->Spacing * (real_T)k;
-    plan[k] = limited(end, start - change, start + change);
+    const real_T way = problem->Spacing * (real_T)k;
+    plan[k] = limited(end, start - (APPROACH_ACC * way), start + (LARGEST_ACC * way));
   }
 }
 
@@ -288,7 +289,7 @@ static boolean_T solve(const Problem_T *problem, real_T speed, real_T setSpeed, 
   }
   solved = optimize(problem, continues ? NEXT_SPREAD : FIRST_SPREAD, state->Plan);
   state->PlanSetSpd = setSpeed;
-  state->PlanValid = solved;
+  state->PlanValid = true;
   return solved && isFeasible(problem, state->Plan);
 }
 

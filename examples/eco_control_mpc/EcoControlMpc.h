@@ -1,7 +1,8 @@
 /*
  * File: EcoControlMpc.h
  *
- * Model EcoControlMpc: predictive control that saves energy, called every 500 ms. Reentrant: one RT_MODEL for each instance.
+ * Model EcoControlMpc: predictive control that saves energy, called every 500 ms. Reentrant: one RT_MODEL for each
+ * instance.
  */
 #ifndef EcoControlMpc_h_
 #define EcoControlMpc_h_

@@ -4,23 +4,24 @@
  * Model WheelSpeedCalculation: speeds of the wheels, called every 10 ms.
  *
  * The speed of a wheel is its angular speed times half its diameter. One that is above SpdMax, or no number, is a range
- * error. While the failure management says that the speed of the rear left wheel is invalid, the other wheels stand in for it.
+ * error. While the failure management says that the speed of the rear left wheel is invalid, the other wheels stand in
+ * for it.
  */
 #include "WheelSpeedCalculation.h"
 
 #include <math.h>
 
-#define WHEELS 4
-#define FRONT_LEFT 0
+#define WHEELS      4
+#define FRONT_LEFT  0
 #define FRONT_RIGHT 1
-#define REAR_LEFT 2
-#define REAR_RIGHT 3
+#define REAR_LEFT   2
+#define REAR_RIGHT  3
 
-#define SPEED_OF_TURNING 0.0018 /* km/h for rad/s and mm */
-#define PER_SPEED 100.0         /* steps of the outputs, for km/h */
-#define SMALLEST_SPEED (-100.0) /* km/h: the output is 0 */
-#define LARGEST_OUTPUT 65535.0
-#define LARGEST_COUNT 0xFFFFFFFFU
+#define SPEED_OF_TURNING 0.0018   /* km/h for rad/s and mm */
+#define PER_SPEED        100.0    /* steps of the outputs, for km/h */
+#define SMALLEST_SPEED   (-100.0) /* km/h: the output is 0 */
+#define LARGEST_OUTPUT   65535.0
+#define LARGEST_COUNT    0xFFFFFFFFU
 
 DW_WheelSpeedCalculation_T WheelSpeedCalculation_DW;
 whl_in_T whl_in;
@@ -62,8 +63,8 @@ static boolean_T checkRange(const real_T speed[WHEELS])
 }
 
 /*
- * The rear left wheel, from the others: in a curve, left and right differ at the rear by what they differ in front. Without
- * all three of them it is the mean of those that are in range.
+ * The rear left wheel, from the others: in a curve, left and right differ at the rear by what they differ in front.
+ * Without all three of them it is the mean of those that are in range.
  */
 static real_T rearLeftFromOthers(const real_T speed[WHEELS])
 {

@@ -15,8 +15,8 @@ extern "C" {
 
 /* Block states */
 typedef struct {
-  uint32_T RangeErrCnt;     /* as in whl_par_T, counted on */
-  boolean_T OutOfRange[4];  /* front left, front right, rear left, rear right: in the step before */
+  uint32_T RangeErrCnt;    /* as in whl_par_T, counted on */
+  boolean_T OutOfRange[4]; /* front left, front right, rear left, rear right: in the step before */
   boolean_T IsInitialized;
 } DW_WheelSpeedCalculation_T;
 

@@ -1,0 +1,13 @@
+"""The recorded drives of the examples."""
+
+from collections.abc import Mapping
+
+from scripts.drive import ecocontrol, wheel_speeds
+
+
+def files() -> Mapping[str, str]:
+    """Each drive as CSV."""
+    return {
+        "examples/ecocontrol/drive.csv": ecocontrol.recording(),
+        "examples/wheel_speed_calculation/drive.csv": wheel_speeds.recording(),
+    }
