@@ -1,0 +1,70 @@
+"""A call while the adapter runs."""
+
+from dataclasses import dataclass, field
+
+from sigcat.adapter.model.function import Call
+from sigcat.adapter.model.parts.inputs import InputState
+from sigcat.adapter.model.parts.schedule import Activations
+from sigcat.adapter.model.parts.supervision import Alive, Deadline
+from sigcat.adapter.model.values.value import Value
+
+
+@dataclass
+class CallState:
+    """What is known of a call."""
+
+    call: Call
+    is_excluded: bool = False
+    """Whether the mode excludes it."""
+    has_ended: bool = False
+    """Whether it has ended once since the first Start."""
+    outside: dict[str, bool] = field(default_factory=dict)
+    """Whether what it gave was outside of its limits, by outputs."""
+    inputs: tuple[InputState, ...] = ()
+    activations: Activations = field(init=False)
+    alive: Alive | None = None
+    deadline: Deadline | None = None
+
+    def __post_init__(self) -> None:
+        self.inputs = tuple(InputState(each) for each in self.call.inputs)
+        self.activations = Activations(self.call.timing)
+        self.alive = Alive(self.call.alive) if self.call.alive else None
+        self.deadline = Deadline(self.call.deadline) if self.call.deadline else None
+
+    def receive(self, port: str, value: Value, t: int) -> None:
+        """A value came."""
+        for each in self.inputs:
+            if each.input.port == port:
+                each.receive(value, t)
+        if port in self.call.triggers:
+            self.activations.trigger()
+
+    def start(self, t: int) -> None:
+        """The first Start."""
+        self.activations.start(t)
+        self.restart(t)
+        if self.alive and not self.is_excluded:
+            self.alive.begin(t + self.call.timing.offset)
+
+    def restart(self, t: int) -> None:
+        """Clocks and windows begin anew."""
+        for each in self.inputs:
+            if each.clock:
+                each.clock.restart(t)
+        if self.alive and not self.is_excluded:
+            self.alive.stop()
+            self.alive.begin(t)
+
+    def drop(self, t: int) -> None:
+        """What is due at a time or before it is dropped, and the values that would have been taken with it."""
+        self.activations.drop(t)
+        for each in self.inputs:
+            if each.input.queue and each.input.port in self.call.triggers:
+                each.waiting.clear()
+
+    def exclude(self, t: int) -> None:
+        """The mode excludes it."""
+        self.is_excluded = True
+        if self.alive:
+            self.alive.stop()
+        self.drop(t)

@@ -1,0 +1,74 @@
+"""What makes errors present (section 6): for each error, the conditions that name it."""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from sigcat.adapter.model.call_state import CallState
+from sigcat.adapter.model.function import Output
+from sigcat.adapter.model.parts.inputs import InputState
+from sigcat.adapter.model.parts.modes import Mode
+from sigcat.adapter.model.parts.parameters import ParameterState
+from sigcat.adapter.model.parts.supervision import Graph
+
+Verdict = bool | None
+"""Whether a condition holds; None as long as it has not been judged."""
+
+
+class Cause(NamedTuple):
+    """A condition that makes an error present."""
+
+    error: str | None
+    judge: Callable[[], Verdict]
+    call: str | None = None
+    """The call that judges it."""
+    is_late: bool = False
+    """Whether that is when the call has ended."""
+    is_supervised: bool = False
+    """Whether time alone can change it."""
+
+
+def causes_of_call(state: CallState) -> Iterator[Cause]:
+    """What a call, its inputs and its outputs give."""
+    name, alive, deadline = state.call.name, state.alive, state.deadline
+    yield Cause(state.call.overrun_error, lambda: state.activations.overrun, name)
+    for each in state.inputs:
+        yield from _causes_of_input(each, name)
+    for output in state.call.outputs:
+        yield _cause_of_output(output, state)
+    if alive:
+        yield Cause(alive.limits.error, alive.judge, name, is_late=True, is_supervised=True)
+    if deadline:
+        yield Cause(deadline.limits.error, lambda: deadline.verdict, name, is_late=True, is_supervised=True)
+
+
+def _causes_of_input(state: InputState, call: str) -> Iterator[Cause]:
+    yield Cause(state.input.time_out_error, lambda: state.is_late, call)
+    yield Cause(state.input.range_error, lambda: state.is_outside, call, is_late=state.input.is_immediate)
+    if state.input.queue:
+        yield Cause(state.input.queue.overflow_error, lambda: state.overflow, call)
+
+
+def _cause_of_output(output: Output, state: CallState) -> Cause:
+    return Cause(output.range_error, lambda: state.outside.get(output.name), state.call.name, is_late=True)
+
+
+def causes_of_mode(mode: Mode) -> Iterator[Cause]:
+    """What the mode gives."""
+    if mode.declared:
+        yield Cause(mode.declared.unknown_error, lambda: mode.is_unknown)
+
+
+def cause_of_parameter(state: ParameterState) -> Cause:
+    """What a parameter gives."""
+    return Cause(state.parameter.range_error, lambda: state.is_outside)
+
+
+def causes_of_graph(graph: Graph) -> Iterator[Cause]:
+    """What the order of calls gives."""
+    for error in dict.fromkeys(checkpoint.error for checkpoint in graph.checkpoints.values()):
+        if error is not None:
+            yield _cause_of_order(error, graph)
+
+
+def _cause_of_order(error: str, graph: Graph) -> Cause:
+    return Cause(error, lambda: graph.verdicts.get(error))
