@@ -6,9 +6,14 @@ from urllib.parse import parse_qs, urlencode
 
 import pytest
 
+from scripts.cases import FUNCTIONS
 from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.variables import variables
+from sigcat.function.function_json.walk import runnables
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.site import create_site
+from sigcat.web.views.code_view import code_view
 from sigcat.web.views.generated_documents import VIEWS
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
@@ -29,6 +34,31 @@ def test_a_function_shows_its_interfaces_as_a_diagram(site: Ask) -> None:
     page = site("/functions/core_acc").text
     assert "CoreAcc_BrakePressureTimeout_ErrorSts" in page
     assert re.search(r'href="/tree/interfaces/Vehicle.Chassis.Brake.CylP"><text', page)
+
+
+def test_a_function_shows_how_its_code_is_called_and_what_the_adapter_does(site: Ask) -> None:
+    page = unescape(re.sub(r"<[^>]+>", "", site("/functions/eco_control_mpc").text))
+    for text in (
+        "functions that take pointers to the objects of an instance",
+        "ExtU_EcoControlMpc_T mpc_inputs ← inputs",
+        "EcoControlMpc_initialize(EcoControlMpc_M)",
+        "late after 2000 ms: takes the start value, sets EcoControlMpc_HorizonTimeout_ErrorSts",
+        "initially OFF; unknown: keeps the last",
+    ):
+        assert text in page
+
+
+@pytest.mark.parametrize("name", FUNCTIONS.names)
+def test_each_word_of_the_code_stands_on_the_page(name: str) -> None:
+    made = FunctionJson.model_validate_json(FUNCTIONS.text(name), by_name=False)
+    shown = str(code_view(made))
+    expressions = [each.expression for each in variables(made)]
+    symbols = [located.runnable.symbol for located in runnables(made) if located.runnable.symbol]
+    assert [text for text in (*expressions, *symbols) if text not in shown] == []
+
+
+def test_of_a_function_that_says_nothing_of_its_code_there_is_none() -> None:
+    assert code_view(function("Acc", gives("Vehicle.Speed"))) is None
 
 
 def test_a_set_beside_a_function_leads_to_the_wiring_of_all_of_it(site: Ask) -> None:

@@ -13,6 +13,7 @@ from sigcat.names import nearest
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
+from sigcat.web.views.code_view import code_view
 from sigcat.web.views.function_sets import known_sets
 from sigcat.web.views.generated_documents import VIEWS, GeneratedDocument, attached, chosen_view, documents_of
 from sigcat.web.views.needed_overlays import Need, need_of
@@ -82,6 +83,7 @@ def show_function(
         view=shown,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
+        code=code_view(function) if function else None,
         source=source_view(shown_text(chosen.file.data), chosen.findings),
         documents=documents_of(chosen.resolved, shown) if chosen.resolved and shown in VIEWS else (),
     )
