@@ -4,13 +4,15 @@ from collections.abc import Mapping
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import comment, identifier
+from sigcat.adapter.core.interfaces import port_key
 from sigcat.adapter.core.modes import excluded_in
 from sigcat.adapter.core.plan import Alive, Call, Deadline, Input, Logical, Output
-from sigcat.adapter.core.planning import Context, Planning, nanoseconds
+from sigcat.adapter.core.planning import Context, ListedCall, Planning, nanoseconds
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.data_interfaces import DataQueue
 from sigcat.function.function_json.runnable import Runnable, WatchdogLimits
-from sigcat.function.function_json.triggers import EVENT_TRIGGERED
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 
 Checkpoints = Mapping[str, int]
 """Numbers of checkpoints, from 1, by the names of calls."""
@@ -22,16 +24,17 @@ def short_name(call: str, function: str) -> str:
 
 
 def planned_call(
-    call: Runnable, at: Pointer, inputs: tuple[Input, ...], outputs: tuple[Output, ...], graph: Mapping[str, Logical],
-    context: Context,
+    listed: ListedCall, inputs: tuple[Input, ...], outputs: tuple[Output, ...], graph: Mapping[str, Logical],
+    ports: Mapping[str, str], context: Context,
 ) -> Planning[Call]:  # fmt: skip
-    """A call with what it reads and writes."""
+    """A call with what it reads and writes. `ports` has the names under which signals are received."""
+    call, at = listed.call, listed.at
     is_event = call.run_type == EVENT_TRIGGERED
     cycle = None if is_event or not call.cycle_time else (yield from nanoseconds(call.cycle_time, (*at, "Cycletime")))
-    queues = [item.queue.length for item in inputs if item.queue]
+    events = triggers(call) if is_event else ()
     previous = tuple(name.strip() for name in (call.previous_runnable or "").split(",") if name.strip())
     return Call(
-        name=short_name(call.name, context.name),
+        name=listed.name,
         interface=call.name,
         pointer=at,
         symbol=call.symbol or call.name,
@@ -45,8 +48,8 @@ def planned_call(
         debounce=(yield from nanoseconds(call.debounce_delay, (*at, "DebounceDelay"))) or 0,
         priority=int(call.priority) if call.priority.strip().lstrip("+-").isdigit() else 0,
         previous=tuple(short_name(name, context.name) for name in previous),
-        counts_events=is_event and bool(queues),
-        most_events=max(queues, default=1),
+        most_events=max((item.queue_length for item in events if isinstance(item, DataQueue)), default=1),
+        triggers=frozenset(ports[port_key(item)] for item in events),
         modes=excluded_in(call.name, context),
         inputs=inputs,
         outputs=outputs,

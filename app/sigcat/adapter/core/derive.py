@@ -6,25 +6,30 @@ from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
 from sigcat.adapter.core.code import planned_code
-from sigcat.adapter.core.errors import causes_of, errors_of, foreign_errors, reactions_of, short_names, status_items
+from sigcat.adapter.core.errors import (
+    Resets,
+    causes_of,
+    errors_of,
+    foreign_errors,
+    reactions_of,
+    short_names,
+    status_items,
+)
 from sigcat.adapter.core.identifiers import comment, identifier, unique
-from sigcat.adapter.core.interfaces import inputs_of, outputs_of, port_key, ports_of, received
+from sigcat.adapter.core.interfaces import inputs_of, outputs_of, ports_of, received
 from sigcat.adapter.core.methods import methods_of
 from sigcat.adapter.core.modes import mode_in, mode_out
 from sigcat.adapter.core.parameters import parameters_of
 from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Reaction
-from sigcat.adapter.core.planning import Context, ListedCall, Planning, context_of
+from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, Planning, context_of
 from sigcat.adapter.core.structs import wire_structs
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.function.function_json.walk import data, parameters, runnables
 
 T = TypeVar("T")
-INIT, TERMINATE = "Init", "Shutdown"
-"""Run types of the calls at the beginning and at the end."""
 
 
 class Planned(NamedTuple):
@@ -61,8 +66,8 @@ def _planned(context: Context) -> Planning[CorePlan]:
     values = yield from parameters_of(listed, context)
     methods = yield from methods_of(listed, context)
     calls = yield from _calls(listed, context)
-    steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.call.run_type not in (INIT, TERMINATE))
-    status = yield from _status(listed, steps, mode, values, context)
+    steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.is_step)
+    status = yield from _status(listed, calls, mode, values, context)
     references = [item.datatype for walk in (data(function), parameters(function)) for _, _, item in walk]
     return CorePlan(
         function=identifier(context.name),
@@ -70,7 +75,7 @@ def _planned(context: Context) -> Planning[CorePlan]:
         description=comment(function.info.description),
         code=(yield from planned_code(context)),
         structs=wire_structs(references, context),
-        ports=received({step.name: step.inputs for step in steps}, _triggers(listed)),
+        ports=received(calls, frozenset(step.name for step in steps)),
         parameters=values,
         errors=status.errors,
         foreign_errors=foreign_errors(status.errors, status.reactions),
@@ -78,10 +83,10 @@ def _planned(context: Context) -> Planning[CorePlan]:
         mode_in=mode,
         mode_out=out,
         methods=methods,
-        init=_of_type(INIT, calls, listed),
+        inits=_of_type(INIT, calls, listed),
         steps=steps,
         due=in_order_of_due(steps),
-        terminate=_of_type(TERMINATE, calls, listed),
+        terminates=_of_type(TERMINATE, calls, listed),
     )
 
 
@@ -91,24 +96,28 @@ class _Status(NamedTuple):
 
 
 def _status(
-    listed: list[ListedCall],
-    steps: tuple[Call, ...],
-    mode: ModeIn | None,
-    values: tuple[Parameter, ...],
-    context: Context,
+    listed: list[ListedCall], calls: list[Call], mode: ModeIn | None, values: tuple[Parameter, ...], context: Context
 ) -> Planning[_Status]:
+    steps = [call for call, each in zip(calls, listed, strict=True) if each.is_step]
     declared, reacting = status_items(listed)
     taken = {output.named.name for step in steps for output in step.outputs} | {"Mode_In", "Mode_Out"}
-    taken |= {item.port for step in steps for item in step.inputs}
+    taken |= {item.port for call in calls for item in call.inputs}
     own = short_names(declared, context.name, "_ErrorSts", taken)
     names = short_names(reacting, context.name, "_SftyCondSts", taken)
-    resets = {
-        name: f"{step.name}.in.{item.named.name}.is_set"
-        for step in steps for item in step.inputs if item.is_reset for name in item.names
-    }  # fmt: skip
-    errors = yield from errors_of(declared, causes_of(steps, mode, values), resets, own, context)
+    causes = causes_of(steps, calls, mode, values)
+    errors = yield from errors_of(declared, causes, _resets(steps), own, context)
     reactions = yield from reactions_of(reacting, own, names, context)
     return _Status(errors, reactions)
+
+
+def _resets(steps: list[Call]) -> Resets:
+    """Where it is known whether an input that resets errors is not 0."""
+    found: dict[str, dict[str, str]] = {}
+    for step in steps:
+        for item in step.inputs:
+            for name in item.names if item.is_reset else ():
+                found.setdefault(name, {}).setdefault(step.name, f"{step.name}.in.{item.named.name}.is_set")
+    return found
 
 
 def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
@@ -122,21 +131,10 @@ def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
     for each in listed:
         inputs = yield from inputs_of(each.call, each.at, ports, resets, context)
         outputs = yield from outputs_of(each.call, each.at, taken, context)
-        call = yield from planned_call(each.call, each.at, inputs, outputs, graph, context)
+        call = yield from planned_call(each, inputs, outputs, graph, ports, context)
         made.append(replace(call, name=unique(call.name, [other.name for other in made])))
     return made
 
 
-def _of_type(run_type: str, calls: list[Call], listed: list[ListedCall]) -> Call | None:
-    found = (call for call, each in zip(calls, listed, strict=True) if each.call.run_type == run_type)
-    return next(found, None)
-
-
-def _triggers(listed: list[ListedCall]) -> dict[str, frozenset[str]]:
-    """Names under which what triggers a call is received, by calls."""
-    ports = ports_of([(each.at, each.call) for each in listed])
-    return {
-        each.name: frozenset(ports[port_key(item)] for item in triggers(each.call))
-        for each in listed
-        if each.call.run_type == EVENT_TRIGGERED
-    }
+def _of_type(run_type: str, calls: list[Call], listed: list[ListedCall]) -> tuple[Call, ...]:
+    return tuple(call for call, each in zip(calls, listed, strict=True) if each.call.run_type == run_type)

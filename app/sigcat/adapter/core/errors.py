@@ -26,6 +26,8 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Safe
 RESTART = "Restart"
 
 
+Resets = Mapping[str, Mapping[str, str]]
+"""Places of what tells whether an input is not 0: by its name, and the call."""
 Names = Mapping[str, str]
 """Identifiers by the names of interfaces."""
 
@@ -33,7 +35,7 @@ Names = Mapping[str, str]
 class Declared(NamedTuple):
     """An error or a reaction, where it stands, and the call that lists it."""
 
-    call: str
+    call: ListedCall
     at: Pointer
     item: "ErrorInterface | SafetyReaction"
 
@@ -47,16 +49,18 @@ def short_names(items: Iterable[Declared], function: str, ending: str, taken: se
     return names
 
 
-def causes_of(calls: Iterable[Call], mode: ModeIn | None, parameters: Iterable[Parameter]) -> dict[str, list[Cause]]:
-    """What makes errors present, but their own variables, by their interface names."""
+def causes_of(
+    steps: Iterable[Call], calls: Iterable[Call], mode: ModeIn | None, parameters: Iterable[Parameter]
+) -> dict[str, list[Cause]]:
+    """What makes errors present, but their own variables, by their interface names. `calls` are all, init too."""
     found: dict[str, list[Cause]] = {}
-    for name, cause in (*_of_calls(calls), *_of_others(mode, parameters)):
+    for name, cause in (*_of_steps(steps), *_of_graph(calls), *_of_others(mode, parameters)):
         if name is not None:
             found.setdefault(name, []).append(cause)
     return found
 
 
-def _of_calls(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
+def _of_steps(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
     for call in calls:
         for item in call.inputs:
             yield from _of_input(call.name, item)
@@ -67,52 +71,55 @@ def _of_calls(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
                 yield output.queue.overflow_error, Cause(f"{place}.overflow", call.name, is_late=True)
         yield call.overrun_error, Cause(f"{call.name}.overrun", call.name, is_late=False)
         if call.alive:
-            yield call.alive.error, Cause(f"{call.name}.alive", call.name, is_late=True, is_supervised=True)
+            yield call.alive.error, Cause(f"{call.name}.alive.verdict", call.name, is_late=True, is_supervised=True)
         if call.deadline:
             yield call.deadline.error, Cause(f"{call.name}.deadline", call.name, is_late=True, is_supervised=True)
+
+
+def _of_graph(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
+    for call in calls:
         if call.logical:
             yield call.logical.error, Cause(f"checkpoint.{call.name}", call.name, is_late=False)
 
 
 def _of_input(call: str, item: Input) -> Iterator[tuple[str | None, Cause]]:
     place = f"{call}.in.{item.named.name}"
-    yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=item.is_immediate)
+    yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=False)
     yield item.range_error, Cause(f"{place}.range", call, is_late=item.is_immediate)
     if item.queue:
-        yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=item.is_immediate)
+        yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=False)
 
 
 def _of_others(mode: ModeIn | None, parameters: Iterable[Parameter]) -> Iterator[tuple[str | None, Cause]]:
     if mode:
         yield mode.unknown_error, Cause("mode.unknown", None, is_late=False)
     for parameter in parameters:
-        yield parameter.range_error, Cause(f"parameter.{parameter.named.name}", None, is_late=False)
+        yield parameter.range_error, Cause(f"parameter.{parameter.named.name}.range", None, is_late=False)
 
 
 # -- errors -------------------------------------------------------------------------------------------------------
 
 
 def errors_of(
-    declared: Iterable[Declared], causes: Mapping[str, list[Cause]], resets: Mapping[str, str], names: Names,
+    declared: Iterable[Declared], causes: Mapping[str, list[Cause]], resets: Resets, names: Names,
     context: Context,
 ) -> Planning[tuple[Error, ...]]:  # fmt: skip
     """The errors, each after those that it depends on. `resets` are places of verdicts, by the names of signals."""
-    items: dict[str, Declared] = {}
+    items: dict[str, list[Declared]] = {}
     for each in declared:
-        items.setdefault(each.item.name, each)
+        items.setdefault(each.item.name, []).append(each)
     made: dict[str, Error] = {}
-    for each in items.values():
-        error = yield from _error(each, causes.get(each.item.name, ()), resets, names, context)
-        made[each.item.name] = error
+    for name, listed in items.items():
+        made[name] = yield from _error(listed, causes.get(name, ()), resets, names, context)
     return tuple(made[name] for name in _in_order(items))
 
 
-def _in_order(items: Mapping[str, Declared]) -> tuple[str, ...]:
+def _in_order(items: Mapping[str, list[Declared]]) -> tuple[str, ...]:
     """Names, each after its dependencies; in the order of the file where that makes no difference, or is a circle."""
     graph = {
-        name: [other for other in each.item.dependencies if other in items and other != name]
-        for name, each in items.items()
-        if isinstance(each.item, ErrorInterface)
+        name: [other for other in item.dependencies if other in items and other != name]
+        for name, ((_, _, item), *_) in items.items()
+        if isinstance(item, ErrorInterface)
     }
     try:
         return tuple(TopologicalSorter(graph).static_order())
@@ -121,29 +128,34 @@ def _in_order(items: Mapping[str, Declared]) -> tuple[str, ...]:
 
 
 def _error(
-    declared: Declared, causes: Iterable[Cause], resets: Mapping[str, str], names: Names, context: Context
+    listed: list[Declared], causes: Iterable[Cause], resets: Resets, names: Names, context: Context
 ) -> Planning[Error]:
-    call, at, item = declared
+    _, at, item = listed[0]
     assert isinstance(item, ErrorInterface)
     name = Named(names[item.name], comment(item.vss_path or item.name), at)
+    steps = [each.call.name for each in listed if each.call.is_step]
+    owner = steps[0] if steps else None
     variable = yield from expression(item.variable, item.name, (*at, "Variable"))
     status = yield from expression(item.status_variable, item.name, (*at, "StatusVariable"))
-    written = (Cause(f"error.{name.name}.variable", call, is_late=True),) if variable else ()
+    written = (Cause(f"error.{name.name}.variable", owner, is_late=True),) if variable else ()
     others = [other for other in item.dependencies if other != item.name]
     wire, numbers = status_type(item.datatype, {"PASSED": 0, "FAILED": 1}, context)
+    waits = None if item.reset in (None, RESTART) else resets.get(item.reset or "", {})
+    place = None if waits is None else waits.get(owner or "") or next(iter(waits.values()), None)
     return Error(
         named=name,
         wire=wire,
         passed=numbers["PASSED"],
         failed=numbers["FAILED"],
-        call=call,
+        call=owner,
+        calls=tuple(dict.fromkeys(steps)),
         causes=(*causes, *written),
         variable=variable,
         status_variable=status,
         maturation=(yield from nanoseconds(item.maturation_time, (*at, "MaturationTime"))) or 0,
         reset=(yield from nanoseconds(item.reset_time, (*at, "ResetTime"))) or 0,
-        waits_for_restart=item.reset == RESTART,
-        reset_input=resets.get(item.reset or ""),
+        waits_for_restart=item.reset is not None and place is None,
+        reset_input=place,
         dependencies=tuple(names[other] for other in others if other in names),
         foreign=tuple(identifier(other) for other in others if other not in names),
         occurrence_limit=item.occurrence_count_limit,
@@ -166,7 +178,7 @@ def foreign_errors(errors: Iterable[Error], reactions: Iterable[Reaction]) -> tu
     """Errors of others on which errors or reactions depend, each once, in the usual type of a status."""
     names = dict.fromkeys(name for items in (errors, reactions) for each in items for name in each.foreign)
     symbols = (("PASSED", 0), ("FAILED", 1))
-    return tuple(ForeignError(name, name, WireType("uint8_t", symbols=symbols), failed=1) for name in names)
+    return tuple(ForeignError(name, name, WireType("uint8_t", symbols=symbols)) for name in names)
 
 
 # -- safety reactions ---------------------------------------------------------------------------------------------
@@ -197,7 +209,7 @@ def _reaction(listed: list[Declared], own: Names, names: Names, context: Context
         inactive=numbers["INACTIVE"],
         active=numbers["ACTIVE"],
         initial=numbers.get((item.initial or "INACTIVE").upper(), numbers["INACTIVE"]),
-        calls=tuple(dict.fromkeys(each.call for each in listed)),
+        calls=tuple(dict.fromkeys(each.call.name for each in listed if each.call.is_step)),
         errors=tuple(own[name] for name in item.errors if name in own),
         foreign=tuple(identifier(name) for name in item.errors if name not in own),
         variable=variable,
@@ -208,12 +220,12 @@ def _reaction(listed: list[Declared], own: Names, names: Names, context: Context
 def status_items(calls: Iterable[ListedCall]) -> tuple[list[Declared], list[Declared]]:
     """Errors and reactions that calls list."""
     errors, reactions = [], []
-    for name, at, call in calls:
-        for index, contract in enumerate(call.contracts or ()):
-            base = (*at, "funcContractList", index)
-            errors += [Declared(name, (*base, "ErrorList", n), item) for n, item in enumerate(contract.errors or ())]
+    for each in calls:
+        for index, contract in enumerate(each.call.contracts or ()):
+            base = (*each.at, "funcContractList", index)
+            errors += [Declared(each, (*base, "ErrorList", n), item) for n, item in enumerate(contract.errors or ())]
             reactions += [
-                Declared(name, (*base, "SafetyReactionList", n), item)
+                Declared(each, (*base, "SafetyReactionList", n), item)
                 for n, item in enumerate(contract.safety_reactions or ())
             ]
     return errors, reactions

@@ -1,11 +1,11 @@
 """Inputs and outputs of a call (sections 2 to 5)."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import comment, identifier, unique
-from sigcat.adapter.core.plan import Input, Named, Output, Port, Queue, TimeOut
+from sigcat.adapter.core.plan import Call, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, Planning, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
@@ -125,14 +125,15 @@ def ports_of(calls: list[tuple[Pointer, Runnable]]) -> dict[str, str]:
     return names
 
 
-def received(inputs: Mapping[str, tuple[Input, ...]], triggers: Mapping[str, frozenset[str]]) -> tuple[Port, ...]:
-    """What is received, for all calls. `inputs` by call; `triggers` are names of ports, by call."""
+def received(calls: Iterable[Call], steps: frozenset[str]) -> tuple[Port, ...]:
+    """What is received, for all calls; only steps take it later, too."""
     ports: dict[str, Port] = {}
-    for call, consumed in inputs.items():
-        for each in consumed:
+    for call in calls:
+        for each in call.inputs:
             port = ports.setdefault(each.port, Port(each.port, each.named.comment, each.value.wire, ()))
-            ports[each.port] = replace(port, consumers=(*port.consumers, (call, each)))
+            if call.name in steps:
+                ports[each.port] = replace(port, consumers=(*port.consumers, (call.name, each)))
     return tuple(
-        replace(port, triggers=tuple(call for call, names in triggers.items() if port.name in names))
+        replace(port, triggers=tuple(call.name for call in calls if port.name in call.triggers))
         for port in ports.values()
     )

@@ -39,7 +39,7 @@ def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> 
         return None
     inputs, outputs = (*at, "InDataTypeList"), (*at, "OutDataTypeList")
     arguments = yield from _arguments(item.inputs, inputs, context, to_code=is_offered, is_checked=is_offered)
-    results = yield from _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=False)
+    results = yield from _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=not is_offered)
     return Method(
         named=Named(identifier(item.name), comment(item.name), at),
         call=call,

@@ -60,8 +60,6 @@ def _parameter(
         variable=variable,
         value=value,
         learned=back if item.attribute == LEARNED else None,
-        default=tuple(leaf.default for leaf in back.leaves),
-        replacement=tuple(leaf.replacement or leaf.default for leaf in back.leaves),
         calls=(call,),
         range_error=item.range_error,
     )

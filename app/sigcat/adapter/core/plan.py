@@ -193,10 +193,6 @@ class Parameter:
     """From the catalogue to the code."""
     learned: Value | None
     """From the code to the catalogue, if the function learns it."""
-    default: tuple[tuple[Number, ...], ...]
-    """The default in the catalogue's unit, for each leaf."""
-    replacement: tuple[tuple[Number, ...], ...]
-    """What stands in for a stored value out of range, in the catalogue's unit."""
     calls: tuple[str, ...]
     range_error: str | None = None
 
@@ -225,8 +221,10 @@ class Error:
     passed: int
     failed: int
     """Numbers of the two states that are sent."""
-    call: str
-    """The call that it belongs to."""
+    call: str | None
+    """The first step that lists it; None: it is never evaluated."""
+    calls: tuple[str, ...]
+    """Calls that list it."""
     causes: tuple[Cause, ...]
     variable: str | None
     status_variable: str | None
@@ -236,7 +234,7 @@ class Error:
     """Time in ns."""
     waits_for_restart: bool
     reset_input: str | None
-    """Place of the verdict whether its reset condition holds."""
+    """Place of what tells whether its reset condition holds."""
     dependencies: tuple[str, ...]
     """Own errors that it depends on, by their names here."""
     foreign: tuple[str, ...]
@@ -262,7 +260,6 @@ class ForeignError:
     name: str
     comment: str
     wire: WireType
-    failed: int
 
 
 @dataclass(frozen=True)
@@ -390,9 +387,10 @@ class Call:
     debounce: int = 0
     priority: int = 0
     previous: tuple[str, ...] = ()
-    counts_events: bool = False
-    """Whether each event is a call of its own: one of its triggers is a queue."""
     most_events: int = 1
+    """Events that wait: each is a call of its own if one of its triggers is a queue."""
+    triggers: frozenset[str] = frozenset()
+    """Names of the ports whose values are its events."""
     modes: frozenset[str] | None = None
     """Modes in which it does not run."""
     inputs: tuple[Input, ...] = ()
@@ -450,14 +448,19 @@ class CorePlan:
     mode_in: ModeIn | None
     mode_out: ModeOut | None
     methods: tuple[Method, ...]
-    init: Call | None
+    inits: tuple[Call, ...]
     steps: tuple[Call, ...]
     """In the order of the file."""
     due: tuple[Call, ...]
     """The steps in the order in which they run when they are due at the same time."""
-    terminate: Call | None
+    terminates: tuple[Call, ...]
     sources: Mapping[str, str] = field(default_factory=dict)
     """What the plan was made from, by name and digest."""
+
+    @property
+    def calls(self) -> tuple[Call, ...]:
+        """Init, steps and terminate."""
+        return (*self.inits, *self.steps, *self.terminates)
 
     @property
     def type_name(self) -> str:

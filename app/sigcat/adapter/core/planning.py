@@ -41,6 +41,15 @@ class ListedCall(NamedTuple):
     at: Pointer
     call: Runnable
 
+    @property
+    def is_step(self) -> bool:
+        """Whether it is neither an init nor a terminate."""
+        return self.call.run_type not in (INIT, TERMINATE)
+
+
+INIT, TERMINATE = "Init", "Shutdown"
+"""Run types of the calls at the beginning and at the end."""
+
 
 def context_of(function: FunctionJson) -> Context:
     """The context of a function."""

@@ -51,6 +51,22 @@ class Side(NamedTuple):
     numbers: tuple[EnumerationValue, ...] | None
     scale: Linear
     """From the physical value, in the code's unit, to what is held."""
+    is_catalogue: bool = False
+
+    def of(self, physical: Fraction) -> Fraction:
+        """A number of the document on this side. The document has doubles in the code's unit: in the catalogue's unit
+        the shortest decimal number that gives this double is meant."""
+        exact = self.scale(physical)
+        if not self.is_catalogue or self.scale == IDENTITY:
+            return exact
+        wanted, back = float(physical), self.scale.inverse
+        digits = range(-len(str(abs(round(exact)))), _FINEST)
+        near = (round(exact, places) for places in digits)
+        return next((number for number in near if float(back(number)) == wanted), exact)
+
+
+_FINEST = 345
+"""Decimal places of any double."""
 
 
 def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Planning[Value | None]:
@@ -175,7 +191,7 @@ def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
         known = number_type(smallest_integer({each.symbol: each.value for each in numbers}))
     factor, offset = _number(item.conversion_factor), _number(item.conversion_offset)
     scale = Linear(Fraction(1) if factor is None else factor, offset or Fraction(0))
-    return Side(known or part.type, numbers if part.symbols else None, scale)
+    return Side(known or part.type, numbers if part.symbols else None, scale, is_catalogue=True)
 
 
 def _number(value: str | float | None) -> Fraction | None:
@@ -188,18 +204,21 @@ def _names(source: Side, target: Side) -> Mapping[int, int] | None:
     if source.numbers is None or target.numbers is None:
         return None
     known = {each.symbol: each.value for each in target.numbers}
-    return {each.value: known[each.symbol] for each in source.numbers if each.symbol in known}
+    common = [each for each in source.numbers if each.symbol in known]
+    return {each.value: known[each.symbol] for each in reversed(common)}  # of two names of a number the first counts
 
 
 def _limits(item: Interface, part: Part, *, is_struct: bool) -> tuple[Fraction | None, Fraction | None]:
     if is_struct:
         return part.least, part.greatest
-    return _number(item.min), _number(item.max)
+    low, high = _number(item.min), _number(item.max)
+    is_none = isinstance(item, ParameterInterface) and part.length is not None and low == high == 0
+    return (None, None) if is_none else (low, high)  # of an array Function JSON requires limits where there are none
 
 
 def _on_source(low: Fraction | None, high: Fraction | None, source: Side) -> dict[str, Number | None]:
     """Limits of the physical value on the scale of the source; a negative factor turns them round."""
-    ends = [None if end is None else source.scale(end) for end in (low, high)]
+    ends = [None if end is None else source.of(end) for end in (low, high)]
     least, greatest = ends if source.scale.factor > 0 else reversed(ends)
     return {
         "least": None if least is None else least_limit(least, source.type),
@@ -249,7 +268,7 @@ def _held(given: tuple[Fraction, ...] | None, part: Part, target: Side) -> tuple
     if given is None:
         return (0,) * (part.length or 1)
     if part.symbols is None:
-        return tuple(brought_to(target.scale(number), target.type) for number in given)
+        return tuple(brought_to(target.of(number), target.type) for number in given)
     names = _names(Side(part.type, part.symbols, IDENTITY), target) or {}
     return tuple(names.get(int(number), 0) for number in given)
 

@@ -1,6 +1,6 @@
 """Errors and safety reactions (sections 6 and 7)."""
 
-from sigcat.adapter.core.c.lines import Lines, block, function, joined, lines
+from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Error, Reaction
@@ -11,7 +11,7 @@ def error_functions(scope: Scope) -> list[Lines]:
     if not scope.plan.errors:
         return []
     return [
-        _fail(scope), _update(scope), _suspend(scope), *(_evaluate(error, scope) for error in scope.plan.errors)
+        _fail(scope), _update(scope), *(_evaluate(error, scope) for error in scope.plan.errors if error.call)
     ]  # fmt: skip
 
 
@@ -70,27 +70,8 @@ def _update(scope: Scope) -> Lines:
             }} else {{
                 /* not evaluated */
             }}
-            counts->is_tested = counts->is_tested || (error->state == {c("PASSED")});
-            counts->has_failed = counts->has_failed || (error->state == {c("FAILED")});
-        }}
-    """)
-
-
-def _suspend(scope: Scope) -> Lines:
-    p, c = scope.prefix, scope.constant
-    if scope.plan.mode_in is None:
-        return ()
-    return lines(f"""
-        /* The mode excludes the call of the error: what was under way ends. */
-        static void {p}_Suspend({p}_Error *error)
-        {{
-            if (error->state == {c("PREFAILED")}) {{
-                error->state = error->before;
-            }} else if (error->state == {c("HEALING")}) {{
-                error->state = {c("FAILED")};
-            }} else {{
-                /* as it is */
-            }}
+            counts->is_tested = counts->is_tested || (error->state != {c("NOT_TESTED")});
+            counts->has_failed = counts->has_failed || {p}_HasFailed(error);
         }}
     """)
 
@@ -99,14 +80,17 @@ def _evaluate(error: Error, scope: Scope) -> Lines:
     p, name = scope.prefix, error.named.name
     place, counts = f"self->error.{name}", f"self->stored.{name}"
     heals = "false" if error.waits_for_restart else f"self->{error.reset_input}" if error.reset_input else "true"
-    verdicts = [f"verdict = {p}_Worse(verdict, self->{cause.place});" for cause in error.causes]
+    verdicts = [f"self->{cause.place}" for cause in error.causes] + _tested(error, scope)
+    dependencies = _any_failed(error.dependencies, error.foreign, scope) or "false"
+    windows = [cause.place.split(".")[0] for cause in error.causes if cause.place.endswith(".alive.verdict")]
     update = (
-        f"{p}_Update(&{place}, &{counts}, verdict, {_dependencies(error, scope)}, {heals},\n"
+        f"{p}_Update(&{place}, &{counts}, verdict, {dependencies}, {heals},\n"
         f"    {time(error.maturation)}, {time(error.reset)}, t);"
     )
     body = [
         lines(f"{p}_Verdict verdict = {scope.constant('NOT_JUDGED')};"),
-        *(lines(verdict, error.named.pointer) for verdict in verdicts),
+        *(lines(f"{p}_JudgeWindows_{call}(self);") for call in windows),
+        *(lines(f"verdict = {p}_Worse(verdict, {verdict});", error.named.pointer) for verdict in verdicts),
         lines(update),
         _sent(error, scope),
     ]
@@ -114,18 +98,20 @@ def _evaluate(error: Error, scope: Scope) -> Lines:
     return function(head, body, error.named.comment)
 
 
-def _dependencies(error: Error, scope: Scope) -> str:
-    return _any_failed(error.dependencies, error.foreign, scope) or "false"
+def _tested(error: Error, scope: Scope) -> list[str]:
+    """Dependencies that have been tested: the error has been judged with them."""
+    own = (f"self->error.{name}.state != {scope.constant('NOT_TESTED')}" for name in error.dependencies)
+    foreign = (f"self->received.{name}.reception.is_there" for name in error.foreign)
+    return [f"({test}) ? {scope.absent} : {scope.constant('NOT_JUDGED')}" for test in (*own, *foreign)]
 
 
 def _any_failed(own: tuple[str, ...], foreign: tuple[str, ...], scope: Scope) -> str:
     """The condition that any of some errors has failed."""
-    known = {each.name: each for each in scope.plan.foreign_errors}
     conditions = [
         *(f"{scope.prefix}_HasFailed(&self->error.{name})" for name in own),
-        *(f"(self->received.{name}.value == {known[name].failed}U)" for name in foreign),
+        *(f"(self->received.{name}.value != 0U)" for name in foreign),
     ]
-    return " || ".join(conditions) if len(conditions) != 1 else conditions[0]
+    return " || ".join(conditions)
 
 
 def _sent(error: Error, scope: Scope) -> Lines:
@@ -159,46 +145,72 @@ def evaluated(errors: tuple[Error, ...], scope: Scope) -> Lines:
 
 
 def reaction_functions(scope: Scope) -> list[Lines]:
-    """What makes each reaction active."""
-    return [_reaction(reaction, scope) for reaction in scope.plan.reactions]
+    """What each reaction hears from outside, and what makes it active."""
+    found = []
+    for reaction in scope.plan.reactions:
+        found.append(_receive(reaction, scope))
+        found += [_react(reaction, call, scope) for call in reaction.calls] if reaction.time_out is not None else []
+        found += [_react(reaction, "", scope)] if reaction.time_out is None and reaction.calls else []
+    return found
 
 
-def _reaction(reaction: Reaction, scope: Scope) -> Lines:
-    p, name = scope.prefix, reaction.named.name
-    received = f"self->received.{name}"
-    outside = f"({received}.reception.is_there && ({received}.value == {reaction.active}U))"
-    conditions = filter(None, (_any_failed(reaction.errors, reaction.foreign, scope), outside))
-    late = _silent(reaction, scope)
+def reaction_head(reaction: Reaction, scope: Scope) -> str:
+    """The head of the function that hears the outside."""
+    return (
+        f"void {scope.prefix}_Receive_{reaction.named.name}({scope.self_argument}, {reaction.wire.c} value, uint64_t t)"
+    )
+
+
+def _receive(reaction: Reaction, scope: Scope) -> Lines:
+    place = f"self->reaction.{reaction.named.name}"
+    now = f"{scope.prefix}_Now(self, t)"
+    timed = f"{place}.reception.time = {now};\n{place}.reception.count++;\n{place}.reception.is_there = true;"
+    said = choice([
+        (f"value == {reaction.active}U", lines(f"{place}.outside = {scope.present};")),
+        (f"value == {reaction.inactive}U", lines(f"{place}.outside = {scope.absent};")),
+        ("", lines("/* a number without a name says nothing */")),
+    ])  # fmt: skip
+    body = [said, lines(timed if reaction.time_out is not None else f"(void){now};")]
+    return function(reaction_head(reaction, scope), body, reaction.named.comment)
+
+
+def _react(reaction: Reaction, call: str, scope: Scope) -> Lines:
+    """With a time-out each call judges by itself, as its clocks start by themselves."""
+    name = reaction.named.name
+    place, out = f"self->reaction.{name}", f"self->out.{name}"
+    conditions = [
+        _any_failed(reaction.errors, reaction.foreign, scope),
+        f"({place}.outside == {scope.present})",
+        f"self->{call}.reaction.{name}.is_late" if call else "",
+        f"({place}.outside == {scope.constant('NOT_JUDGED')})" if _is_active_first(reaction) else "",
+    ]
     body = [
-        lines(f"{'' if late else 'const '}bool is_active = {' || '.join(conditions)};"),
-        late,
-        lines(f"const {reaction.wire.c} status = is_active ? {reaction.active}U : {reaction.inactive}U;")
-        if not late
-        else lines(f"status = is_active ? {reaction.active}U : {reaction.inactive}U;"),
+        _judged(reaction, call, scope),
+        lines(f"status = ({' || '.join(filter(None, conditions))}) ? {reaction.active}U : {reaction.inactive}U;"),
         lines(f"""
-            if (self->out.{name} != status) {{
-                self->out.{name} = status;
+            if ({out} != status) {{
+                {out} = status;
                 self->publish.{name} = true;
             }}
         """),
     ]
-    if late:
-        body.insert(1, lines(f"{reaction.wire.c} status;"))
-    time_argument = ", uint64_t t" if reaction.time_out is not None else ""
-    head = f"static void {p}_Evaluate_{name}({scope.self_argument}{time_argument})"
-    return function(head, body, reaction.named.comment)
+    time_argument = ", uint64_t t" if call else ""
+    head = f"static void {scope.prefix}_React_{name}{f'_{call}' if call else ''}({scope.self_argument}{time_argument})"
+    return function(head, [lines(f"{reaction.wire.c} status;"), *body], reaction.named.comment)
 
 
-def _silent(reaction: Reaction, scope: Scope) -> Lines:
-    if reaction.time_out is None:
+def _is_active_first(reaction: Reaction) -> bool:
+    """Whether it is active until the outside has said something: nothing else decides it."""
+    return reaction.initial == reaction.active and not reaction.errors and not reaction.foreign
+
+
+def _judged(reaction: Reaction, call: str, scope: Scope) -> Lines:
+    if not call or reaction.time_out is None:
         return ()
     name = reaction.named.name
-    late = f"{scope.prefix}_IsLate(&self->reaction.{name}, &self->received.{name}.reception, self->started, "
-    return lines(f"""
-        if ({late}{time(reaction.time_out)}, 1U, false, t)) {{
-            is_active = true;
-        }}
-    """)
+    clock, reception = f"&self->{call}.reaction.{name}", f"&self->reaction.{name}.reception"
+    limits = f"self->{call}.entered, {time(reaction.time_out)}, 1U, false, t"
+    return lines(f"{scope.prefix}_Judge({clock}, {reception}, {limits});")
 
 
 def reacted(call: str, scope: Scope) -> Lines:
@@ -206,9 +218,23 @@ def reacted(call: str, scope: Scope) -> Lines:
     found = []
     for reaction in scope.plan.reactions:
         if call in reaction.calls:
-            time_argument = ", t" if reaction.time_out is not None else ""
-            found.append(lines(f"{scope.prefix}_Evaluate_{reaction.named.name}(self{time_argument});"))
-            if reaction.variable:
-                target = scope.variable(reaction.variable)
-                found.append(lines(f"{target} = self->out.{reaction.named.name};", reaction.named.pointer))
+            name = reaction.named.name
+            timed = f"_{call}(self, t)" if reaction.time_out is not None else "(self)"
+            found.append(lines(f"{scope.prefix}_React_{name}{timed};"))
+            found.append(reaction_written(reaction, scope))
     return joined(found)
+
+
+def reaction_written(reaction: Reaction, scope: Scope) -> Lines:
+    """A reaction in its variable, if it has one."""
+    if reaction.variable is None:
+        return ()
+    target = scope.variable(reaction.variable)
+    return lines(f"{target} = self->out.{reaction.named.name};", reaction.named.pointer)
+
+
+def status_written(error: Error, scope: Scope) -> Lines:
+    """What is sent of an error, in its variable, if it has one."""
+    if error.status_variable is None:
+        return ()
+    return lines(f"{scope.variable(error.status_variable)} = self->out.{error.named.name};", error.named.pointer)

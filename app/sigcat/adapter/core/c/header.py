@@ -2,12 +2,25 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.core.c import inputs, life, methods
+from sigcat.adapter.core.c import errors, inputs, life, methods, parameters
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.identifiers import string
-from sigcat.adapter.core.plan import CLASS, GLOBALS, Call, Input, Method, Output, Port, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import (
+    CLASS,
+    GLOBALS,
+    Call,
+    Input,
+    Method,
+    Output,
+    Parameter,
+    Port,
+    Reaction,
+    WireField,
+    WireStruct,
+    WireType,
+)
 
 
 def header(scope: Scope, title: Lines) -> Lines:
@@ -85,7 +98,7 @@ def _types(scope: Scope) -> list[Lines]:
         enumeration(f"{p}_Call", calls),
         enumeration(f"{p}_Verdict", [(f"{c('NOT_JUDGED')} = 0", ""), (c("ABSENT"), ""), (c("PRESENT"), "")]),
         enumeration(f"{p}_Origin", [(c(name), "") for name in
-                    ("INIT", "RECEIVED", "DEFAULT", "REPLACEMENT", "KEPT")]) if uses_origin(scope) else (),
+                    ("INIT", "RECEIVED", "DEFAULT", "REPLACEMENT")]) if uses_origin(scope) else (),
         *([_states(scope), _error(scope), _counts(scope)] if plan.errors else []),
         enumeration(f"{p}_Reply", [(c("OK"), ""), (c("EXCLUDED"), "the mode excludes it, or init has failed"),
                     (c("BAD_ARGUMENT"), "")]) if any(each.is_offered for each in plan.methods) else (),
@@ -102,8 +115,9 @@ def _types(scope: Scope) -> list[Lines]:
 
 
 def uses_origin(scope: Scope) -> bool:
-    """Whether any input is more than an assignment."""
-    return any(not inputs.is_direct(item) and item.queue is None for call in scope.plan.steps for item in call.inputs)
+    """Whether any input is more than an assignment, or there are parameters."""
+    has_inputs = any(not inputs.is_direct(item) for call in scope.plan.steps for item in call.inputs)
+    return has_inputs or bool(scope.plan.parameters)
 
 
 def uses_clock(scope: Scope) -> bool:
@@ -162,9 +176,9 @@ def _method_types(method: Method, scope: Scope) -> list[Lines]:
 
 
 def _parameters(scope: Scope) -> Lines:
-    if not scope.plan.parameters:
+    members = [_member(each.value.wire, each.named.name, each.named.comment) for each in parameters.settable(scope)]
+    if not members:
         return ()
-    members = [_member(each.value.wire, each.named.name, each.named.comment) for each in scope.plan.parameters]
     return struct(f"{scope.prefix}_Parameters", members, "Parameters, in the catalogue's units.")
 
 
@@ -187,21 +201,18 @@ def _context(scope: Scope) -> Lines:
         _received(scope),
         *(_call_state(call, scope) for call in plan.steps),
         _group("mode", _mode_members(scope)),
+        _group("mode_out", [lines("bool is_known;")] if plan.mode_out else []),
         _group("checkpoint", _checkpoint_members(scope)),
         _group("error", [lines(f"{p}_Error {each.named.name}; /* {each.named.comment} */") for each in plan.errors]),
-        _group("reaction", [lines(f"{p}_Clock {each.named.name};") for each in plan.reactions if each.time_out is not None]),
+        _group("reaction", [_reaction(each, scope) for each in plan.reactions]),
         _group("method", [_request(each, scope) for each in plan.methods if not each.is_offered]),
-        _group("parameter", [lines(f"{p}_Verdict {each.named.name};") for each in plan.parameters if each.range_error],
-               "Whether stored ones were out of range."),
-        lines(f"{p}_Parameters parameters;") if plan.parameters else (),
+        _group("parameter", [_parameter(each, scope) for each in plan.parameters]),
         lines(f"{p}_Stored stored;"),
         _group("out", _out(scope), "What is sent, in the catalogue's units."),
         _group("publish", _publish(scope), "What is to be sent now."),
         _objects(scope),
         lines("""
             uint64_t now; /* the last time that was given */
-            uint64_t started;
-            bool is_known; /* whether there is anything in `stored` */
             bool is_ready; /* whether init was good */
             bool is_started;
             bool is_terminated;
@@ -223,7 +234,6 @@ def _received(scope: Scope) -> Lines:
     plan, p = scope.plan, scope.prefix
     status = [
         *((each.wire, each.name, each.comment) for each in plan.foreign_errors),
-        *((each.wire, each.named.name, each.named.comment) for each in plan.reactions),
         *([(plan.mode_in.wire, plan.mode_in.named.name, plan.mode_in.named.comment)] if plan.mode_in else []),
     ]
     members = [
@@ -234,7 +244,7 @@ def _received(scope: Scope) -> Lines:
 
 
 def _port(port: Port, scope: Scope) -> Lines:
-    if all(item.queue for _, item in port.consumers):
+    if not inputs.is_kept(port):
         return lines(f"struct {{ {scope.prefix}_Reception reception; }} {port.name}; /* {port.comment} */")
     return _received_member(port.wire, port.name, port.comment, scope.prefix)
 
@@ -249,31 +259,75 @@ def _call_state(call: Call, scope: Scope) -> Lines:
         lines("uint64_t entered; /* when its clocks have started */"),
         lines("uint64_t release; /* when it is due next */") if call.cycle is not None else (),
         lines("uint64_t begun; /* when it was called last */"),
-        lines("uint32_t waiting; /* activations */"),
+        lines("uint32_t events; /* that wait */") if call.cycle is None else (),
         lines("uint32_t missed;") if call.cycle is not None else (),
         lines("uint32_t dropped; /* activations that the mode excluded */"),
-        lines("bool has_begun;\nbool is_running;\nbool has_ended;"),
+        lines("bool is_active; /* from the answer of NextCall to the end of GetOutput */"),
+        lines("bool is_running; /* from Begin to GetOutput */") if call.deadline else (),
+        lines("bool has_begun;") if call.debounce else (),
+        lines("bool has_ended;") if any(call.name in other.previous for other in scope.plan.steps) else (),
         lines(f"{p}_Verdict overrun;") if call.overrun_error else (),
-        lines(f"{p}_Verdict alive;\nuint64_t window; /* its beginning */\nuint32_t ends; /* in this window */")
-        if call.alive else (),
+        _alive(call, scope),
         lines(f"{p}_Verdict deadline;") if call.deadline else (),
         _group("in", [_input_state(item, scope) for item in call.inputs]),
+        _group("reaction", [
+            lines(f"{p}_Clock {each.named.name};")
+            for each in scope.plan.reactions if call.name in each.calls and each.time_out is not None
+        ]),
         _group("out", [_output_state(output, scope) for output in call.outputs]),
     ]  # fmt: skip
     return (Line(f"/* {call.interface} */"), *block("struct", members, f"}} {call.name};"))
 
 
+def _alive(call: Call, scope: Scope) -> Lines:
+    if call.alive is None:
+        return ()
+    members = lines(f"""
+        {scope.prefix}_Verdict verdict;
+        uint64_t window; /* its beginning */
+        uint32_t ends; /* in this window */
+        bool has_closed; /* whether one has since it was judged */
+        bool is_bad; /* whether one of those was */
+    """)
+    return block("struct", [members], "} alive;")
+
+
+def _reaction(reaction: Reaction, scope: Scope) -> Lines:
+    timed = lines(f"{scope.prefix}_Reception reception;") if reaction.time_out is not None else ()
+    return _state([lines(f"{scope.prefix}_Verdict outside;"), timed], reaction.named.name)
+
+
+def _parameter(parameter: Parameter, scope: Scope) -> Lines:
+    members = [
+        lines(f"{declared(parameter.value.wire, 'value')}; /* {parameter.named.comment} */"),
+        lines(f"{scope.prefix}_Origin origin;"),
+        lines(f"{scope.prefix}_Verdict range;") if parameter.range_error else (),
+    ]
+    return block("struct", members, f"}} {parameter.named.name};")
+
+
 def _input_state(item: Input, scope: Scope) -> Lines:
     p, queue = scope.prefix, item.queue
-    waiting = declared(item.value.wire, f"values[{queue.length}]") if queue else ""
     members = [
-        lines(f"{waiting};\nuint32_t first;\nuint32_t waiting;\nbool is_overflown;") if queue else (),
+        lines(
+            f"{declared(item.value.wire, f'values[{queue.length}]')};\nuint32_t first;\nuint32_t waiting;\nbool is_overflown;"
+        )
+        if queue
+        else (),
+        _kept(item, scope),
         lines(f"{p}_Clock clock;") if item.time_out else (),
         lines(f"{p}_Verdict range;") if item.range_error else (),
         lines(f"{p}_Verdict overflow;") if queue and queue.overflow_error else (),
         lines("bool is_set;") if item.is_reset else (),
     ]
     return _state(members, item.named.name)
+
+
+def _kept(item: Input, scope: Scope) -> Lines:
+    if not inputs.keeps(item):
+        return ()
+    count = inputs.places(item)
+    return lines(f"{declared(item.value.wire, f'kept[{count}]')};\n{scope.prefix}_Origin origin[{count}];")
 
 
 def _output_state(output: Output, scope: Scope) -> Lines:
@@ -302,9 +356,7 @@ def _checkpoint_members(scope: Scope) -> list[Lines]:
         return []
     plan = scope.plan
     verdicts = [
-        lines(f"{scope.prefix}_Verdict {call.name};")
-        for call in (plan.init, *plan.steps, plan.terminate)
-        if call and call.logical and call.logical.error
+        lines(f"{scope.prefix}_Verdict {call.name};") for call in plan.calls if call.logical and call.logical.error
     ]
     return [lines("uint32_t active; /* 0: none */"), *verdicts]
 
@@ -360,8 +412,7 @@ def _objects(scope: Scope) -> Lines:
 
 def _hooks(scope: Scope) -> Lines:
     plan = scope.plan
-    calls = [call for call in (plan.init, *plan.steps, plan.terminate) if call]
-    names = dict.fromkeys(hook for call in calls for hook in (*call.before, *call.after))
+    names = dict.fromkeys(hook for call in plan.calls for hook in (*call.before, *call.after))
     if not names:
         return ()
     return joined([lines("/* Of the project: called before and after calls. */"),
@@ -388,7 +439,7 @@ def _functions(scope: Scope) -> list[Lines]:
         _prototypes("A request has come, and no call runs.",
                     [f"{methods.offered_head(each, scope)};" for each in plan.methods if each.is_offered]),
         _prototypes("The answer to a request. Under the lock.", [f"{methods.answer_head(each, scope)};" for each in used]),
-        _prototypes("All of them, or none if one is out of range. Under the lock.", [learns] if plan.parameters else []),
+        _prototypes("All of them, or none if one is out of range. Under the lock.", [learns] if parameters.settable(scope) else []),
         _prototypes("What `publish` names has been sent.", [f"void {p}_Published({s});"]),
         _prototypes("At the end. No call may run; afterwards, `stored` is to be stored.",
                     [f"void {p}_Terminate({s}, uint64_t t);"]),
@@ -404,16 +455,16 @@ def receive_heads(scope: Scope) -> list[str]:
     """Heads of all functions that take what comes."""
     return [
         *(inputs.receive_head(port, scope) for port in scope.plan.ports),
+        *(errors.reaction_head(reaction, scope) for reaction in scope.plan.reactions),
         *(status_head(name, wire, scope) for name, wire in received_status(scope)),
     ]
 
 
 def received_status(scope: Scope) -> list[tuple[str, WireType]]:
-    """Errors of others, reactions from outside, and the mode."""
+    """Errors of others, and the mode."""
     plan = scope.plan
     return [
         *((each.name, each.wire) for each in plan.foreign_errors),
-        *((each.named.name, each.wire) for each in plan.reactions),
         *([(plan.mode_in.named.name, plan.mode_in.wire)] if plan.mode_in else []),
     ]
 

@@ -26,7 +26,9 @@ def _helpers(prefix: str, macro: str) -> dict[str, Lines]:
         "Added": _added(prefix),
         "Worse": _worse(prefix),
         "HasFailed": _has_failed(prefix, macro),
-        "IsLate": _is_late(prefix, macro),
+        "Suspend": _suspend(prefix, macro),
+        "Later": _later(prefix),
+        "Judge": _judge(prefix, macro),
         "Scaled": _scaled(prefix),
         "QuietFloat": _quiet("QuietFloat", "float", prefix),
         "QuietDouble": _quiet("QuietDouble", "double", prefix),
@@ -90,10 +92,35 @@ def _has_failed(prefix: str, macro: str) -> Lines:
     """)
 
 
-def _is_late(prefix: str, macro: str) -> Lines:
+def _suspend(prefix: str, macro: str) -> Lines:
+    return lines(f"""
+        /* What was under way ends. */
+        static void {prefix}_Suspend({prefix}_Error *error)
+        {{
+            if (error->state == {macro}_PREFAILED) {{
+                error->state = error->before;
+            }} else if (error->state == {macro}_HEALING) {{
+                error->state = {macro}_FAILED;
+            }} else {{
+                /* as it is */
+            }}
+        }}
+    """)
+
+
+def _later(prefix: str) -> Lines:
+    return lines(f"""
+        static uint64_t {prefix}_Later(uint64_t a, uint64_t b)
+        {{
+            return (a > b) ? a : b;
+        }}
+    """)
+
+
+def _judge(prefix: str, macro: str) -> Lines:
     return lines(f"""
         /* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
-        static bool {prefix}_IsLate({prefix}_Clock *clock, const {prefix}_Reception *reception, uint64_t entered,
+        static void {prefix}_Judge({prefix}_Clock *clock, const {prefix}_Reception *reception, uint64_t entered,
             uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
         {{
             const bool is_there = reception->is_there;
@@ -112,7 +139,6 @@ def _is_late(prefix: str, macro: str) -> Lines:
             }} else {{
                 clock->verdict = is_there ? {macro}_ABSENT : {macro}_NOT_JUDGED;
             }}
-            return clock->is_late;
         }}
     """)
 

@@ -12,6 +12,7 @@ from sigcat.adapter.core.c.values import (
     flag,
     index,
     known_values,
+    looped,
     names_functions,
     stored,
     tables,
@@ -42,6 +43,29 @@ def is_direct(item: Input) -> bool:
     return is_plain and item.value.is_bare and not item.value.is_checked
 
 
+def keeps(item: Input) -> bool:
+    """Whether the last good value is kept for the call, beside the one that was received: of a queue, and of an
+    enumeration whose unknown numbers nothing replaces."""
+    return item.queue is not None or (item.value.is_checked and _instead(item) == "KEPT")
+
+
+def _instead(item: Input) -> str:
+    """Where the value comes from if the received one is out of range."""
+    if item.value.is_replaced:
+        return "REPLACEMENT"
+    return "KEPT" if any(leaf.element.names is not None for leaf in item.value.leaves) else "RECEIVED"
+
+
+def places(item: Input) -> int:
+    """How many values the variable has room for."""
+    return item.queue.values_per_step if item.queue else 1
+
+
+def place_of(call: str, item: Input) -> str:
+    """Where the state of an input is."""
+    return f"self->{call}.in.{item.named.name}"
+
+
 # -- receive ------------------------------------------------------------------------------------------------------
 
 
@@ -57,14 +81,17 @@ def receive_head(port: Port, scope: Scope) -> str:
     )
 
 
+def is_kept(port: Port) -> bool:
+    """Whether the value itself is kept where it is received, and not in queues alone."""
+    return any(item.queue is None for _, item in port.consumers)
+
+
 def _receive(port: Port, scope: Scope) -> Lines:
     place = f"self->received.{port.name}"
-    waiting = [_pushed(call, item) for call, item in port.consumers if item.queue]
-    kept = any(item.queue is None for _, item in port.consumers)
     now = f"{scope.prefix}_Now(self, t)"
     body = [
-        stored(port.wire, "value", f"{place}.value") if kept else (),
-        *waiting,
+        stored(port.wire, "value", f"{place}.value") if is_kept(port) else (),
+        *(_pushed(call, item) for call, item in port.consumers if item.queue),
         lines(f"{place}.reception.time = {now};\n{place}.reception.count++;")
         if is_timed(port)
         else lines(f"(void){now};"),
@@ -76,8 +103,7 @@ def _receive(port: Port, scope: Scope) -> Lines:
 
 def _triggered(name: str, scope: Scope) -> Lines:
     call = next(step for step in scope.plan.steps if step.name == name)
-    most = call.most_events if call.counts_events else 1
-    return block(f"if (self->{name}.waiting < {most}U)", [lines(f"self->{name}.waiting++;")])
+    return block(f"if (self->{name}.events < {call.most_events}U)", [lines(f"self->{name}.events++;")])
 
 
 def _pushed(call: str, item: Input) -> Lines:
@@ -98,28 +124,42 @@ def _pushed(call: str, item: Input) -> Lines:
     return joined([block(f"if ({queue}.waiting == {length})", [drop]), put])
 
 
-def place_of(call: str, item: Input) -> str:
-    """Where the state of an input is."""
-    return f"self->{call}.in.{item.named.name}"
+# -- judge --------------------------------------------------------------------------------------------------------
+
+
+def judged(call: Call, item: Input, scope: Scope) -> Lines:
+    """Whether an input is late, and whether values were lost: in each snapshot."""
+    place, found = place_of(call.name, item), list[Lines]()
+    if item.time_out:
+        first = "true" if item.time_out.starts_with_first else "false"
+        times = f"self->{call.name}.entered, {time(item.time_out.nanoseconds)}"
+        reception = f"&self->received.{item.port}.reception"
+        found.append(lines(
+            f"{scope.prefix}_Judge(&{place}.clock, {reception}, {times}, {item.time_out.recovery}U, {first}, t);"
+        ))  # fmt: skip
+    if item.queue:
+        verdict = f"{place}.overflow = {place}.is_overflown ? {scope.present} : {scope.absent};\n"
+        found.append(lines(f"{verdict if item.queue.overflow_error else ''}{place}.is_overflown = false;"))
+    return joined(found)
 
 
 # -- take ---------------------------------------------------------------------------------------------------------
 
 
-def ends_of(call: Call, item: Input, scope: Scope) -> Ends:
+def ends_of(call: Call, item: Input, scope: Scope, place: str = "place") -> Ends:
     """Where an input comes from and goes to."""
     source, target = f"self->received.{item.port}.value", scope.variable(item.variable)
-    if item.queue:
-        source = f"{place_of(call.name, item)}.values[{place_of(call.name, item)}.first]"
-        target = f"{target}[taken]" if item.queue.values_per_step > 1 else target
+    if keeps(item):
+        source = f"{place_of(call.name, item)}.kept[{place if places(item) > 1 else '0'}]"
+    if places(item) > 1:
+        target = f"{target}[{place}]"
     return Ends(source, target, f"{scope.prefix}_{call.name}_{item.named.name}", item.named.pointer)
 
 
 def taken(call: Call, item: Input, scope: Scope) -> Lines:
     """An input in a snapshot: an assignment, or a call of its function."""
     if not is_direct(item):
-        time = ", t" if item.time_out else ""
-        return lines(f"{scope.prefix}_Take_{call.name}_{item.named.name}(self{time});")
+        return lines(f"{scope.prefix}_Take_{call.name}_{item.named.name}(self);")
     ends = ends_of(call, item, scope)
     value = _right_side(assigned(item.value, ends, scope.prefix))
     port = next(port for port in scope.plan.ports if port.name == item.port)
@@ -136,13 +176,13 @@ def _right_side(assignment: Lines) -> str:
 
 
 def initial(call: Call, item: Input, scope: Scope) -> Lines:
-    """The start value, put into the variable."""
-    ends = ends_of(call, item, scope)
-    if item.queue and item.queue.values_per_step > 1:
-        target = scope.variable(item.variable)
-        each = constant(item.value, "init", ends._replace(target=f"{target}[taken]"))
-        return block(f"for (taken = 0U; taken < {item.queue.values_per_step}U; taken++)", [each])
-    return constant(item.value, "init", ends)
+    """The start value, put into the variable, and none in the count of a queue."""
+    count = item.queue.count_variable if item.queue else None
+    none = lines(f"{scope.variable(count)} = 0;", item.named.pointer) if count else ()
+    each = constant(item.value, "init", ends_of(call, item, scope))
+    if places(item) > 1:
+        each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+    return joined([each, none])
 
 
 def take_functions(call: Call, scope: Scope) -> list[Lines]:
@@ -150,139 +190,173 @@ def take_functions(call: Call, scope: Scope) -> list[Lines]:
     found: list[Lines] = []
     for item in call.inputs:
         ends = ends_of(call, item, scope)
-        found += [tables(item.value, ends.names, kinds_of(item)), *names_functions(item.value, ends)]
+        kinds = ("init", "default", "replacement") if item.value.is_replaced else ("init", "default")
+        found += [tables(item.value, ends.names, kinds), *names_functions(item.value, ends)]
         if not is_direct(item):
             found.append(_take_from_queue(call, item, scope) if item.queue else _take(call, item, scope))
     return [each for each in found if each]
 
 
-def kinds_of(item: Input) -> tuple[str, ...]:
-    """Constants that may stand in for a value."""
-    return ("init", "default", "replacement") if item.value.is_replaced else ("init", "default")
-
-
 def _head(call: Call, item: Input, scope: Scope) -> str:
-    time = ", uint64_t t" if item.time_out else ""
-    return f"static void {scope.prefix}_Take_{call.name}_{item.named.name}({scope.self_argument}{time})"
+    return f"static void {scope.prefix}_Take_{call.name}_{item.named.name}({scope.self_argument})"
 
 
 def _take(call: Call, item: Input, scope: Scope) -> Lines:
     """Received, checked, not late: converted. Otherwise a constant stands in."""
     ends, place = ends_of(call, item, scope), place_of(call.name, item)
-    checked = item.value.is_checked
-    received = joined([
-        check(item.value, ends) if checked else (),
-        lines(f"{place}.range = is_within ? {scope.absent} : {scope.present};") if item.range_error else (),
-        lines(f"origin = is_within ? {scope.constant('RECEIVED')} : {scope.constant(_instead(item))};")
-        if checked
-        else lines(f"origin = {scope.constant('RECEIVED')};"),
-    ])  # fmt: skip
+    is_there = f"self->received.{item.port}.reception.is_there"
+    if keeps(item):
+        received, first, later = _kept(call, item, scope), "", lines(f"origin = {place}.origin[0];")
+    else:
+        received, first, later = _originated(call, item, ends, scope), f" = {scope.constant('INIT')}", ()
     body = [
-        lines(f"{scope.prefix}_Origin origin = {scope.constant('INIT')};"),
+        lines(f"{scope.prefix}_Origin origin{first};"),
         index(item.value),
         known_values(item.value),
-        flag(item.value) if checked else (),
-        (Line(""),),
-        block(f"if (self->received.{item.port}.reception.is_there)", [received]),
+        flag(item.value) if item.value.is_checked else (),
+        block(f"if ({is_there})", [received]),
+        later,
         _if_late(call, item, scope),
-        _by_origin(call, item, ends, scope),
+        _by_origin(item, ends, scope),
         _is_set(call, item, scope),
     ]
     return function(_head(call, item, scope), body, item.named.comment)
 
 
-def _instead(item: Input) -> str:
-    """Where the value comes from if the received one is out of range."""
-    if item.value.is_replaced:
-        return "REPLACEMENT"
-    return "KEPT" if any(leaf.element.names is not None for leaf in item.value.leaves) else "RECEIVED"
+def _range(call: Call, item: Input, scope: Scope, flag_name: str = "is_within") -> Lines:
+    if not item.range_error:
+        return ()
+    return lines(f"{place_of(call.name, item)}.range = {flag_name} ? {scope.absent} : {scope.present};")
+
+
+def _originated(call: Call, item: Input, ends: Ends, scope: Scope) -> Lines:
+    """Where the value comes from, now that there is a received one."""
+    received = scope.constant("RECEIVED")
+    if not item.value.is_checked:
+        return lines(f"origin = {received};")
+    instead = scope.constant(_instead(item))
+    return joined([
+        check(item.value, ends),
+        _range(call, item, scope),
+        lines(f"origin = is_within ? {received} : {instead};") if instead != received else lines(f"origin = {received};"),
+    ])  # fmt: skip
+
+
+def _kept(call: Call, item: Input, scope: Scope) -> Lines:
+    """The received value, kept if every number of it has a name."""
+    place = place_of(call.name, item)
+    received = ends_of(call, item, scope)._replace(source=f"self->received.{item.port}.value")
+    good = joined([
+        stored(item.value.wire, _handed(item, received.source), f"{place}.kept[0]"),
+        lines(f"{place}.origin[0] = {scope.constant('RECEIVED')};"),
+    ])  # fmt: skip
+    return joined([check(item.value, received), _range(call, item, scope), block("if (is_within)", [good])])
+
+
+def _handed(item: Input, source: str) -> str:
+    return f"&{source}" if item.value.wire.is_struct and item.value.wire.length is None else source
 
 
 def _if_late(call: Call, item: Input, scope: Scope) -> Lines:
-    if item.time_out is None:
+    if item.time_out is None or item.time_out.substitute == "Last":
         return ()
-    late = _late(call, item, scope)
-    if item.time_out.substitute == "Last":
-        return lines(f"(void){late};")
+    late = f"{place_of(call.name, item)}.clock.is_late"
     return block(f"if ({late})", [lines(f"origin = {scope.constant(item.time_out.substitute.upper())};")])
 
 
-def _late(call: Call, item: Input, scope: Scope) -> str:
-    time_out = item.time_out
-    assert time_out is not None
-    clock, reception = f"&{place_of(call.name, item)}.clock", f"&self->received.{item.port}.reception"
-    first = "true" if time_out.starts_with_first else "false"
-    limits = f"{time(time_out.nanoseconds)}, {time_out.recovery}U, {first}"
-    return f"{scope.prefix}_IsLate({clock}, {reception}, self->{call.name}.entered, {limits}, t)"
-
-
-def _by_origin(call: Call, item: Input, ends: Ends, scope: Scope) -> Lines:
+def _by_origin(item: Input, ends: Ends, scope: Scope) -> Lines:
     """The value, from where it comes from."""
-    ways = [("RECEIVED", assigned(item.value, ends, scope.prefix))]
+    ways = [("RECEIVED", assigned(item.value, ends, scope.prefix, is_new=keeps(item)))]
     if item.value.is_replaced:
         ways.append(("REPLACEMENT", constant(item.value, "replacement", ends)))
     if item.time_out and item.time_out.substitute == "Default":
         ways.append(("DEFAULT", constant(item.value, "default", ends)))
-    ways.append(("INIT", initial(call, item, scope)))
-    keeps = item.value.is_checked and _instead(item) == "KEPT"
-    last = ("", lines("/* the value before stays */")) if keeps else ("", ways.pop()[1])
+    last = ("", constant(item.value, "init", ends))
     return choice([*((f"origin == {scope.constant(name)}", way) for name, way in ways), last])
 
 
 def _is_set(call: Call, item: Input, scope: Scope) -> Lines:
+    """Whether any number of the variable is not 0."""
     if not item.is_reset:
         return ()
-    zero = literal(0, item.value.leaves[0].element.target)
-    variable = scope.variable(item.variable)
-    test = variable if zero == "false" else f"({variable} != {zero})"
-    return lines(f"{place_of(call.name, item)}.is_set = {test};", item.named.pointer)
+    place, variable = f"{place_of(call.name, item)}.is_set", scope.variable(item.variable)
+    found = [lines(f"{place} = false;")]
+    for leaf in item.value.leaves:
+        target = f"{variable}{'[0]' if places(item) > 1 else ''}{leaf.target}"
+        zero = literal(0, leaf.element.target)
+        test = target if zero == "false" else f"({target} != {zero})"
+        found.append(looped(leaf, lines(f"{place} = {place} || {test};", item.named.pointer)))
+    return joined(found)
+
+
+# -- queues -------------------------------------------------------------------------------------------------------
 
 
 def _take_from_queue(call: Call, item: Input, scope: Scope) -> Lines:
     """Waiting values, oldest first."""
-    queue = item.queue
-    assert queue is not None
-    place, ends = place_of(call.name, item), ends_of(call, item, scope)
-    judged = lines(f"{place}.range = are_within ? {scope.absent} : {scope.present};")
-    count = f"{scope.variable(queue.count_variable)} = taken;" if queue.count_variable else ""
+    assert item.queue is not None
+    queue = place_of(call.name, item)
+    judged_range = block("if (taken > 0U)", [_range(call, item, scope, "are_within")]) if item.range_error else ()
     body = [
         lines("uint32_t taken;"),
+        lines("uint32_t place;") if places(item) > 1 else (),
         index(item.value),
         known_values(item.value),
         lines("bool are_within = true;") if item.range_error else (),
-        (Line(""),),
-        block(f"for (taken = 0U; (taken < {queue.values_per_step}U) && ({place}.waiting > 0U); taken++)",
-              [_one_of_queue(call, item, ends, scope)]),
-        block("if (taken > 0U)", [judged]) if item.range_error else (),
-        lines(count, item.named.pointer) if count else (),
-        lines(f"{place}.overflow = {place}.is_overflown ? {scope.present} : {scope.absent};") if queue.overflow_error else (),
-        lines(f"{place}.is_overflown = false;"),
-        _late_queue(call, item, ends, scope),
+        block(
+            f"for (taken = 0U; (taken < {places(item)}U) && ({queue}.waiting > 0U); taken++)",
+            [_one_of_queue(call, item, scope)],
+        ),
+        judged_range,
+        _shown(call, item, scope),
         _is_set(call, item, scope),
-    ]  # fmt: skip
+    ]
     return function(_head(call, item, scope), body, item.named.comment)
 
 
-def _one_of_queue(call: Call, item: Input, ends: Ends, scope: Scope) -> Lines:
-    place, length = place_of(call.name, item), item.queue.length if item.queue else 0
-    put = assigned(item.value, ends, scope.prefix)
+def _one_of_queue(call: Call, item: Input, scope: Scope) -> Lines:
+    """One value that waits, kept in the place that it gets."""
+    queue, length = place_of(call.name, item), item.queue.length if item.queue else 0
+    place = "taken" if places(item) > 1 else "0"
+    first = ends_of(call, item, scope)._replace(source=f"{queue}.values[{queue}.first]")
+    keep = joined([
+        stored(item.value.wire, _handed(item, first.source), f"{queue}.kept[{place}]"),
+        lines(f"{queue}.origin[{place}] = {scope.constant('RECEIVED')};"),
+    ])  # fmt: skip
     if item.value.is_checked:
-        instead = {
-            "REPLACEMENT": [("", constant(item.value, "replacement", ends))], "KEPT": [], "RECEIVED": [("", put)],
-        }[_instead(item)]  # fmt: skip
-        put = joined([
+        replaced = lines(f"{queue}.origin[{place}] = {scope.constant('REPLACEMENT')};")
+        ways = {
+            "REPLACEMENT": [("is_within", keep), ("", replaced)],
+            "KEPT": [("is_within", keep)],
+            "RECEIVED": [("", keep)],
+        }
+        keep = joined([
             flag(item.value),
-            check(item.value, ends),
+            check(item.value, first),
             lines("are_within = are_within && is_within;") if item.range_error else (),
-            put if _instead(item) == "RECEIVED" else choice([("is_within", put), *instead]),
+            choice(ways[_instead(item)]),
         ])  # fmt: skip
-    return joined([put, lines(f"{place}.first = ({place}.first + 1U) % {length}U;\n{place}.waiting--;")])
+    return joined([keep, lines(f"{queue}.first = ({queue}.first + 1U) % {length}U;\n{queue}.waiting--;")])
 
 
-def _late_queue(call: Call, item: Input, ends: Ends, scope: Scope) -> Lines:
-    if item.time_out is None:
-        return ()
-    late, substitute = _late(call, item, scope), item.time_out.substitute
-    if substitute == "Last":
-        return lines(f"(void){late};")
-    return block(f"if ({late} && (taken == 0U))", [constant(item.value, substitute.lower(), ends)])
+def _shown(call: Call, item: Input, scope: Scope) -> Lines:
+    """What is kept, or what stands in for it, in the variable; and how many have come."""
+    assert item.queue is not None
+    queue, ends = place_of(call.name, item), ends_of(call, item, scope)
+    place = "place" if places(item) > 1 else "0"
+    ways = [(f"{queue}.origin[{place}] == {scope.constant('RECEIVED')}",
+             assigned(item.value, ends, scope.prefix, is_new=True))]  # fmt: skip
+    if item.value.is_replaced:
+        replaced = constant(item.value, "replacement", ends)
+        ways.append((f"{queue}.origin[{place}] == {scope.constant('REPLACEMENT')}", replaced))
+    count = scope.variable(item.queue.count_variable) if item.queue.count_variable else ""
+    if item.time_out and item.time_out.substitute != "Last":
+        substitute = constant(item.value, item.time_out.substitute.lower(), ends)
+        ways.insert(0, (f"{queue}.clock.is_late", substitute))
+        counted = f"{count} = {queue}.clock.is_late ? 0 : taken;"
+    else:
+        counted = f"{count} = taken;"
+    each = choice([*ways, ("", constant(item.value, "init", ends))])
+    if places(item) > 1:
+        each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+    return joined([each, lines(counted, item.named.pointer) if count else ()])

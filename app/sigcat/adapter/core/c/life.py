@@ -1,10 +1,11 @@
 """The beginning and the end of a function (section 1)."""
 
-from sigcat.adapter.core.c import inputs, outputs, parameters, schedule, supervision
+from sigcat.adapter.core.c import errors, inputs, methods, modes, outputs, parameters, schedule, supervision
 from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
+from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.values import needs_index
-from sigcat.adapter.core.plan import CodeObject, Port
+from sigcat.adapter.core.plan import GLOBALS, Call, CodeObject, Port
 
 
 def life_functions(scope: Scope) -> list[Lines]:
@@ -12,8 +13,8 @@ def life_functions(scope: Scope) -> list[Lines]:
     return [
         part
         for part in (
-            _begin_cycle(scope), _clear(scope), _initial_inputs(scope), _initial_outputs(scope), _init(scope),
-            _start(scope), _published(scope), _terminate(scope),
+            _begin_cycle(scope), _clear(scope), _write_all(scope), _set_all(scope), _init(scope), _start(scope),
+            _published(scope), _terminate(scope),
         )
         if part
     ]  # fmt: skip
@@ -44,28 +45,30 @@ def _begin_cycle(scope: Scope) -> Lines:
 
 
 def _clear(scope: Scope) -> Lines:
+    plan = scope.plan
     groups = [
         "received" if has_received(scope) else "",
-        *(call.name for call in scope.plan.steps),
-        "mode" if scope.plan.mode_in else "",
+        *(call.name for call in plan.steps),
+        "mode" if plan.mode_in else "",
+        "mode_out" if plan.mode_out else "",
         "checkpoint" if has_checkpoints(scope) else "",
-        "error" if scope.plan.errors else "",
-        "reaction" if any(each.time_out is not None for each in scope.plan.reactions) else "",
-        "method" if any(not each.is_offered for each in scope.plan.methods) else "",
-        "parameter" if any(each.range_error for each in scope.plan.parameters) else "",
+        "error" if plan.errors else "",
+        "reaction" if plan.reactions else "",
+        "method" if any(not each.is_offered for each in plan.methods) else "",
+        "parameter" if plan.parameters else "",
         "out" if has_out(scope) else "",
-        "publish" if has_out(scope) or any(not each.is_offered for each in scope.plan.methods) else "",
-        "code" if scope.plan.code.objects and scope.plan.code.signature != "Globals" else "",
+        "publish" if sends(scope) else "",
+        "code" if plan.code.objects and plan.code.signature != GLOBALS else "",
     ]
     body = [lines(f"(void)memset(&self->{name}, 0, sizeof(self->{name}));") for name in groups if name]
-    flags = lines("self->now = 0U;\nself->started = 0U;\nself->is_ready = false;\nself->is_started = false;")
+    flags = lines("self->now = 0U;\nself->is_ready = false;\nself->is_started = false;\nself->is_terminated = false;")
+    wired = [_wired(each, scope) for each in plan.code.objects]
     head = f"static void {scope.prefix}_Clear({scope.self_argument})"
-    return function(head, [*body, flags, *(_wired(each, scope) for each in scope.plan.code.objects)],
-                    "Everything but what is stored.")  # fmt: skip
+    return function(head, [*body, flags, *wired], "Everything but what is stored.")
 
 
 def _wired(each: CodeObject, scope: Scope) -> Lines:
-    if each.member is None or scope.plan.code.signature == "Globals":
+    if each.member is None or scope.plan.code.signature == GLOBALS:
         return ()
     return lines(f"self->code.{scope.plan.code.objects[0].name}.{each.member} = &self->code.{each.name};", ("Code",))
 
@@ -73,7 +76,12 @@ def _wired(each: CodeObject, scope: Scope) -> Lines:
 def has_received(scope: Scope) -> bool:
     """Whether anything is received."""
     plan = scope.plan
-    return bool(plan.ports or plan.foreign_errors or plan.reactions or plan.mode_in)
+    return bool(plan.ports or plan.foreign_errors or plan.mode_in)
+
+
+def sends(scope: Scope) -> bool:
+    """Whether anything is published."""
+    return has_out(scope) or any(not each.is_offered for each in scope.plan.methods)
 
 
 def has_out(scope: Scope) -> bool:
@@ -84,114 +92,115 @@ def has_out(scope: Scope) -> bool:
 
 def has_checkpoints(scope: Scope) -> bool:
     """Whether calls are checkpoints."""
-    plan = scope.plan
-    return any(call is not None and call.logical for call in (plan.init, *plan.steps, plan.terminate))
+    return any(call.logical for call in scope.plan.calls)
 
 
 # -- init ---------------------------------------------------------------------------------------------------------
 
 
-def _initial_inputs(scope: Scope) -> Lines:
-    items = [(call, item) for call in scope.plan.steps for item in call.inputs]
-    if not items:
-        return ()
-    runs_over_values = any(item.queue and item.queue.values_per_step > 1 for _, item in items)
+def _write_all(scope: Scope) -> Lines:
+    """What there is for each variable before anything has come."""
+    plan = scope.plan
+    items = [(call, item) for call in plan.calls for item in call.inputs]
+    runs_over_values = any(inputs.places(item) > 1 for _, item in items)
+    requests = [
+        lines(f"{scope.variable(each.request_variable)} = 0;", each.named.pointer)
+        for each in plan.methods
+        if each.request_variable and not each.is_offered
+    ]
     body = [
         lines("uint32_t i;") if any(needs_index(item.value) for _, item in items) else (),
-        lines("uint32_t taken;") if runs_over_values else (),
+        lines("uint32_t place;") if runs_over_values else (),
         *(inputs.initial(call, item, scope) for call, item in items),
+        modes.written(scope),
+        *(errors.status_written(error, scope) for error in plan.errors),
+        *(errors.reaction_written(reaction, scope) for reaction in plan.reactions),
+        *(methods.status_written(method, scope) for method in plan.methods if not method.is_offered),
+        *requests,
     ]
-    head = f"static void {scope.prefix}_WriteInitialInputs({scope.self_argument})"
-    return function(head, body, "Inputs before anything is received.")
+    head = f"static void {scope.prefix}_WriteInitialValues({scope.self_argument})"
+    return function(head, body, "Variables of the code before anything is received.") if joined(body) else ()
 
 
-def _initial_outputs(scope: Scope) -> Lines:
+def _set_all(scope: Scope) -> Lines:
+    """What would be sent, and what is there before anything is received."""
     plan = scope.plan
-    items = [(call, output) for call in plan.steps for output in call.outputs]
+    items = [(call, output) for call in plan.steps for output in call.outputs if output.queue is None]
     status = [
         *(f"self->out.{each.named.name} = {each.passed}U;" for each in plan.errors),
         *(f"self->out.{each.named.name} = {each.initial}U;" for each in plan.reactions),
     ]
-    if plan.mode_out:
-        status.append(f"self->out.{plan.mode_out.named.name} = {plan.mode_out.modes[0].number}U;")
     body = [
         lines("uint32_t i;") if any(needs_index(output.value) for _, output in items) else (),
         *(outputs.initial(call, output, scope) for call, output in items),
         *(lines(text) for text in status),
-        *(_received_init(port, scope) for port in plan.ports if inputs.holds_init(port)),
+        *(_received_init(port) for port in plan.ports if inputs.holds_init(port)),
         lines(f"self->mode.now = {plan.mode_in.initial.number}U;") if plan.mode_in else (),
+        *(lines(f"{scope.prefix}_Load_{each.named.name}(self);") for each in plan.parameters),
     ]
-    if not joined(body):
-        return ()
     head = f"static void {scope.prefix}_SetInitialValues({scope.self_argument})"
-    return function(head, body, "What would be sent, and what is there before anything is received.")
+    return function(head, body, "What is there before anything is received.") if joined(body) else ()
 
 
-def _received_init(port: Port, scope: Scope) -> Lines:
+def _received_init(port: Port) -> Lines:
     _, item = port.consumers[0]
-    value = inputs.initial(scope.plan.steps[0], item, scope)[0].text.partition(" = ")[2]
-    return lines(f"self->received.{port.name}.value = {value}", item.named.pointer)
+    value = literal(item.value.leaves[0].init[0], item.value.leaves[0].element.target)
+    return lines(f"self->received.{port.name}.value = {value};", item.named.pointer)
 
 
 def _init(scope: Scope) -> Lines:
     p, plan = scope.prefix, scope.plan
-    always = [parameters.written(each, scope) for each in plan.parameters]
+    parameters_written = [parameters.written(each, scope) for each in plan.parameters]
+    after = joined([*parameters_written, lines(f"{p}_GiveMode(self);") if plan.mode_out else ()])
+    can_fail = any(init.success is not None for init in plan.inits)
     body = [
-        lines("bool is_ready = true;\n"),
+        lines("bool is_ready = true;") if can_fail else (),
         _restored(scope),
         lines(f"{p}_Clear(self);"),
-        lines(f"{p}_SetInitialValues(self);") if _initial_outputs(scope) else (),
-        lines(f"{p}_LoadParameters(self);") if plan.parameters else (),
-        lines(f"{p}_WriteInitialInputs(self);") if _initial_inputs(scope) else (),
-        *always,
-        supervision.reported(plan.init, scope) if plan.init else (),
-        _called(scope),
-        *always,
-        lines("self->is_ready = is_ready;\nself->is_terminated = false;"),
-        _failed(scope),
-        lines("return is_ready;"),
+        lines(f"{p}_SetInitialValues(self);") if _set_all(scope) else (),
+        *parameters_written,
+        lines(f"{p}_WriteInitialValues(self);") if _write_all(scope) else (),
+        *(_called(init, scope, is_first=not number) for number, init in enumerate(plan.inits)),
+        _result(after, scope) if can_fail else joined([after, lines("self->is_ready = true;")]),
+        lines("return self->is_ready;"),
     ]
-
     head = f"bool {p}_Init({scope.self_argument}, const {p}_Stored *stored, uint32_t ignition_cycle)"
     return function(head, body)
 
 
 def _restored(scope: Scope) -> Lines:
-    counts = [
-        lines(f"{scope.prefix}_BeginCycle(&self->stored.{error.named.name});") for error in scope.plan.errors
-    ]  # fmt: skip
-    begin = joined([*counts, lines("self->stored.ignition_cycle = ignition_cycle;\nself->stored.has_cycle = true;")])
+    counts = [lines(f"{scope.prefix}_BeginCycle(&self->stored.{error.named.name});") for error in scope.plan.errors]
     return joined([
         choice([
             ("stored != NULL", lines("self->stored = *stored;")),
-            ("!self->is_known", lines("(void)memset(&self->stored, 0, sizeof(self->stored));")),
-            ("", lines("/* a restart: counts go on */")),
+            ("", lines("(void)memset(&self->stored, 0, sizeof(self->stored));")),
         ]),
-        lines("self->is_known = true;"),
-        block("if (!self->stored.has_cycle || (self->stored.ignition_cycle != ignition_cycle))", [begin]),
+        block("if (!self->stored.has_cycle || (self->stored.ignition_cycle != ignition_cycle))",
+              [*counts, lines("self->stored.ignition_cycle = ignition_cycle;\nself->stored.has_cycle = true;")]),
     ])  # fmt: skip
 
 
-def _called(scope: Scope) -> Lines:
-    init = scope.plan.init
-    if init is None:
-        return ()
+def _called(init: Call, scope: Scope, *, is_first: bool) -> Lines:
+    """A call of init; after one that failed there is no other."""
     call = schedule.called(init, scope)
-    hooks = [[lines(f"{hook}(self);", init.pointer) for hook in each] for each in (init.before, init.after)]
     text = f"{call};" if init.success is None else f"is_ready = ({call} == {init.success});"
-    return joined([*hooks[0], lines(text, init.pointer), *hooks[1]])
+    whole = joined([
+        supervision.reported(init, scope),
+        *(lines(f"{hook}(self);", init.pointer) for hook in init.before),
+        lines(text, init.pointer),
+        *(lines(f"{hook}(self);", init.pointer) for hook in init.after),
+    ])  # fmt: skip
+    can_fail = any(each.success is not None for each in scope.plan.inits)
+    return block("if (is_ready)", [whole]) if can_fail and not is_first else whole
 
 
-def _failed(scope: Scope) -> Lines:
-    """After a failed init all reactions are active, and that is sent."""
-    init = scope.plan.init
-    if init is None or init.success is None or not scope.plan.reactions:
-        return ()
-    each = [
-        lines(f"self->out.{one.named.name} = {one.active}U;\nself->publish.{one.named.name} = true;")
-        for one in scope.plan.reactions
-    ]
-    return block("if (!is_ready)", each)
+def _result(after: Lines, scope: Scope) -> Lines:
+    """After a failed init all reactions are active."""
+    reactions = [lines(f"self->out.{one.named.name} = {one.active}U;") for one in scope.plan.reactions]
+    failed = joined(reactions) or lines("/* nothing runs */")
+    return joined([
+        choice([("is_ready", after or lines("/* it may start */")), ("", failed)]), lines("self->is_ready = is_ready;")
+    ])  # fmt: skip
 
 
 # -- start and end ------------------------------------------------------------------------------------------------
@@ -200,47 +209,60 @@ def _failed(scope: Scope) -> Lines:
 def _start(scope: Scope) -> Lines:
     p, plan = scope.prefix, scope.plan
     first = [
-        lines(f"{p}_GiveMode(self);") if plan.mode_out else (),
         *(lines(f"self->publish.{each.named.name} = true;") for each in plan.reactions),
-        lines(f"self->publish.{plan.mode_out.named.name} = true;") if plan.mode_out else (),
+        lines(f"self->publish.{plan.mode_out.named.name} = self->mode_out.is_known;") if plan.mode_out else (),
+        *(_begun(call) for call in plan.steps if call.cycle is not None),
     ]
-    calls = [part for call in plan.steps for part in (
-        lines(f"{p}_Enter_{call.name}(self, t);"),
-        lines(f"self->{call.name}.release = t + UINT64_C({call.offset});") if call.cycle is not None else (),
-        lines(f"self->{call.name}.window = self->{call.name}.release;") if call.alive else (),
-        lines(f"self->{call.name}.waiting = 0U;\nself->{call.name}.has_ended = false;"),
-        lines(f"self->{call.name}.has_begun = false;") if call.debounce else (),
-    )]  # fmt: skip
-    late = [lines(f"self->reaction.{each.named.name}.is_late = false;") for each in plan.reactions
-            if each.time_out is not None]  # fmt: skip
+    later = [_dropped(call, scope) for call in plan.steps]
+    entered = [lines(f"{p}_Enter_{call.name}(self, t);") for call in plan.steps]
+    windows = [
+        lines(f"self->{call.name}.alive.window = self->{call.name}.release;") for call in plan.steps if call.alive
+    ]
+    ways = [("!self->is_started", joined([*entered, *first, *windows])), ("", joined([*later, *entered]))]
     body = [
         lines(f"t = {p}_Now(self, t);"),
-        block("if (self->is_ready && !self->is_terminated)", [
-            block("if (!self->is_started)", first) if joined(first) else (),
-            lines("self->is_started = true;\nself->started = t;"), *late, *calls,
-        ]),
-    ]  # fmt: skip
-    return function(f"void {p}_Start({scope.self_argument}, uint64_t t)", body)
+        supervision.closed(scope),
+        choice(ways) if joined([*first, *later, *entered]) else (),
+        lines("self->is_started = true;"),
+    ]
+    whole = block("if (self->is_ready && !self->is_terminated)", body)
+    return function(f"void {p}_Start({scope.self_argument}, uint64_t t)", [whole])
+
+
+def _begun(call: Call) -> Lines:
+    return lines(f"self->{call.name}.release = t + UINT64_C({call.offset});")
+
+
+def _dropped(call: Call, scope: Scope) -> Lines:
+    """What was due before now; what is due at this very time is due."""
+    part = modes.dropped(call, scope)
+    if call.cycle is None:
+        return part
+    condition = f"if (t > self->{call.name}.release)"
+    counted = part[1]._replace(text=part[1].text.replace("((t - ", "((t - UINT64_C(1) - "))
+    return (part[0]._replace(text=f"{condition} {{"), counted, *part[2:])
 
 
 def _published(scope: Scope) -> Lines:
-    sends = has_out(scope) or any(not each.is_offered for each in scope.plan.methods)
-    body = [lines("(void)memset(&self->publish, 0, sizeof(self->publish));" if sends else "(void)self;")]
+    body = [lines("(void)memset(&self->publish, 0, sizeof(self->publish));") if sends(scope) else ()]
     return function(f"void {scope.prefix}_Published({scope.self_argument})", body)
 
 
 def _terminate(scope: Scope) -> Lines:
-    p, terminate = scope.prefix, scope.plan.terminate
+    p = scope.prefix
     inner = [
-        supervision.reported(terminate, scope) if terminate else (),
-        *([lines(f"{hook}(self);", terminate.pointer) for hook in terminate.before] if terminate else []),
-        lines(f"{schedule.called(terminate, scope)};", terminate.pointer) if terminate else (),
-        *([lines(f"{hook}(self);", terminate.pointer) for hook in terminate.after] if terminate else []),
+        *(_ended(terminate, scope) for terminate in scope.plan.terminates),
         parameters.learned(scope),
         lines("self->is_terminated = true;\nself->is_started = false;"),
     ]
-    body = [
-        lines(f"(void){p}_Now(self, t);"),
-        block("if (self->is_ready && !self->is_terminated)", inner),
-    ]
+    body = [lines(f"(void){p}_Now(self, t);"), block("if (self->is_ready && !self->is_terminated)", inner)]
     return function(f"void {p}_Terminate({scope.self_argument}, uint64_t t)", body)
+
+
+def _ended(terminate: Call, scope: Scope) -> Lines:
+    return joined([
+        supervision.reported(terminate, scope),
+        *(lines(f"{hook}(self);", terminate.pointer) for hook in terminate.before),
+        lines(f"{schedule.called(terminate, scope)};", terminate.pointer),
+        *(lines(f"{hook}(self);", terminate.pointer) for hook in terminate.after),
+    ])  # fmt: skip

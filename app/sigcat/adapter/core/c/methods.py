@@ -75,7 +75,8 @@ def _offered(method: Method, scope: Scope) -> Lines:
         *(_result(each, method, scope) for each in method.results),
     ])  # fmt: skip
     unknown = [f"!{_known_name(each, method, scope)}(arguments)" for each in method.arguments if each.value.is_checked]
-    ways = [("!self->is_ready" + ("" if runs == "true" else f" || !{runs}"), lines(f"reply = {c('EXCLUDED')};"))]
+    ready = "!self->is_ready || self->is_terminated" + ("" if runs == "true" else f" || !{runs}")
+    ways = [(ready, lines(f"reply = {c('EXCLUDED')};"))]
     ways += [(" || ".join(unknown), lines(f"reply = {c('BAD_ARGUMENT')};"))] if unknown else []
     needs_index = any(index(each.value) for each in (*method.arguments, *method.results) if not each.value.is_checked)
     body = [
@@ -92,19 +93,19 @@ def _known_name(argument: Argument, method: Method, scope: Scope) -> str:
 
 
 def _checked_functions(method: Method, scope: Scope) -> list[Lines]:
-    """Of each argument with an enumeration: whether its numbers have names, and how it is taken."""
+    """Of each argument or result that comes with an enumeration: whether its numbers have names, and how it is taken."""
     found = []
-    for each in method.arguments if method.is_offered else ():
+    items = method.arguments if method.is_offered else method.results
+    struct = arguments_type(method, scope) if method.is_offered else results_type(method, scope)
+    for each in items:
         if each.value.is_checked:
-            ends = _ends(each, method, scope, f"arguments->{each.name}", scope.variable(each.variable))
+            ends = _ends(each, method, scope, f"given->{each.name}", scope.variable(each.variable))
             declared = [index(each.value), known_values(each.value)]
-            arguments = f"const {arguments_type(method, scope)} *arguments"
-            found.append(function(f"static bool {_known_name(each, method, scope)}({arguments})", [
+            found.append(function(f"static bool {_known_name(each, method, scope)}(const {struct} *given)", [
                 *declared, flag(each.value), check(each.value, ends), lines("return is_within;"),
             ]))  # fmt: skip
-            head = (
-                f"static void {scope.prefix}_Take_{method.named.name}_{each.name}({scope.self_argument}, {arguments})"
-            )
+            name = f"{scope.prefix}_Take_{method.named.name}_{each.name}"
+            head = f"static void {name}({scope.self_argument}, const {struct} *given)"
             found.append(function(head, [*declared, assigned(each.value, ends, scope.prefix, is_new=True)]))
     return found
 
@@ -132,7 +133,10 @@ def _answer(method: Method, scope: Scope) -> Lines:
     taken = joined([lines(f"{place}.is_answered = true;\n{place}.is_ok = is_ok;"), keep])
     body = [
         lines(f"(void){scope.prefix}_Now(self, t);"),
-        block(f"if ((number == {place}.number) && ({place}.status == {STATUS['PENDING']}U))", [taken]),
+        block(
+            f"if ((number == {place}.number) && ({place}.status == {STATUS['PENDING']}U) && !{place}.is_answered)",
+            [taken],
+        ),
     ]
     return function(answer_head(method, scope), body, method.named.comment)
 
@@ -144,25 +148,39 @@ def taken(call: object, scope: Scope) -> Lines:
 
 
 def _taken(method: Method, scope: Scope) -> Lines:
-    place, pointer = f"self->method.{method.named.name}", method.named.pointer
-    results = [_answered(each, method, scope) for each in method.results]
+    place = f"self->method.{method.named.name}"
+    known = [f"{_known_name(each, method, scope)}(&{place}.answer)" for each in method.results if each.value.is_checked]
+    good = " && ".join([f"{place}.is_ok", *known])
     done = joined([
         lines(f"{place}.is_answered = false;"),
-        lines(f"{place}.status = {place}.is_ok ? {STATUS['DONE']}U : {STATUS['FAILED']}U;"),
-        block(f"if ({place}.is_ok)", results) if results else (),
+        choice([
+            (good, joined([lines(f"{place}.status = {STATUS['DONE']}U;"),
+                           *(_answered(each, method, scope) for each in method.results)])),
+            ("", lines(f"{place}.status = {STATUS['FAILED']}U;")),
+        ]),
     ])  # fmt: skip
     ways = [(f"{place}.is_answered", done)]
     if method.time_out is not None:
         late = f"({place}.status == {STATUS['PENDING']}U) && ((t - {place}.since) > {time(method.time_out)})"
         ways.append((late, lines(f"{place}.status = {STATUS['TIMED_OUT']}U;")))
         ways.append(("", lines("/* nothing new */")))
-    status = scope.variable(method.status_variable) if method.status_variable else ""
-    return joined([choice(ways), lines(f"{status} = {place}.status;", pointer) if status else ()])
+    return joined([choice(ways), status_written(method, scope)])
+
+
+def status_written(method: Method, scope: Scope) -> Lines:
+    """What became of a request, in its variable, if it has one."""
+    if method.status_variable is None:
+        return ()
+    target = scope.variable(method.status_variable)
+    return lines(f"{target} = self->method.{method.named.name}.status;", method.named.pointer)
 
 
 def _answered(result: Argument, method: Method, scope: Scope) -> Lines:
-    source = f"self->method.{method.named.name}.answer.{result.name}"
-    return assigned(result.value, _ends(result, method, scope, source, scope.variable(result.variable)), scope.prefix)
+    place = f"self->method.{method.named.name}.answer"
+    if result.value.is_checked:
+        return lines(f"{scope.prefix}_Take_{method.named.name}_{result.name}(self, &{place});")
+    ends = _ends(result, method, scope, f"{place}.{result.name}", scope.variable(result.variable))
+    return assigned(result.value, ends, scope.prefix)
 
 
 def requested(call: object, scope: Scope) -> Lines:

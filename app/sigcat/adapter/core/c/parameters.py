@@ -1,185 +1,176 @@
 """Parameters: stored, checked, written to the code, and learned (section 11)."""
 
 from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
-from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.values import (
     Ends,
     assigned,
     check,
+    constant,
     flag,
     index,
     known_values,
-    looped,
     names_functions,
+    stored,
     tables,
 )
-from sigcat.adapter.core.numbers import Number
-from sigcat.adapter.core.plan import Leaf, Parameter, Value
+from sigcat.adapter.core.plan import Parameter, Value
 
 
 def ends_of(parameter: Parameter, scope: Scope) -> Ends:
     """From the catalogue's value to the variable."""
     name = parameter.named.name
-    source = f"self->parameters.{name}"
+    source = f"self->parameter.{name}.value"
     return Ends(source, scope.variable(parameter.variable), f"{scope.prefix}_{name}", parameter.named.pointer)
 
 
-def _back(parameter: Parameter, scope: Scope, target: str) -> Ends:
-    name = f"{scope.prefix}_{parameter.named.name}_Learned"
-    return Ends(scope.variable(parameter.variable), target, name, parameter.named.pointer)
-
-
 def parameter_functions(scope: Scope) -> list[Lines]:
-    """What every parameter needs, and what they need together."""
+    """What each parameter needs."""
     found: list[Lines] = []
     for parameter in scope.plan.parameters:
         ends = ends_of(parameter, scope)
-        found += [tables(parameter.value, ends.names, ("default",)), *names_functions(parameter.value, ends)]
+        kinds = ("init", "replacement") if parameter.value.is_replaced else ("init",)
+        found += [tables(parameter.value, ends.names, kinds), *names_functions(parameter.value, ends)]
+        found += [_is_within(parameter, scope), _load(parameter, scope), _write(parameter, scope)]
         if parameter.learned:
-            found += names_functions(parameter.learned, _back(parameter, scope, ""))
-        found.append(_is_within(parameter, scope))
-        if not parameter.value.is_bare or any(leaf.element.names is not None for leaf in parameter.value.leaves):
-            found.append(_write(parameter, scope))
+            found += [
+                *names_functions(parameter.learned, _back(parameter, scope)),
+                _learn(parameter, parameter.learned, scope),
+            ]
     return [each for each in found if each]
 
 
 def is_checked(parameter: Parameter) -> bool:
     """Whether a value can be out of range."""
-    return any(_is_limited(leaf) for leaf in parameter.value.leaves)
+    return bool(_checked(parameter.value, Ends("value", "", "", ())))
 
 
-def _is_limited(leaf: Leaf) -> bool:
-    element = leaf.element
-    is_limited = element.least is not None or element.greatest is not None or element.source.is_floating
-    return element.names is not None or (element.is_checked and is_limited)
+def _checked(value: Value, ends: Ends) -> Lines:
+    return () if [line.text for line in check(value, ends)] == ["const bool is_within = true;"] else check(value, ends)
 
 
 def _is_within(parameter: Parameter, scope: Scope) -> Lines:
     """A function that tells whether a value is within its limits."""
     if not is_checked(parameter):
         return ()
-    value = parameter.value
-    is_pointer = value.wire.length is not None or value.wire.is_struct
-    ends = ends_of(parameter, scope)._replace(
-        source="(*value)" if value.wire.is_struct and value.wire.length is None else "value"
-    )
-    argument = f"const {value.wire.c} *value" if is_pointer else f"{value.wire.c} value"
-    head = f"static bool {scope.prefix}_IsWithin_{parameter.named.name}({argument})"
-    body = [index(value), known_values(value), flag(value), check(value, ends), lines("return is_within;")]
+    wire = parameter.value.wire
+    is_pointer = wire.length is not None or wire.is_struct
+    is_one_struct = wire.is_struct and wire.length is None
+    ends = ends_of(parameter, scope)._replace(source="(*value)" if is_one_struct else "value")
+    head = f"static bool {scope.prefix}_IsWithin_{parameter.named.name}({'const ' if is_pointer else ''}{wire.c} {'*' if is_pointer else ''}value)"
+    body = [index(parameter.value), known_values(parameter.value), flag(parameter.value), check(parameter.value, ends),
+            lines("return is_within;")]  # fmt: skip
     return function(head, body, parameter.named.comment)
+
+
+def handed(parameter: Parameter, place: str) -> str:
+    """A value as an argument."""
+    wire = parameter.value.wire
+    return f"&{place}" if wire.is_struct and wire.length is None else place
+
+
+def _load(parameter: Parameter, scope: Scope) -> Lines:
+    """What is stored, if it is there and within its limits."""
+    name = parameter.named.name
+    place, kept = f"self->parameter.{name}", f"self->stored.{name}"
+    take = taken(parameter, f"{kept}.value", scope)
+    if is_checked(parameter):
+        take = choice([
+            (f"{scope.prefix}_IsWithin_{name}({handed(parameter, f'{kept}.value')})", take),
+            ("", _refused(parameter, scope)),
+        ])  # fmt: skip
+    body = [
+        lines(f"{place}.origin = {scope.constant('INIT')};"),
+        block(f"if ({kept}.is_there)", [take]),
+    ]
+    return function(f"static void {scope.prefix}_Load_{name}({scope.self_argument})", body, parameter.named.comment)
+
+
+def taken(parameter: Parameter, source: str, scope: Scope) -> Lines:
+    """A good value, taken."""
+    place = f"self->parameter.{parameter.named.name}"
+    return joined([
+        stored(parameter.value.wire, handed(parameter, source), f"{place}.value"),
+        lines(f"{place}.origin = {scope.constant('RECEIVED')};"),
+        lines(f"{place}.range = {scope.absent};") if parameter.range_error else (),
+    ])  # fmt: skip
+
+
+def _refused(parameter: Parameter, scope: Scope) -> Lines:
+    place = f"self->parameter.{parameter.named.name}"
+    is_replaced = parameter.value.is_replaced
+    found = joined([
+        lines(f"{place}.origin = {scope.constant('REPLACEMENT')};") if is_replaced else (),
+        lines(f"{place}.range = {scope.present};") if parameter.range_error else (),
+    ])  # fmt: skip
+    return found or lines("/* it stays as it is */")
 
 
 def _write(parameter: Parameter, scope: Scope) -> Lines:
     ends, value = ends_of(parameter, scope), parameter.value
-    body = [index(value), _initialised(parameter), assigned(value, ends, scope.prefix, is_new=True)]
+    place = f"self->parameter.{parameter.named.name}.origin"
+    ways = [(f"{place} == {scope.constant('RECEIVED')}", assigned(value, ends, scope.prefix, is_new=True))]
+    if value.is_replaced and is_checked(parameter):
+        replaced = constant(value, "replacement", ends)
+        ways.append((f"{place} == {scope.constant('REPLACEMENT')}", replaced))
+    body = [index(value), known_values(value), choice([*ways, ("", constant(value, "init", ends))])]
     head = f"static void {scope.prefix}_Write_{parameter.named.name}({scope.self_argument})"
     return function(head, body, parameter.named.comment)
 
 
-def _initialised(parameter: Parameter) -> Lines:
-    """An enumeration's number before it is known; a stored one was checked."""
-    return joined(
-        lines(f"{leaf.element.target.c} known_{number} = {literal(leaf.default[0], leaf.element.target)};")
-        for number, leaf in enumerate(parameter.value.leaves)
-        if leaf.element.names is not None
-    )
-
-
 def written(parameter: Parameter, scope: Scope) -> Lines:
     """A parameter, written to its variable."""
-    if not parameter.value.is_bare or any(leaf.element.names is not None for leaf in parameter.value.leaves):
-        return lines(f"{scope.prefix}_Write_{parameter.named.name}(self);")
-    (line,) = assigned(parameter.value, ends_of(parameter, scope), scope.prefix)
-    return lines(f"{line.text} /* {parameter.named.comment} */", line.source)
+    return lines(f"{scope.prefix}_Write_{parameter.named.name}(self);")
 
 
 # -- all of them --------------------------------------------------------------------------------------------------
 
 
-def defaults(parameter: Parameter, numbers: tuple[tuple[Number, ...], ...]) -> Lines:
-    """Constants in the catalogue's unit, put into the parameter."""
-    found = []
-    for leaf, given in zip(parameter.value.leaves, numbers, strict=True):
-        place = f"self->parameters.{parameter.named.name}{leaf.source}"
-        source = leaf.element.source
-        if leaf.length is None or len({repr(number) for number in given}) == 1:
-            found.append(looped(leaf, lines(f"{place} = {literal(given[0], source)};")))
-        else:
-            each = (f"{place.replace('[i]', f'[{n}]')} = {literal(number, source)};" for n, number in enumerate(given))
-            found.append(joined(lines(text) for text in each))
-    return joined(found)
-
-
-def load_function(scope: Scope) -> Lines:
-    """Defaults, and what is stored over them."""
-    if not scope.plan.parameters:
-        return ()
-    parts = [part for each in scope.plan.parameters for part in (defaults(each, each.default), _loaded(each, scope))]
-    needs_index = any(leaf.length is not None for each in scope.plan.parameters for leaf in each.value.leaves)
-    body = [lines("uint32_t i;\n") if needs_index else (), *parts]
-    head = f"static void {scope.prefix}_LoadParameters({scope.self_argument})"
-    return function(head, body, "The defaults, and over them what is stored and within its limits.")
-
-
-def _loaded(parameter: Parameter, scope: Scope) -> Lines:
-    name = parameter.named.name
-    stored, place = f"self->stored.{name}", f"self->parameters.{name}"
-    take = _copied(parameter, f"{stored}.value", place)
-    judged = [lines(f"self->parameter.{name} = {verdict};") if parameter.range_error else ()
-              for verdict in (scope.absent, scope.present)]  # fmt: skip
-    if not is_checked(parameter):
-        return joined([block(f"if ({stored}.is_there)", [take]), judged[0]])
-    inside = f"{scope.prefix}_IsWithin_{name}({_handed(parameter, f'{stored}.value')})"
-    instead = joined([defaults(parameter, parameter.replacement), judged[1]])
-    return joined([
-        judged[0], block(f"if ({stored}.is_there)", [choice([(inside, take), ("", instead)])])
-    ])  # fmt: skip
-
-
-def _handed(parameter: Parameter, place: str) -> str:
-    wire = parameter.value.wire
-    return f"&{place}" if wire.is_struct and wire.length is None else place
-
-
-def _copied(parameter: Parameter, source: str, target: str) -> Lines:
-    if parameter.value.wire.length is not None:
-        return lines(f"(void)memcpy({target}, {source}, sizeof({target}));")
-    return lines(f"{target} = {source};")
+def settable(scope: Scope) -> list[Parameter]:
+    """Parameters that are set from outside: all but those that the function learns."""
+    return [each for each in scope.plan.parameters if each.learned is None]
 
 
 def set_function(scope: Scope) -> Lines:
     """All parameters change, or none."""
-    if not scope.plan.parameters:
+    if not settable(scope):
         return ()
     p = scope.prefix
     conditions = [
-        f"{p}_IsWithin_{each.named.name}({_handed(each, f'parameters->{each.named.name}')})"
-        for each in scope.plan.parameters if is_checked(each)
-    ]  # fmt: skip
+        f"{p}_IsWithin_{each.named.name}({handed(each, f'parameters->{each.named.name}')})"
+        for each in settable(scope)
+        if is_checked(each)
+    ]
+    take = [taken(each, f"parameters->{each.named.name}", scope) for each in settable(scope)]
     body = [
-        lines("const bool are_within = " + ("\n    && ".join(conditions) or "true") + ";\n"),
-        block("if (are_within)", [lines("self->parameters = *parameters;")]),
+        lines(f"const bool are_within = {' && '.join(conditions) or 'true'};"),
+        block("if (are_within)", take),
         lines("return are_within;"),
     ]
     return function(f"bool {p}_SetParameters({scope.self_argument}, const {p}_Parameters *parameters)", body)
 
 
-def learn_functions(scope: Scope) -> list[Lines]:
-    """What the function has learned, kept to be stored."""
-    return [_learn(each, each.learned, scope) for each in scope.plan.parameters if each.learned]
+# -- learning -----------------------------------------------------------------------------------------------------
 
 
-def _learn(parameter: Parameter, learned: Value, scope: Scope) -> Lines:
-    name = parameter.named.name
-    ends = _back(parameter, scope, f"self->stored.{name}.value")
-    keep = joined([assigned(learned, ends, scope.prefix), lines(f"self->stored.{name}.is_there = true;")])
-    checked = (
-        [flag(learned), check(learned, ends), block("if (is_within)", [keep])] if is_checked(parameter) else [keep]
+def _back(parameter: Parameter, scope: Scope) -> Ends:
+    name = f"{scope.prefix}_{parameter.named.name}_Learned"
+    target = f"self->stored.{parameter.named.name}.value"
+    return Ends(scope.variable(parameter.variable), target, name, parameter.named.pointer)
+
+
+def _learn(parameter: Parameter, learned_value: Value, scope: Scope) -> Lines:
+    name, ends = parameter.named.name, _back(parameter, scope)
+    keep = joined(
+        [assigned(learned_value, ends, scope.prefix, quiet=True), lines(f"self->stored.{name}.is_there = true;")]
     )
+    is_limited = bool(_checked(learned_value, ends))
+    checked = (
+        [flag(learned_value), check(learned_value, ends), block("if (is_within)", [keep])] if is_limited else [keep]
+    )
+    body = [index(learned_value), known_values(learned_value), *checked]
     head = f"static void {scope.prefix}_Learn_{name}({scope.self_argument})"
-    body = [index(learned), known_values(learned), *checked]
-    return function(head, body, f"{parameter.named.comment}: kept if it is within its limits")
+    return function(head, body, f"{parameter.named.comment}: stored if it is within its limits")
 
 
 def learned(scope: Scope) -> Lines:

@@ -8,20 +8,21 @@ from sigcat.adapter.core.plan import CLASS, Call
 
 
 def enter_functions(scope: Scope) -> list[Lines]:
-    """Clocks that start anew."""
+    """Clocks and windows that start anew."""
     return [_enter(call, scope) for call in scope.plan.steps]
 
 
 def _enter(call: Call, scope: Scope) -> Lines:
-    late = [lines(f"self->{call.name}.in.{item.named.name}.clock.is_late = false;")
-            for item in call.inputs if item.time_out]  # fmt: skip
-    body = [
-        lines(f"self->{call.name}.entered = t;"),
-        *late,
-        lines(f"self->{call.name}.ends = 0U;") if call.alive else (),
-    ]
+    alive = lines(f"""
+        self->{call.name}.alive.verdict = {scope.constant("NOT_JUDGED")};
+        self->{call.name}.alive.has_closed = false;
+        self->{call.name}.alive.is_bad = false;
+        self->{call.name}.alive.window = t;
+        self->{call.name}.alive.ends = 0U;
+    """)
+    body = [lines(f"self->{call.name}.entered = t;"), alive if call.alive else ()]
     head = f"static void {scope.prefix}_Enter_{call.name}({scope.self_argument}, uint64_t t)"
-    return function(head, body, f"{call.interface} runs from now on: its clocks start.")
+    return function(head, body, f"{call.interface} runs from now on: its clocks and windows begin.")
 
 
 # -- due ----------------------------------------------------------------------------------------------------------
@@ -29,104 +30,104 @@ def _enter(call: Call, scope: Scope) -> Lines:
 
 def due_functions(scope: Scope) -> list[Lines]:
     """Which call is due."""
-    found = [_release(call, scope) for call in scope.plan.steps]
-    return [*found, *(_is_due(call, scope) for call in scope.plan.due), _next_call(scope), _next_time(scope)]
+    waits = [_waits(call, scope) for call in scope.plan.steps if _previous(call, scope)]
+    return [*waits, *(_is_due(call, scope) for call in scope.plan.due), _next_call(scope), _next_time(scope)]
 
 
-def _release(call: Call, scope: Scope) -> Lines:
-    place, runs = f"self->{call.name}", modes.condition(call, scope)
-    dropped = f"{place}.dropped = {scope.prefix}_Added({place}.dropped, {place}.waiting);\n{place}.waiting = 0U;"
-    if call.cycle is not None:
-        cycle = time(call.cycle)
-        body = [block(f"if (t >= {place}.release)", [lines(f"""
-            const uint64_t releases = ((t - {place}.release) / {cycle}) + 1U;
-            {place}.release += releases * {cycle};
-            {place}.waiting = {scope.prefix}_Added({place}.waiting, releases);
-        """)])]  # fmt: skip
-    else:
-        body = []
-    if runs != "true":
-        body.append(block(f"if (!{runs})", [lines(dropped)]))
-    head = f"static void {scope.prefix}_Release_{call.name}({scope.self_argument}, uint64_t t)"
-    when = f"every {call.cycle / 10**6:g} ms" if call.cycle is not None else "when its signals are received"
-    return function(head, body, f"{call.interface} is released {when}. The grid stays, whatever is missed.")
+def _previous(call: Call, scope: Scope) -> list[Call]:
+    return [step for step in scope.plan.steps if step.name in call.previous and step.name != call.name]
+
+
+def _waits(call: Call, scope: Scope) -> Lines:
+    conditions = []
+    for other in _previous(call, scope):
+        runs = modes.condition(other, scope)
+        ended = f"!self->{other.name}.has_ended"
+        conditions.append(ended if runs == "true" else f"({ended} && {runs})")
+    head = f"static bool {scope.prefix}_Waits_{call.name}(const {scope.prefix} *self)"
+    text = f"return {' || '.join(conditions)};"
+    return function(head, [lines(text)], f"Whether {call.interface} has to wait for another one.")
+
+
+def _conditions(call: Call, scope: Scope) -> list[str]:
+    place = f"self->{call.name}"
+    runs = modes.condition(call, scope)
+    when = f"(t >= {place}.release)" if call.cycle is not None else f"({place}.events > 0U)"
+    rested = f"(!{place}.has_begun || ((t - {place}.begun) >= {time(call.debounce)}))" if call.debounce else ""
+    waits = f"!{scope.prefix}_Waits_{call.name}(self)" if _previous(call, scope) else ""
+    return [each for each in ("" if runs == "true" else runs, when, f"!{place}.is_active", rested, waits) if each]
 
 
 def _is_due(call: Call, scope: Scope) -> Lines:
-    place = f"self->{call.name}"
-    conditions = [f"({place}.waiting > 0U)", f"!{place}.is_running"]
-    if call.debounce:
-        conditions.append(f"(!{place}.has_begun || ((t - {place}.begun) >= {time(call.debounce)}))")
-    known = {step.name: step for step in scope.plan.steps}
-    for name in call.previous:
-        if name in known and name != call.name:
-            excluded = modes.condition(known[name], scope)
-            unless = "" if excluded == "true" else f" || !{excluded}"
-            conditions.append(f"(self->{name}.has_ended{unless})")
     body = [
-        lines("const bool is_due = " + "\n    && ".join(conditions) + ";"),
-        block("if (is_due)", [_taken_up(call, scope)]),
+        lines(f"const bool is_due = {' && '.join(_conditions(call, scope))};"),
+        block("if (is_due)", [_answered(call, scope)]),
         lines("return is_due;"),
     ]
     head = f"static bool {scope.prefix}_IsDue_{call.name}({scope.self_argument}, uint64_t t)"
-    return function(head, body, f"Whether {call.interface} has to run now.")
+    when = f"every {call.cycle / 10**6:g} ms" if call.cycle is not None else "when its signals are received"
+    return function(head, body, f"Whether {call.interface} has to run now: {when}. The grid stays, whatever is missed.")
 
 
-def _taken_up(call: Call, scope: Scope) -> Lines:
+def _answered(call: Call, scope: Scope) -> Lines:
     place = f"self->{call.name}"
     if call.cycle is None:
-        return lines(f"{place}.waiting--;" if call.counts_events else f"{place}.waiting = 0U;")
-    overrun = f"{place}.overrun = ({place}.waiting > 1U) ? {scope.present} : {scope.absent};\n"
-    return lines(
-        f"{overrun if call.overrun_error else ''}"
-        f"{place}.missed = {scope.prefix}_Added({place}.missed, (uint64_t){place}.waiting - 1U);\n"
-        f"{place}.waiting = 0U;"
-    )
+        none = lines(f"{place}.overrun = {scope.absent};") if call.overrun_error else ()
+        return joined([lines(f"{place}.events--;\n{place}.is_active = true;"), none])
+    cycle = time(call.cycle)
+    overrun = f"{place}.overrun = (releases > 1U) ? {scope.present} : {scope.absent};\n"
+    return joined([
+        lines(f"const uint64_t releases = ((t - {place}.release) / {cycle}) + 1U;"),
+        (Line(""),),
+        lines(f"{place}.release += releases * {cycle};"),
+        lines(f"{place}.missed = {scope.prefix}_Added({place}.missed, releases - 1U);"),
+        lines(f"{overrun if call.overrun_error else ''}{place}.is_active = true;"),
+    ])  # fmt: skip
 
 
 def _next_call(scope: Scope) -> Lines:
     p, none = scope.prefix, scope.constant("NO_CALL")
-    released = [lines(f"{p}_Release_{call.name}(self, now);") for call in scope.plan.steps]
     chain: list[Line] = []
     for number, call in enumerate(scope.plan.due):
         before = "} else if" if number else "if"
-        chain += [Line(f"{before} ({p}_IsDue_{call.name}(self, now)) {{"), Line(f"    due = {scope.call(call.name)};")]
+        chain += [Line(f"{before} ({p}_IsDue_{call.name}(self, t)) {{"), Line(f"    due = {scope.call(call.name)};")]
     chain += [Line("} else {"), Line("    /* none is due */"), Line("}")]
     inner = [
-        lines(f"{p}_TakeMode(self, now);") if scope.plan.mode_in else (),
-        *released,
+        lines(f"t = {p}_Now(self, t);"),
+        supervision.closed(scope),
+        lines(f"{p}_TakeMode(self, t);") if scope.plan.mode_in else (),
         tuple(chain) if scope.plan.due else (),
     ]
-    body = [
-        lines(f"const uint64_t now = {p}_Now(self, t);\n{p}_Call due = {none};\n"),
-        block("if (self->is_started)", inner),
-        lines("return due;"),
-    ]
+    body = [lines(f"{p}_Call due = {none};"), block("if (self->is_started)", inner), lines("return due;")]
     return function(f"{p}_Call {p}_NextCall({scope.self_argument}, uint64_t t)", body)
 
 
 def _next_time(scope: Scope) -> Lines:
-    body = [lines("uint64_t next = UINT64_MAX;\n"),
+    body = [lines("uint64_t next = UINT64_MAX;"),
             block("if (self->is_started)", [_next_of(call, scope) for call in scope.plan.steps]),
             lines("return next;")]  # fmt: skip
     return function(f"uint64_t {scope.prefix}_NextTime(const {scope.prefix} *self)", body)
 
 
 def _next_of(call: Call, scope: Scope) -> Lines:
-    place, earlier = f"self->{call.name}", f"{scope.prefix}_Earlier"
-    waits = f"{place}.begun + {time(call.debounce)}" if call.debounce else "self->now"
-    if call.debounce:
-        waits = f"({place}.has_begun ? ({waits}) : self->now)"
-    parts = [
-        lines(f"next = {earlier}(next, {place}.release);") if call.cycle is not None else (),
-        block(f"if (({place}.waiting > 0U) && !{place}.is_running)", [lines(f"next = {earlier}(next, {waits});")]),
-        lines(f"next = {earlier}(next, {place}.window + {time(call.alive.window)});") if call.alive else (),
-        block(f"if ({place}.is_running)", [
-            lines(f"next = {earlier}(next, {place}.begun + {time(call.deadline.most + 1)});")
-        ]) if call.deadline else (),
-    ]  # fmt: skip
+    """The release of a call, or the end of its pause, or that of its window."""
+    place, p = f"self->{call.name}", scope.prefix
     runs = modes.condition(call, scope)
-    return joined(parts) if runs == "true" else block(f"if ({runs})", parts)
+    release = f"{place}.release" if call.cycle is not None else "0U"
+    rested = f"{p}_Later({release}, {place}.has_begun ? ({place}.begun + {time(call.debounce)}) : 0U)"
+    due = lines(f"next = {p}_Earlier(next, {rested if call.debounce else release});")
+    ready = [f"!{place}.is_active"] + ([] if call.cycle is not None else [f"({place}.events > 0U)"])
+    waiting = [f"!{p}_Waits_{call.name}(self)"] if _previous(call, scope) else []
+    window = lines(f"next = {p}_Earlier(next, {place}.alive.window + {time(call.alive.window)});") if call.alive else ()
+    first = joined([block(f"if ({' && '.join([*ready, *waiting])})", [due]), window])
+    if runs == "true":
+        return first
+    excluded = block(f"if ({' && '.join(ready)})", [lines(f"next = {p}_Earlier(next, {release});")])
+    return (Line(f"if ({runs}) {{"), *_in(first), Line("} else {"), *_in(excluded), Line("}"))
+
+
+def _in(part: Lines) -> Lines:
+    return tuple(line._replace(text=f"    {line.text}") for line in part)
 
 
 # -- around a call ------------------------------------------------------------------------------------------------
@@ -142,37 +143,31 @@ def _mark(point: int, call: Call, scope: Scope) -> Lines:
 
 
 def _set_input(call: Call, scope: Scope) -> Lines:
-    p = scope.prefix
+    p, plan = scope.prefix, scope.plan
     body = [
         _mark(0, call, scope),
         lines(f"t = {p}_Now(self, t);"),
-        modes.written(scope),
-        *(inputs.taken(call, item, scope) for item in call.inputs if not item.is_immediate),
-        *(parameters.written(each, scope) for each in scope.plan.parameters
-          if call.name in each.calls and not each.learned),
-        methods.taken(call, scope),
+        supervision.closed(scope),
         supervision.reported(call, scope),
-        errors.evaluated(scope.plan.errors_of(call.name, late=False), scope),
-        _status(call, scope),
+        modes.written(scope),
+        *(inputs.judged(call, item, scope) for item in call.inputs),
+        *(inputs.taken(call, item, scope) for item in call.inputs if not item.is_immediate),
+        *(parameters.written(each, scope) for each in plan.parameters if call.name in each.calls and not each.learned),
+        errors.evaluated(plan.errors_of(call.name, late=False), scope),
+        *(errors.status_written(error, scope) for error in plan.errors if call.name in error.calls),
         errors.reacted(call.name, scope),
-    ]  # fmt: skip
+        methods.taken(call, scope),
+    ]
     return function(f"void {p}_SetInput_{call.name}({scope.self_argument}, uint64_t t)", body)
-
-
-def _status(call: Call, scope: Scope) -> Lines:
-    return joined(
-        lines(f"{scope.variable(error.status_variable)} = self->out.{error.named.name};", error.named.pointer)
-        for error in scope.plan.errors
-        if error.status_variable and error.call == call.name
-    )
 
 
 def _begin(call: Call, scope: Scope) -> Lines:
     place = f"self->{call.name}"
     body = [
-        lines(f"t = {scope.prefix}_Now(self, t);"),
         *(inputs.taken(call, item, scope) for item in call.inputs if item.is_immediate),
-        lines(f"{place}.begun = t;\n{place}.has_begun = true;\n{place}.is_running = true;"),
+        lines(f"{place}.begun = {scope.prefix}_Now(self, t);"),
+        lines(f"{place}.has_begun = true;") if call.debounce else (),
+        lines(f"{place}.is_running = true;") if call.deadline else (),
     ]
     return function(f"void {scope.prefix}_Begin_{call.name}({scope.self_argument}, uint64_t t)", body)
 
@@ -196,18 +191,20 @@ def _run(call: Call, scope: Scope) -> Lines:
 
 
 def _get_output(call: Call, scope: Scope) -> Lines:
-    p, place = scope.prefix, f"self->{call.name}"
-    late = scope.plan.errors_of(call.name, late=True)
+    p, place, plan = scope.prefix, f"self->{call.name}", scope.plan
     body = [
         lines(f"t = {p}_Now(self, t);"),
-        *(outputs.given(call, output, scope) for output in call.outputs),
-        lines(f"{p}_GiveMode(self);") if scope.plan.mode_out else (),
-        *(_condition(error.named.name, scope.variable(error.variable), scope)
-          for error in scope.plan.errors if error.variable and error.call == call.name),
+        supervision.closed(scope),
         supervision.ended(call, scope),
-        errors.evaluated(late, scope),
+        *(outputs.given(call, output, scope) for output in call.outputs),
+        *(_condition(error.named.name, scope.variable(error.variable), scope)
+          for error in plan.errors if error.variable and error.call == call.name),
+        errors.evaluated(plan.errors_of(call.name, late=True), scope),
         methods.requested(call, scope),
-        lines(f"{place}.is_running = false;\n{place}.has_ended = true;"),
+        lines(f"{p}_GiveMode(self);") if plan.mode_out else (),
+        lines(f"{place}.is_active = false;"),
+        lines(f"{place}.is_running = false;") if call.deadline else (),
+        lines(f"{place}.has_ended = true;") if any(call.name in other.previous for other in plan.steps) else (),
         _mark(3, call, scope),
     ]  # fmt: skip
     return function(f"void {p}_GetOutput_{call.name}({scope.self_argument}, uint64_t t)", body)

@@ -68,7 +68,7 @@ def _variables(scope: Scope) -> list[Lines]:
     held = [lines(f"{each.type} {each.name};", ("Code",)) for each in plan.code.objects]
     here = [_extern(each) for each in plan.code.externs if each.is_defined_here]
     there = [_extern(each) for each in plan.code.externs if not each.is_defined_here]
-    calls = [call for call in (plan.init, *plan.steps, plan.terminate) if call and not plan.code.headers]
+    calls = [] if plan.code.headers else plan.calls
     prototypes = [
         lines(f"extern {'int' if call.success is not None else 'void'} {call.symbol}(void);", call.pointer)
         for call in calls
@@ -93,13 +93,13 @@ def _functions(scope: Scope) -> list[Lines]:
         *(part for call in steps for part in inputs.take_functions(call, scope)),
         *(part for call in steps for part in outputs.give_functions(call, scope)),
         *parameters.parameter_functions(scope),
-        parameters.load_function(scope), parameters.set_function(scope),
-        *parameters.learn_functions(scope),
+        parameters.set_function(scope),
+        *modes.runs_functions(scope),
+        *supervision.window_functions(scope),
+        *supervision.checkpoint_functions(scope),
         *errors.error_functions(scope),
         *errors.reaction_functions(scope),
         *modes.mode_out_functions(scope),
-        *supervision.window_functions(scope),
-        *supervision.checkpoint_functions(scope),
         *schedule.enter_functions(scope),
         *modes.mode_functions(scope),
         *schedule.due_functions(scope),

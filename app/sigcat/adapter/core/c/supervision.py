@@ -9,33 +9,59 @@ from sigcat.adapter.core.plan import Alive, Call, Error, Logical
 
 def window_functions(scope: Scope) -> list[Lines]:
     """Windows in which the ends of a call are counted."""
-    return [_close(call, call.alive, scope) for call in scope.plan.steps if call.alive]
+    alive = [call for call in scope.plan.steps if call.alive]
+    each = [part for call in alive if call.alive for part in (_close(call, call.alive, scope), _judge(call, scope))]
+    return [*each, _close_all(alive, scope)] if alive else []
 
 
 def _close(call: Call, alive: Alive, scope: Scope) -> Lines:
-    place, length = f"self->{call.name}", time(alive.window)
-    is_good = _is_good(f"{place}.ends", alive)
-    empty_is_bad = alive.least > 0
-    later = f"windows = (t - {place}.window) / {length};"
-    bad = f"!({is_good})" + (" || (windows > 1U)" if empty_is_bad else "")
+    place, length = f"self->{call.name}.alive", time(alive.window)
+    ends = f"{place}.ends"
+    bad = [f"({ends} > {alive.most}U)"]
+    if alive.least > 0:
+        bad += [f"({ends} < {alive.least}U)", "(windows > 1U)"]
     body = [
-        lines("uint64_t windows = 0U;\n"),
-        block(f"if (t >= {place}.window)", [lines(later)]),
-        block("if (windows > 0U)", [lines(f"""
-            {place}.alive = ({bad}) ? {scope.present} : {scope.absent};
+        block(f"if (t >= ({place}.window + {length}))", [lines(f"""
+            const uint64_t windows = (t - {place}.window) / {length};
+
+            {place}.is_bad = {place}.is_bad || {' || '.join(bad)};
+            {place}.has_closed = true;
             {place}.window += windows * {length};
             {place}.ends = 0U;
         """)]),
     ]  # fmt: skip
     head = f"static void {scope.prefix}_CloseWindows_{call.name}({scope.self_argument}, uint64_t t)"
-    each = "each" if alive.least != alive.most else ""
-    text = f"{call.interface} ends {alive.least} to {alive.most} times in {each or 'each'} {alive.window / 10**6:g} ms."
+    text = f"{call.interface} ends {alive.least} to {alive.most} times in each {alive.window / 10**6:g} ms."
     return function(head, body, text)
 
 
-def _is_good(ends: str, alive: Alive) -> str:
-    least = f"({ends} >= {alive.least}U)" if alive.least > 0 else ""
-    return " && ".join(filter(None, (least, f"({ends} <= {alive.most}U)")))
+def _judge(call: Call, scope: Scope) -> Lines:
+    place = f"self->{call.name}.alive"
+    body = block(f"if ({place}.has_closed)", [lines(f"""
+        {place}.verdict = {place}.is_bad ? {scope.present} : {scope.absent};
+        {place}.has_closed = false;
+        {place}.is_bad = false;
+    """)])  # fmt: skip
+    head = f"static void {scope.prefix}_JudgeWindows_{call.name}({scope.self_argument})"
+    return function(head, [body], "Windows that have closed since this was asked last.")
+
+
+def _close_all(alive: list[Call], scope: Scope) -> Lines:
+    found = []
+    for call in alive:
+        close = lines(f"{scope.prefix}_CloseWindows_{call.name}(self, t);")
+        runs = modes.condition(call, scope)
+        found.append(close if runs == "true" else block(f"if ({runs})", [close]))
+    head = f"static void {scope.prefix}_CloseWindows({scope.self_argument}, uint64_t t)"
+    return function(head, found, "Windows that are over, of calls that the mode does not exclude.")
+
+
+def closed(scope: Scope) -> Lines:
+    """Windows that are over by now."""
+    return lines(f"{scope.prefix}_CloseWindows(self, t);") if any(call.alive for call in scope.plan.steps) else ()
+
+
+# -- checkpoints --------------------------------------------------------------------------------------------------
 
 
 def reported(call: Call, scope: Scope) -> Lines:
@@ -45,23 +71,26 @@ def reported(call: Call, scope: Scope) -> Lines:
 
 def checkpoint_functions(scope: Scope) -> list[Lines]:
     """A function for each call that is in the graph."""
-    plan = scope.plan
-    calls = [call for call in (plan.init, *plan.steps, plan.terminate) if call and call.logical]
-    return [_report(call, call.logical, scope) for call in calls if call.logical]
+    return [_report(call, call.logical, scope) for call in scope.plan.calls if call.logical]
 
 
 def _report(call: Call, logical: Logical, scope: Scope) -> Lines:
     active = "self->checkpoint.active"
     conditions = [f"({active} == {number}U)" for number in logical.previous]
     conditions += [f"({active} == 0U)"] if logical.is_initial else []
-    judged = [lines(f"self->checkpoint.{call.name} = {{}};".replace("{}", verdict)) if logical.error else ()
-              for verdict in (scope.absent, scope.present)]  # fmt: skip
-    right = joined([lines(f"{active} = {'0U' if logical.is_final else f'{logical.number}U'};"), judged[0]])
-    ways = [(" || ".join(conditions), right)] if conditions else []
-    wrong = judged[1] or lines("/* nobody wants to know */")
-    body = choice([*ways, ("", wrong)]) if ways else wrong
+    absent = [
+        lines(f"self->checkpoint.{each.name} = {scope.absent};")
+        for each in scope.plan.calls
+        if each.logical and each.logical.error
+    ]
+    right = joined([lines(f"{active} = {0 if logical.is_final else logical.number}U;"), *absent])
+    wrong = lines(f"self->checkpoint.{call.name} = {scope.present};" if logical.error else "/* no error is told */")
+    body = choice([(" || ".join(conditions), right), ("", wrong)]) if conditions else wrong
     head = f"static void {scope.prefix}_Report_{call.name}({scope.self_argument})"
     return function(head, [body], f"The checkpoint of {call.interface}.")
+
+
+# -- alive and deadline -------------------------------------------------------------------------------------------
 
 
 def ended(call: Call, scope: Scope) -> Lines:
@@ -69,39 +98,41 @@ def ended(call: Call, scope: Scope) -> Lines:
     place = f"self->{call.name}"
     found: list[Lines] = []
     if call.alive:
-        found.append(lines(f"{scope.prefix}_CloseWindows_{call.name}(self, t);\n{place}.ends++;"))
+        runs = modes.condition(call, scope)
+        counts = " && ".join([*([] if runs == "true" else [runs]), f"(t >= {place}.alive.window)"])
+        found.append(block(f"if ({counts})" if " && " in counts else f"if {counts}", [lines(f"{place}.alive.ends++;")]))
     if call.deadline:
         took = f"(t - {place}.begun)"
         late = f"({took} > {time(call.deadline.most)})"
         early = f"({took} < {time(call.deadline.least)}) || " if call.deadline.least else ""
-        found.append(lines(f"{place}.deadline = ({early}{late}) ? {scope.present} : {scope.absent};"))
+        judged = lines(f"{place}.deadline = ({early}{late}) ? {scope.present} : {scope.absent};")
+        found.append(block(f"if ({place}.is_running)", [judged]))
     return joined(found)
 
 
 def supervise_function(scope: Scope) -> Lines:
     """What the platform calls now and then: for a call that hangs or never comes."""
-    supervised = tuple(error for error in scope.plan.errors if error.is_supervised)
+    supervised = [error for error in scope.plan.errors if error.is_supervised and error.call]
     body = [
-        *(_watched(call, scope) for call in scope.plan.steps if call.alive or call.deadline),
+        lines(f"t = {scope.prefix}_Now(self, t);"),
+        closed(scope),
+        *(_hangs(call, scope) for call in scope.plan.steps if call.deadline),
         *(_evaluated(error, scope) for error in supervised),
     ]
-    whole = [lines(f"t = {scope.prefix}_Now(self, t);"), block("if (self->is_started)", body) if joined(body) else ()]
-    return function(f"void {scope.prefix}_Supervise({scope.self_argument}, uint64_t t)", whole)
+    return function(f"void {scope.prefix}_Supervise({scope.self_argument}, uint64_t t)",
+                    [block("if (self->is_started)", body)])  # fmt: skip
+
+
+def _hangs(call: Call, scope: Scope) -> Lines:
+    assert call.deadline is not None
+    place = f"self->{call.name}"
+    late = f"{place}.is_running && ((t - {place}.begun) > {time(call.deadline.most)})"
+    return block(f"if ({late})", [lines(f"{place}.deadline = {scope.present};")])
 
 
 def _evaluated(error: Error, scope: Scope) -> Lines:
     """An error whose call runs in this mode."""
-    call = next((step for step in scope.plan.steps if step.name == error.call), None)
-    runs = modes.condition(call, scope) if call else "true"
+    call = next(step for step in scope.plan.steps if step.name == error.call)
+    runs = modes.condition(call, scope)
     part = errors.evaluated((error,), scope)
     return part if runs == "true" else block(f"if ({runs})", [part])
-
-
-def _watched(call: Call, scope: Scope) -> Lines:
-    place, runs = f"self->{call.name}", modes.condition(call, scope)
-    windows = lines(f"{scope.prefix}_CloseWindows_{call.name}(self, t);") if call.alive else ()
-    found = [windows if runs == "true" or not windows else block(f"if ({runs})", [windows])]
-    if call.deadline:
-        late = f"{place}.is_running && ((t - {place}.begun) > {time(call.deadline.most)})"
-        found.append(block(f"if ({late})", [lines(f"{place}.deadline = {scope.present};")]))
-    return joined(found)

@@ -88,7 +88,7 @@ def _condition(leaf: Leaf, number: int, ends: Ends) -> str | None:
 def known_values(value: Value) -> Lines:
     """Variables that enumerations are converted to while they are checked."""
     return tuple(
-        Line(f"{leaf.element.target.c} known_{number};")
+        Line(f"{leaf.element.target.c} known_{number} = {literal(leaf.default[0], leaf.element.target)};")
         for number, leaf in enumerate(value.leaves)
         if leaf.element.names is not None
     )
