@@ -1,0 +1,71 @@
+"""Which C and C++ compiler there is: the one that CC and CXX name, a system's, or the one that PyPI has."""
+
+import os
+import shlex
+import shutil
+import sys
+from collections.abc import Mapping
+from importlib.util import find_spec
+from typing import NamedTuple
+
+from sigcat.errors import UsageError
+
+EXACT = ("-ffp-contract=off",)
+"""What keeps products and sums two roundings: part of every command that compiles a core."""
+
+_PAIRS = (("gcc", "g++"), ("clang", "clang++"), ("cc", "c++"))
+_ZIG = "ziglang"
+_MISSING = "There is no C compiler. Install gcc or clang, or run `pip install ziglang`, or name one in CC."
+
+
+class Toolchain(NamedTuple):
+    """Commands that compile C and C++, to which flags and files are added."""
+
+    c: tuple[str, ...]
+    cpp: tuple[str, ...]
+    """The C++ compiler of the same maker, unless CXX names another one."""
+
+    @property
+    def is_zig(self) -> bool:
+        """Whether it is the one of PyPI. It has no address sanitizer, and compiles for this very processor."""
+        return _ZIG in self.c
+
+
+def toolchain(environment: Mapping[str, str] = os.environ) -> Toolchain:
+    """The compilers. Raises UsageError if there are none."""
+    named = {variable: _named(variable, environment) for variable in ("CC", "CXX")}
+    known = [found for found in (*(_pair(c, environment) for c, _ in _PAIRS), packaged()) if found]
+    c = named["CC"] or (known[0].c if known else None)
+    if c is None:
+        raise UsageError(_MISSING)
+    return Toolchain(c, named["CXX"] or _beside(c, known))
+
+
+def packaged() -> Toolchain | None:
+    """The compilers of the package `ziglang`, if it is installed."""
+    if find_spec(_ZIG) is None:
+        return None
+    command = (sys.executable, "-m", _ZIG)
+    # Undefined behaviour is a matter of tests, which ask for its detection themselves.
+    return Toolchain((*command, "cc", "-fno-sanitize=undefined"), (*command, "c++", "-fno-sanitize=undefined"))
+
+
+def _named(variable: str, environment: Mapping[str, str]) -> tuple[str, ...] | None:
+    command = tuple(shlex.split(environment.get(variable, "")))
+    if command and shutil.which(command[0], path=environment.get("PATH")) is None:
+        raise UsageError(f"{variable} must name a compiler, not {command[0]!r}: there is no such program.")
+    return command or None
+
+
+def _pair(c: str, environment: Mapping[str, str]) -> Toolchain | None:
+    cpp = dict(_PAIRS)[c]
+    has_both = all(shutil.which(name, path=environment.get("PATH")) for name in (c, cpp))
+    return Toolchain((c,), (cpp,)) if has_both else None
+
+
+def _beside(c: tuple[str, ...], known: list[Toolchain]) -> tuple[str, ...]:
+    """The C++ compiler that belongs to a C compiler, or else any."""
+    same = [found.cpp for found in known if found.c[0] == c[0]]
+    if not known:
+        raise UsageError(f"There is no C++ compiler beside {c[0]!r}. Name one in CXX.")
+    return (*same, known[0].cpp)[0]
