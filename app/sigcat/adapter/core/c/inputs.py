@@ -191,7 +191,7 @@ def take_functions(call: Call, scope: Scope) -> list[Lines]:
     for item in call.inputs:
         ends = ends_of(call, item, scope)
         kinds = ("init", "default", "replacement") if item.value.is_replaced else ("init", "default")
-        found += [tables(item.value, ends.names, kinds), *names_functions(item.value, ends)]
+        found += [*tables(item.value, ends.names, kinds), *names_functions(item.value, ends)]
         if not is_direct(item):
             found.append(_take_from_queue(call, item, scope) if item.queue else _take(call, item, scope))
     return [each for each in found if each]

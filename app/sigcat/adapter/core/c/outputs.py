@@ -53,7 +53,7 @@ def give_functions(call: Call, scope: Scope) -> list[Lines]:
     for output in call.outputs:
         ends = ends_of(call, output, scope)
         kinds = ("init", "default", "replacement") if output.value.is_replaced else ("init", "default")
-        found += [tables(output.value, ends.names, kinds), *names_functions(output.value, ends)]
+        found += [*tables(output.value, ends.names, kinds), *names_functions(output.value, ends)]
         if not is_direct(output):
             found.append(_give(call, output, ends, scope))
     return [each for each in found if each]

@@ -30,7 +30,7 @@ def parameter_functions(scope: Scope) -> list[Lines]:
     for parameter in scope.plan.parameters:
         ends = ends_of(parameter, scope)
         kinds = ("init", "replacement") if parameter.value.is_replaced else ("init",)
-        found += [tables(parameter.value, ends.names, kinds), *names_functions(parameter.value, ends)]
+        found += [*tables(parameter.value, ends.names, kinds), *names_functions(parameter.value, ends)]
         found += [_is_within(parameter, scope), _load(parameter, scope), _write(parameter, scope)]
         if parameter.learned:
             found += [

@@ -21,7 +21,7 @@ from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
 
 def source(scope: Scope, title: Lines, header_name: str) -> Lines:
     """The whole source."""
-    body = _functions(scope)
+    body = _without_unused_tables(_functions(scope))
     text = "\n".join(line.text for line in joined(body))
     return spaced([
         title,
@@ -83,6 +83,16 @@ def _variables(scope: Scope) -> list[Lines]:
 def _extern(each: Extern) -> Lines:
     before = "" if each.is_defined_here else "extern "
     return lines(f"{before}{declared(WireType(each.c, each.length), each.name)};")
+
+
+def _without_unused_tables(parts: list[Lines]) -> list[Lines]:
+    """Tables of constants stand before what may use them; where a constant cannot come up, nothing does."""
+    text = "\n".join(line.text for line in joined(parts))
+    return [part for part in parts if not part[0].text.startswith("static const ") or text.count(_name(part)) > 1]
+
+
+def _name(table: Lines) -> str:
+    return table[0].text.partition("[")[0].rpartition(" ")[2]
 
 
 def _functions(scope: Scope) -> list[Lines]:

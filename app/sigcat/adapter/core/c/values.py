@@ -143,7 +143,7 @@ def given(numbers: tuple[Number, ...], leaf: Leaf, table: str) -> str:
     return f"{table}[i]"
 
 
-def tables(value: Value, names: str, kinds: Sequence[str]) -> Lines:
+def tables(value: Value, names: str, kinds: Sequence[str]) -> list[Lines]:
     """Tables of constants, for arrays whose elements differ."""
     found = []
     for number, leaf in enumerate(value.leaves):
@@ -151,7 +151,7 @@ def tables(value: Value, names: str, kinds: Sequence[str]) -> Lines:
             numbers = _numbers(leaf, kind)
             if len({repr(each) for each in numbers}) > 1:
                 found.append(_table(numbers, leaf.element.target, f"{names}_{kind}_{number}"))
-    return joined(found)
+    return found
 
 
 def _table(numbers: tuple[Number, ...], target: NumberType, name: str) -> Lines:
