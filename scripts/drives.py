@@ -1,4 +1,4 @@
-"""The recorded drives of the examples."""
+"""The recorded drives of the examples, as scripts/drive makes them."""
 
 from collections.abc import Mapping
 

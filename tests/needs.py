@@ -6,6 +6,7 @@ those that `sigcat pull` fetched are taken. ELIV_PRESENTATION names a checkout o
 
 import os
 from pathlib import Path
+from shutil import which
 
 import pytest
 
@@ -35,3 +36,8 @@ published_files = pytest.mark.skipif(
 def published(name: str) -> bytes:
     """A file that the authors of the method published, wherever it stands in their repository."""
     return _FILES[name].read_bytes()
+
+
+C_COMPILERS = tuple(name for name in ("gcc", "clang") if which(name))
+"""Compilers of C and C++ of this machine."""
+c_compiler = pytest.mark.skipif(not C_COMPILERS, reason="a C compiler: install gcc or clang")

@@ -27,7 +27,7 @@
 #define SPEED_GAIN     0.35 /* 1/s */
 #define CURVE_GAIN     0.8  /* 1/s */
 #define GAP_GAIN       0.10 /* 1/s^2 */
-#define SPEED_REL_GAIN 0.6  /* 1/s */
+#define SPEED_REL_GAIN 0.55 /* 1/s */
 
 #define TIME_GAP       1.8    /* s */
 #define STANDSTILL_GAP 4.0    /* m */
@@ -223,8 +223,9 @@ static real_T neededAcc(void)
 static real_T gapAcc(void)
 {
   const real_T gap = STANDSTILL_GAP + (TIME_GAP * CoreAcc_DW.EgoSpd);
+  const real_T forGap = limited(GAP_GAIN * (CoreAcc_DW.ObjDst - gap), bySpeed(-2.5, -1.0), NO_LIMIT);
   const real_T needed = neededAcc();
-  real_T acc = (GAP_GAIN * (CoreAcc_DW.ObjDst - gap)) + (SPEED_REL_GAIN * CoreAcc_DW.ObjSpdRel);
+  real_T acc = forGap + (SPEED_REL_GAIN * CoreAcc_DW.ObjSpdRel);
   if ((needed < NEEDED_BRAKING) && ((1.2 * needed) < acc)) {
     acc = 1.2 * needed;
   }
