@@ -3,8 +3,6 @@
 import contextlib
 import itertools
 import json
-import os
-import resource
 import socket
 import subprocess
 import sys
@@ -17,6 +15,7 @@ import pytest
 
 from tests.clients.generating import ROOT
 from tests.needs import IS_SLOW_RUN
+from tests.processes import memory, seconds
 from tests.waiting import DEADLINE
 
 pytestmark = pytest.mark.skipif(
@@ -47,9 +46,8 @@ class Service:
 
     @property
     def seconds(self) -> float:
-        """Seconds of the processor that the process has used."""
-        times = Path(f"/proc/{self.process}/stat").read_text().rpartition(")")[2].split()[11:13]
-        return sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
+        """Seconds of the processor that its processes have used."""
+        return seconds(self.process)
 
     def seconds_for(self, address: str, content: bytes) -> tuple[float, httpx.Response]:
         """Seconds of the processor for a posted text, and the answer."""
@@ -59,9 +57,8 @@ class Service:
 
     @property
     def memory(self) -> int:
-        """Bytes that the process holds in memory."""
-        pages = int(Path(f"/proc/{self.process}/statm").read_text().split()[1])
-        return pages * resource.getpagesize()
+        """Bytes that its processes hold in memory."""
+        return memory(self.process)
 
     def ask(self, method: str, path: str, **options: object) -> httpx.Response:
         return httpx.request(method, self.address + path, timeout=DEADLINE, **options)  # type: ignore[arg-type]

@@ -2,13 +2,8 @@
 
 import asyncio
 import logging
-import threading
-from collections.abc import Coroutine
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
 
-import httpx
 import pytest
 
 from sigcat.api.application import create_app
@@ -17,7 +12,6 @@ from sigcat.api.read_settings import read_settings, shown
 from sigcat.api.server import uvicorn_config
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import new_token
-from sigcat.api.work_queue import Busy, WorkQueue
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.errors import InputRefused
 from tests.api.conftest import Ask, asker
@@ -165,66 +159,6 @@ def test_the_cache_stays_within_its_bound(library: Library) -> None:
     assert sum(sizes) > 10_000
     assert 0 < sum(len(answer.body["body"]) for answer in cache._cached.values()) <= 5_000
     assert [ask(f"{SMALL}/nodes/{path}").json()["path"] for path in paths] == paths
-
-
-def run(coroutine: Coroutine[Any, Any, Any]) -> Any:
-    """In a thread of its own: a browser that is open in this process has an event loop in the main one."""
-    with ThreadPoolExecutor(1) as thread:
-        return thread.submit(asyncio.run, coroutine).result()
-
-
-def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() -> None:
-    release = threading.Event()
-
-    async def crowd() -> list[object]:
-        queue = WorkQueue(at_once=1, waiting=1, seconds=10)
-        waiting = [asyncio.create_task(queue.run(release.wait)) for _ in range(2)]
-        await asyncio.sleep(0)
-        with pytest.raises(Busy) as refused:
-            await queue.run(lambda: None)
-        release.set()
-        await asyncio.gather(*waiting)
-        return [refused.value.status_code, dict(refused.value.headers or {}), await queue.run(lambda: "free again")]
-
-    assert run(crowd()) == [503, {"Retry-After": "2"}, "free again"]
-
-
-def test_work_that_takes_too_long_is_given_up_and_counts_until_it_ends() -> None:
-    release = threading.Event()
-
-    async def slow() -> tuple[int, int]:
-        queue = WorkQueue(at_once=1, waiting=1, seconds=0.05)
-        with pytest.raises(Busy, match="longer than"):
-            await queue.run(release.wait)
-        while_it_runs = queue.pending
-        release.set()
-        await queue.run(lambda: None)  # its turn comes when the first one has ended
-        return while_it_runs, queue.pending
-
-    assert run(slow()) == (1, 0)
-
-
-def test_a_work_that_runs_out_of_a_time_of_its_own_says_so() -> None:
-    def work() -> None:
-        raise TimeoutError("its own")
-
-    with pytest.raises(TimeoutError, match="its own"):
-        run(WorkQueue(at_once=1, waiting=0, seconds=10).run(work))
-
-
-def test_health_answers_while_heavy_work_runs(library: Library) -> None:
-    app = create_app(library)
-    release = threading.Event()
-
-    async def both() -> int:
-        work = asyncio.create_task(app.state.work_queue.run(release.wait))
-        async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://sigcat") as client:
-            status = (await client.get("/health/live", timeout=2)).status_code
-        release.set()
-        await work
-        return status
-
-    assert run(both()) == 200
 
 
 def test_a_body_that_does_not_arrive_is_given_up(library: Library) -> None:

@@ -10,6 +10,7 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from statistics import median
 from urllib.parse import urlsplit
@@ -20,6 +21,7 @@ import pytest
 from sigcat.api.settings import Settings
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
+from tests.processes import family, is_running
 from tests.waiting import DEADLINE, wait_until
 
 OVERLAY = b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
@@ -93,6 +95,18 @@ def test_an_export_ends_with_the_service_and_leaves_nothing(tmp_path: Path) -> N
             service.process.kill()
             wait_until(lambda: not list(tmp_path.glob("sigcat-export-*")), "the export leaves nothing")
             wait_until(lambda: not workers_below(tmp_path), "its process ends")
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="Linux, where processes are found in /proc")
+@pytest.mark.parametrize("ended_by", [signal.SIGTERM, signal.SIGKILL])
+def test_no_process_survives_the_service(ended_by: signal.Signals) -> None:
+    with served(TREE / "tree.vspec") as service:
+        lint = partial(httpx.post, f"{service.address}/api/v1/lint", content=OVERLAY, timeout=DEADLINE)
+        assert lint().status_code == 200
+        processes = family(service.process.pid)
+        assert len(processes) >= 3, "the service, its zygote, and a worker"
+        service.process.send_signal(ended_by)
+        wait_until(lambda: not any(map(is_running, processes)), "all end")
 
 
 def test_a_port_that_is_taken_is_said_and_ends_with_2() -> None:

@@ -1,39 +1,31 @@
 """Pages that cost much wait in the same queue as the API's heavy routes."""
 
+import asyncio
 import threading
 from collections.abc import Iterator
 
 import pytest
 
 from sigcat.api.settings import Settings
+from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES, Ask, asker
+from tests.waiting import wait_until
 
 
 @pytest.fixture
 def busy() -> Iterator[Ask]:
     """A service all of whose heavy work is taken, and that lets nothing wait."""
     app = create_site(Library(SOURCES), Settings(heavy_requests=1, heavy_waiting=0, heavy_seconds=20))
-    begun, done = threading.Event(), threading.Event()
-
-    def work() -> None:
-        begun.set()
-        done.wait(20)
-
-    ask = asker(app)
-    holder = threading.Thread(target=lambda: _hold(app, work))
+    queue: WorkQueue = app.state.work_queue
+    done = threading.Event()
+    holder = threading.Thread(target=lambda: asyncio.run(queue.of("somebody").run_here(done.wait, 20)))
     holder.start()
-    begun.wait(10)
-    yield ask
+    wait_until(lambda: queue.pending, "the only place is taken")
+    yield asker(app)
     done.set()
     holder.join()
-
-
-def _hold(app: object, work: object) -> None:
-    import asyncio
-
-    asyncio.run(app.state.work_queue.run(work))  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(

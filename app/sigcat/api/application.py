@@ -1,8 +1,9 @@
 """The REST service: routes over a library, and nothing else."""
 
+import asyncio
 import logging
-from collections.abc import AsyncIterator, Mapping
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Iterator, Mapping
+from contextlib import asynccontextmanager, contextmanager
 
 from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
@@ -29,7 +30,7 @@ from sigcat.api.requests.query_parameters import refuse_unknown
 from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
-from sigcat.api.work_queue import WorkQueue
+from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.hosting import FunctionLibrary
@@ -48,6 +49,8 @@ _ROUTERS = (
     lint.router, functions.router, integration.router, health.router,
 )  # fmt: skip
 
+_MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functions, integration, lint))
+
 
 def create_app(
     library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
@@ -61,14 +64,15 @@ def create_app(
         redoc_url=None,
         generate_unique_id_function=_operation_id,
         telemetry={"tracing": False, "metrics": False, "logs": False},  # `/metrics` and the log are the service's own
-        lifespan=_state_for_connections,
+        lifespan=_running,
     )
     app.state.library = library
     app.state.functions = functions or FunctionLibrary()
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
-    app.state.work_queue = WorkQueue(settings.heavy_requests, settings.heavy_waiting, settings.heavy_seconds)
-    app.state.export_queue = WorkQueue(settings.exports, settings.heavy_waiting, settings.heavy_seconds)
+    app.state.modules_of_work = [*_MODULES_OF_WORK]
+    app.state.work_queue = _queue(settings.heavy_requests, settings)
+    app.state.export_queue = _queue(settings.exports, settings)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics, is_logged=settings.log == "json")
@@ -80,6 +84,16 @@ def create_app(
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)
     return app
+
+
+def _queue(at_once: int, settings: Settings) -> WorkQueue:
+    return WorkQueue(
+        at_once,
+        settings.heavy_waiting,
+        seconds=settings.heavy_seconds,
+        memory=settings.heavy_bytes,
+        share=settings.client_share,
+    )
 
 
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
@@ -101,8 +115,25 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
 
 
 @asynccontextmanager
-async def _state_for_connections(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
-    """What the server hands to each connection, while it runs."""
+async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
+    """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
+    with _ready_for_work(app):
+        yield {"connection_rules": _connection_rules(app)}
+
+
+@contextmanager
+def _ready_for_work(app: FastAPI) -> Iterator[None]:
+    """Workers get ready in the background: the service does not wait for them when it starts."""
+    queues: tuple[WorkQueue, ...] = (app.state.work_queue, app.state.export_queue)
+    values = [app.state.rules, *(hosted.catalogue for hosted in app.state.library)]
+    warming = asyncio.create_task(queues[0].warm(app.state.modules_of_work, values))
+    yield
+    warming.cancel()
+    for queue in queues:
+        queue.close()
+
+
+def _connection_rules(app: FastAPI) -> ConnectionRules:
     settings: Settings = app.state.settings
     most = connections_allowed(settings.connections)
     if most < settings.connections:
@@ -112,7 +143,7 @@ async def _state_for_connections(app: FastAPI) -> AsyncIterator[Mapping[str, Con
     connections = OpenConnections(most, settings.client_connections, trusted_by(settings.trusted_proxies))
     app.state.metrics.watch_connections(connections.__len__)
     refusals = Refusals(app.state.request_notes, settings.root_path)
-    yield {"connection_rules": ConnectionRules(connections, refusals, settings.head_seconds, settings.unread_seconds)}
+    return ConnectionRules(connections, refusals, settings.head_seconds, settings.unread_seconds)
 
 
 def _operation_id(route: APIRoute) -> str:

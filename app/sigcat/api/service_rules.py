@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
@@ -22,6 +23,10 @@ class ServiceRules:
         self.active = RuleSet(rule for rule in rules if rule.default)
         """The rules that are on when nothing is configured."""
         self._findings = lru_cache(maxsize=8)(self._lint)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """As another process needs them."""
+        return ServiceRules, (self.rules,)
 
     def get(self, rule_id: str) -> Rule:
         """The rule with this code. Raises NotFound with the nearest codes."""

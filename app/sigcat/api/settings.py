@@ -100,14 +100,26 @@ class Settings(BaseModel):
     tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 400.", ge=1)
     query_characters: int = Field(default=200, description="Longest text to search for; longer: 400.", ge=1)
     heavy_requests: int = Field(
-        default=1,
-        description="Compositions, lints and diffs under way at once; they share one core, so more only makes all late.",
-        ge=1,
+        default=2, description="Compositions, lints and diffs under way at once, each in a process of its own.", ge=1
     )
-    exports: int = Field(default=2, description="Exports under way at once, each in a process of its own.", ge=1)
+    exports: int = Field(default=2, description="Exports under way at once, each in processes of its own.", ge=1)
     heavy_waiting: int = Field(default=32, description="Further ones that wait; more: 503 with `Retry-After`.", ge=0)
     heavy_seconds: float = Field(
-        default=60.0, description="Seconds that each of them may take, waiting included.", gt=0
+        default=60.0,
+        description="Seconds that each of them may take, waiting included; what takes longer is ended: 503.",
+        gt=0,
+    )
+    heavy_bytes: int = Field(
+        default=256 * _MEBIBYTE,
+        description="Bytes of memory that each of them may take; what takes more is ended: 503 (Linux only).",
+        ge=8 * _MEBIBYTE,
+    )
+    client_share: float = Field(
+        default=0.5,
+        description="Part of them, under way and waiting, that one client (token, else address) may have, at least one; "
+        "more: 503 with `Retry-After`.",
+        gt=0,
+        le=1,
     )
     cache_bytes: int = Field(
         default=32 * _MEBIBYTE, description="Bytes of answers that are kept to be sent again; 0 keeps none.", ge=0

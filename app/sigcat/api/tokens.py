@@ -55,6 +55,12 @@ def _refuse_unknown(scopes: frozenset[str]) -> None:
         raise ValueError(f"a scope must be {' or '.join(SCOPES)}, not {min(unknown)!r}")
 
 
+def bearer(authorization: str, tokens: Iterable[Token]) -> Token | None:
+    """The token of an `Authorization` header, if it is one of these."""
+    kind, _, secret = authorization.partition(" ")
+    return token_named(secret.strip(), tokens) if kind.lower() == "bearer" else None
+
+
 def token_named(secret: str, tokens: Iterable[Token]) -> Token | None:
     """The token that was presented. Every one is compared, and each in the same time."""
     digest = _digest(secret)

@@ -14,6 +14,7 @@ from itertools import islice, product
 from operator import and_
 from pathlib import PurePath
 from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 from sigcat.asil import level_of
 from sigcat.catalogue.exporting.static_id import static_id
@@ -233,6 +234,16 @@ class SearchIndex:
         parts = ((word[:i], word[i:]) for i in range(_SHORTEST_PART, len(word) - _SHORTEST_PART + 1))
         apart = (f"{one} {two}" for one, two in parts if self._is_known(one) and self._is_known(two))
         return nearest(word, self._in_path.words) or tuple(islice(apart, 1))
+
+
+_indexes: WeakKeyDictionary[Catalogue, SearchIndex] = WeakKeyDictionary()
+
+
+def index_of(catalogue: Catalogue) -> SearchIndex:
+    """The index of a catalogue, built when it is first asked for."""
+    if catalogue not in _indexes:
+        _indexes[catalogue] = SearchIndex(catalogue)
+    return _indexes[catalogue]
 
 
 class _Groups:

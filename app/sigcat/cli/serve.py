@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.catalogue_options import add_catalogue_options, chosen_settings
 from sigcat.cli.tree_options import add_tree_options, tree_source
+from sigcat.errors import UsageError
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -29,6 +30,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
+    from sigcat.zygote import IS_POSSIBLE
+
+    if not IS_POSSIBLE:
+        raise UsageError("`sigcat serve` needs Linux or macOS. Use the container, or the Linux subsystem of Windows.")
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary

@@ -9,7 +9,7 @@ from starlette.requests import Request
 from starlette.types import Message
 
 from sigcat.api.requests.dependencies import catalogue_at
-from sigcat.api.work_queue import WorkQueue
+from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import UsageError
 from sigcat.limits import FORM_FIELDS
@@ -54,7 +54,7 @@ async def read_form(body: bytes, content_type: str) -> Form:
     return Form(tuple(pairs))
 
 
-async def form_catalogue(form: Form, library: Library, queue: WorkQueue) -> Hosted:
+async def form_catalogue(form: Form, library: Library, queue: ClientQueue) -> Hosted:
     """The catalogue that a form names, or the default one."""
     name = form.last("catalogue")
     return (await catalogue_at(name, library, queue))[0] if name else library.default

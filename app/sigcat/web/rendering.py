@@ -20,6 +20,7 @@ from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
 from sigcat.web.catalogue_titles import title_in
 from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
+from sigcat.web.visits import Visit, visit_of
 
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
@@ -44,26 +45,24 @@ _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
-def mounted_below(request: Request) -> str:
-    """The path below which the whole service is offered; below a mounted folder, Starlette keeps it apart."""
-    scope = request.scope
-    return str(scope.get("app_root_path", scope.get("root_path", "")))
-
-
 def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:
     """A page. With `part` in the query only the part of it that changes while one stays on it."""
+    return page_for(visit_of(request), template, status, **context)
+
+
+def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> HTMLResponse:
+    """The same, in whatever process."""
     part = template.replace(".html", ".part.html")
-    name = part if "part" in request.query_params and part in _ENVIRONMENT.list_templates() else template
+    name = part if visit.wants_part and part in _ENVIRONMENT.list_templates() else template
     context.setdefault("hosted", None)
-    to = Addresses(mounted_below(request))
-    library = library_of(request)
+    to = Addresses(visit.below)
     text = _ENVIRONMENT.get_template(name).render(
         to=to,
-        for_catalogue=_for_catalogue(request, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
-        library=library,
-        title_of=partial(title_in, library),
-        address=request.scope["path"],
-        request_method=request.method,
+        for_catalogue=_for_catalogue(visit, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
+        library=visit.library,
+        title_of=partial(title_in, visit.library),
+        address=visit.path,
+        request_method=visit.method,
         is_composed_with_errors=_is_composed_with_errors(context["hosted"]),
         **context,
     )
@@ -75,11 +74,10 @@ def _is_composed_with_errors(hosted: Hosted | None) -> bool:
     return hosted is not None and bool(hosted.catalogue.roots) and has_errors(hosted.catalogue.findings)
 
 
-def _for_catalogue(request: Request, to: Addresses, *, is_problem: bool) -> Callable[[str], str]:
+def _for_catalogue(visit: Visit, to: Addresses, *, is_problem: bool) -> Callable[[str], str]:
     """Addresses of this page for other catalogues; of the tree where the page would make no sense."""
-    route = "" if is_problem else getattr(request.scope.get("route"), "path", "")
-    query = request.query_params.multi_items() if request.method == "GET" else []
-    return partial(to.other_catalogue, route, request.path_params, query)
+    query = visit.query if visit.method == "GET" else ()
+    return partial(to.other_catalogue, "" if is_problem else visit.route, visit.names, query)
 
 
 def problem_page(request: Request, problem: Problem, headers: Mapping[str, str] | None = None) -> HTMLResponse:

@@ -34,6 +34,7 @@ def create_site(
 ) -> FastAPI:
     """The API with the browser pages. Without functions given: those that sigcat ships."""
     app = create_app(library, settings, functions)
+    app.state.modules_of_work += [change_pages.__name__, set_pages.__name__, try_pages.__name__]
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")

@@ -32,8 +32,7 @@ def answer(request: Request, model: BaseModel, rows: Iterable[Mapping[str, Any]]
     media_type = chosen_type(accepted, (JSON, YAML) if rows is None else (JSON, YAML, CSV))
     if media_type == CSV and rows is not None:
         return Response(csv_text(list(rows)), media_type=CSV, headers=headers)
-    content = json_bytes(model) if media_type == JSON else yaml_text(model.model_dump(mode="json", by_alias=True))
-    return Response(content, media_type=media_type, headers=headers)
+    return Response(written(model, media_type), media_type=media_type, headers=headers)
 
 
 def is_table(request: Request) -> bool:
@@ -67,15 +66,17 @@ def _blocks(lines: Iterable[Iterable[Any]], size: int) -> Iterator[list[Iterable
         yield block
 
 
-def json_answer(model: BaseModel) -> Response:
-    """A model as JSON, in answer to a posted text."""
-    return Response(json_bytes(model), media_type=JSON)
-
-
 def caching_headers(request: Request) -> dict[str, str]:
     """The headers of a catalogue's state; the form of the answer depends on what is accepted."""
     caching: dict[str, str] = getattr(request.state, "caching", {})
     return {**caching, "Vary": "Accept"}
+
+
+def written(model: BaseModel, media_type: str) -> bytes:
+    """A model as JSON or YAML."""
+    if media_type == JSON:
+        return json_bytes(model)
+    return yaml_text(model.model_dump(mode="json", by_alias=True)).encode("utf-8")
 
 
 def json_bytes(model: BaseModel) -> bytes:

@@ -15,7 +15,7 @@ from uvicorn.server import ServerState
 
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.refusals import Refusals, Refused
-from sigcat.api.work_queue import RETRY_SECONDS
+from sigcat.api.work.refusals import RETRY_SECONDS
 
 HEAD_BYTES = 32 * 1024
 """Bytes of the address and the headers of a request."""

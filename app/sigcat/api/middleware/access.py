@@ -13,7 +13,7 @@ from starlette.types import Scope as Connection
 from sigcat.api.answers.problems import answer_problem
 from sigcat.api.requests.dependencies import TheSettings
 from sigcat.api.settings import Settings
-from sigcat.api.tokens import Scope, Token, token_named
+from sigcat.api.tokens import Scope, Token, bearer
 
 _BEARER = HTTPBearer(
     scheme_name="token",
@@ -63,8 +63,7 @@ def needs(scope: Scope) -> Any:
 
 def check_scope(authorization: str, scope: Scope, tokens: Iterable[Token]) -> Token:
     """The token of a request. Raises 401 without a valid one, 403 without the scope."""
-    kind, _, secret = authorization.partition(" ")
-    token = token_named(secret.strip(), tokens) if kind.lower() == "bearer" else None
+    token = bearer(authorization, tokens)
     if token is None:
         detail = (
             f"The request must have a token with the scope {scope!r}. Send the header `Authorization: Bearer TOKEN`."

@@ -10,7 +10,7 @@ from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.exposition import CONTENT_TYPE_LATEST
 from prometheus_client.registry import Collector
 
-from sigcat.api.work_queue import WorkQueue
+from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 
 router = APIRouter()

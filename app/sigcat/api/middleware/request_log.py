@@ -10,7 +10,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
 from sigcat.api.middleware.request_notes import NO_ROUTE, Note, RequestNotes, new_request_id
-from sigcat.api.work_queue import Busy
+from sigcat.api.work.refusals import Busy
 
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
 

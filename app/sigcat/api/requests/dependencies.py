@@ -2,7 +2,6 @@
 
 import asyncio
 from collections.abc import AsyncIterator
-from functools import partial
 from http import HTTPStatus
 from typing import Annotated, Any
 
@@ -11,12 +10,14 @@ from starlette.exceptions import HTTPException
 
 from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.answers.versions import state_of, version_of
+from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.held_bodies import HeldBodies, Hold
 from sigcat.api.service_rules import ServiceRules
 from sigcat.api.settings import Settings
-from sigcat.api.work_queue import WorkQueue
+from sigcat.api.work.queue import ClientQueue, WorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import MARK, find_hosted
+from sigcat.catalogue.search import index_of
 from sigcat.errors import NotFound
 from sigcat.function.hosting import FunctionLibrary
 
@@ -74,10 +75,10 @@ def rules_of(request: Request) -> ServiceRules:
     return rules
 
 
-def queue_of(request: Request) -> WorkQueue:
-    """The queue of work that takes long."""
+def queue_of(request: Request) -> ClientQueue:
+    """The queue of work that takes long, for who asks."""
     queue: WorkQueue = request.app.state.work_queue
-    return queue
+    return queue.of(client_of(request))
 
 
 async def _library(request: Request) -> Library:
@@ -96,13 +97,13 @@ async def _rules(request: Request) -> ServiceRules:
     return rules_of(request)
 
 
-async def _queue(request: Request) -> WorkQueue:
+async def _queue(request: Request) -> ClientQueue:
     return queue_of(request)
 
 
-async def _export_queue(request: Request) -> WorkQueue:
+async def _export_queue(request: Request) -> ClientQueue:
     queue: WorkQueue = request.app.state.export_queue
-    return queue
+    return queue.of(client_of(request))
 
 
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
@@ -111,8 +112,8 @@ TheLibrary = Annotated[Library, Depends(_library)]
 TheFunctions = Annotated[FunctionLibrary, Depends(_functions)]
 TheSettings = Annotated[Settings, Depends(_settings)]
 TheRules = Annotated[ServiceRules, Depends(_rules)]
-TheWorkQueue = Annotated[WorkQueue, Depends(_queue)]
-TheExportQueue = Annotated[WorkQueue, Depends(_export_queue)]
+TheWorkQueue = Annotated[ClientQueue, Depends(_queue)]
+TheExportQueue = Annotated[ClientQueue, Depends(_export_queue)]
 CatalogueId = Annotated[
     str,
     Path(
@@ -137,9 +138,15 @@ def hosted_at(name: str, library: Library) -> tuple[Hosted, bool]:
     return hosted._replace(rejected=()) if hosted.rejected else hosted, True
 
 
-async def catalogue_at(name: str, library: Library, queue: WorkQueue) -> tuple[Hosted, bool]:
+async def catalogue_at(name: str, library: Library, queue: ClientQueue) -> tuple[Hosted, bool]:
     """The same as `hosted_at`; a variant, which may have to be composed, waits for its turn."""
-    return await queue.run(partial(hosted_at, name, library)) if MARK in name else hosted_at(name, library)
+    return await queue.run_here(_variant_at, name, library) if MARK in name else hosted_at(name, library)
+
+
+def _variant_at(name: str, library: Library) -> tuple[Hosted, bool]:
+    hosted, is_fixed = hosted_at(name, library)
+    index_of(hosted.catalogue)
+    return hosted, is_fixed
 
 
 async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from sigcat.api.client_network import network_of
-from sigcat.api.work_queue import Busy
+from sigcat.api.work.refusals import Busy
 
 _SHARE = 4
 """One client may hold this part of all, so that several have to come together to keep others out."""

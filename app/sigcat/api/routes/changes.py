@@ -1,13 +1,20 @@
 """Routes for what changed, and what an overlay would change."""
 
-from functools import partial
+from collections.abc import Collection
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.negotiation import JSON, YAML, answer, caching_headers, chosen_type, json_answer
+from sigcat.api.answers.negotiation import (
+    JSON,
+    YAML,
+    caching_headers,
+    chosen_type,
+    json_bytes,
+    written,
+)
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import diff_schema, trial_schema
 from sigcat.api.answers.versions import version_of
@@ -26,6 +33,8 @@ from sigcat.api.requests.dependencies import (
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.comparing.diff_report import markdown_report, text_report
 from sigcat.catalogue.comparing.trial import try_overlay as tried
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.limits import Limits
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["changes"])
 
@@ -64,17 +73,9 @@ async def diff_catalogues(
     new, is_new_fixed = await catalogue_at(to, library, queue)
     mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
-    changes = await queue.run(partial(compare, old.catalogue, new.catalogue))
-    shown = [change for change in changes if not only or change.compatibility in only]
-    hidden = len(changes) - len(shown)
     names = old.source.id, new.source.id
-    if form == MARKDOWN:
-        text = await queue.run(partial(markdown_report, shown, *names, hidden))
-    elif form == TEXT:
-        text = await queue.run(partial(text_report, shown, hidden=hidden))
-    else:
-        return await queue.run(lambda: answer(request, diff_schema(shown, *names)))
-    return Response(text.encode("utf-8", "replace"), media_type=form, headers=caching_headers(request))
+    report = await queue.run(_report, old.catalogue, new.catalogue, names, only, form)
+    return Response(report, media_type=form, headers=caching_headers(request))
 
 
 @router.post(
@@ -92,7 +93,23 @@ async def try_overlay(
 ) -> Response:
     """Apply an overlay to a catalogue and return the resulting nodes, findings and changes. Nothing is stored."""
 
-    def trial() -> schemas.Trial:
-        return trial_schema(tried(hosted.catalogue, text, name, settings.limits), settings.results)
+    trial = await queue.run(_trial, hosted.catalogue, text, name, settings.limits, settings.results)
+    return Response(trial, media_type=JSON)
 
-    return json_answer(await queue.run(trial))
+
+def _report(
+    old: Catalogue, new: Catalogue, names: tuple[str, str], only: Collection[schemas.Compatibility] | None, form: str
+) -> bytes:
+    """The changes of these classes, or of all, in one of the forms."""
+    changes = compare(old, new)
+    shown = [change for change in changes if not only or change.compatibility in only]
+    hidden = len(changes) - len(shown)
+    if form == MARKDOWN:
+        return markdown_report(shown, *names, hidden).encode("utf-8", "replace")
+    if form == TEXT:
+        return text_report(shown, hidden=hidden).encode("utf-8", "replace")
+    return written(diff_schema(shown, *names), form)
+
+
+def _trial(catalogue: Catalogue, text: bytes, name: str, limits: Limits, most_nodes: int) -> bytes:
+    return json_bytes(trial_schema(tried(catalogue, text, name, limits), most_nodes))

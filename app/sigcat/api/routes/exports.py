@@ -2,9 +2,8 @@
 
 import io
 from collections.abc import Iterable, Iterator, Mapping
-from functools import partial
 from types import MappingProxyType
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from fastapi import APIRouter, Path, Request
 from fastapi.responses import Response, StreamingResponse
@@ -17,6 +16,7 @@ from sigcat.catalogue.exporting.exporter import Exporter, Option
 from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
 from sigcat.catalogue.exporting.files import zipped
 from sigcat.catalogue.exporting.options import option_named
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import UsageError
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"])
@@ -102,14 +102,28 @@ async def export_catalogue(
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
-    work = partial(exported, catalogue, exporter.name, options, timeout=settings.heavy_seconds)
-    files, findings = await queue.run(work)
-    count = {"Sigcat-Warnings": str(len(findings))}
+    key = (catalogue, exporter.name, repr(sorted(options.items())))
+    export = await queue.run_once(key, _exported, catalogue, exporter.name, options, settings.heavy_seconds)
+    count = {"Sigcat-Warnings": str(export.warnings)}
+    return _sent(request, _blocks(export.data), export.name, export.media_type, count)
+
+
+class _OneFile(NamedTuple):
+    """An export as one file, be it an archive of several."""
+
+    name: str
+    media_type: str
+    data: bytes
+    warnings: int
+
+
+def _exported(catalogue: Catalogue, format_name: str, options: Mapping[str, Any], seconds: float) -> _OneFile:
+    files, findings = exported(catalogue, format_name, options, timeout=seconds)
+    exporter = exporter_named(format_name)
     if exporter.is_folder or len(files) > 1:
-        archive = await queue.run(partial(zipped, files))
         name = f"{catalogue.roots[0].name}-{exporter.name}.zip"
-        return _sent(request, _blocks(archive), name, "application/zip", count)
-    return _sent(request, _blocks(files[0].data), files[0].name, exporter.media_type, count)
+        return _OneFile(name, "application/zip", zipped(files), len(findings))
+    return _OneFile(files[0].name, exporter.media_type, files[0].data, len(findings))
 
 
 def _options(exporter: Exporter, given: Iterable[tuple[str, str]]) -> dict[str, Any]:

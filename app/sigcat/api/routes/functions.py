@@ -4,6 +4,7 @@ from fastapi import APIRouter
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
+from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
@@ -56,16 +57,13 @@ async def build_function_json(
 ) -> Response:
     """Resolve a declaration against a catalogue. To see the warnings, lint the same text with `kind=function`."""
 
-    def built() -> Response:
-        function, findings = build_function(text, name, hosted.catalogue, settings.limits)
-        warnings = {"Sigcat-Warnings": str(len(findings))}
-        return Response(to_json(function), media_type="application/json", headers=warnings)
-
-    return await queue.run(built)
+    function_json, warnings = await queue.run(_built, text, name, hosted.catalogue, settings.limits)
+    return Response(function_json, media_type=JSON, headers={"Sigcat-Warnings": str(warnings)})
 
 
 @router.post(
     "/validate",
+    response_model=schemas.LintReport,
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
     openapi_extra=text_body(f"A function file from anywhere; or several, which are checked together: {SET}.", ""),
 )
@@ -75,16 +73,23 @@ async def validate_function(
     settings: TheSettings,
     queue: TheWorkQueue,
     name: FileName = "function",
-) -> schemas.LintReport:
+) -> Response:
     """Check functions, alone and together. Errors make them unusable; warnings are departures from the conventions.
 
     The text is Function JSON unless its `name` ends otherwise.
     """
 
-    def checked() -> schemas.LintReport:
-        return lint_report(check_posted(text, name, hosted.catalogue, settings.limits))
+    return Response(await queue.run(_report, text, name, hosted.catalogue, settings.limits), media_type=JSON)
 
-    return await queue.run(checked)
+
+def _built(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> tuple[bytes, int]:
+    """The Function JSON, and how many warnings there are."""
+    function, findings = build_function(text, name, catalogue, limits)
+    return to_json(function), len(findings)
+
+
+def _report(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> bytes:
+    return json_bytes(lint_report(check_posted(text, name, catalogue, limits)))
 
 
 def check_posted(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> tuple[Finding, ...]:

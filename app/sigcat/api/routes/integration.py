@@ -16,7 +16,7 @@ from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
-from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
@@ -75,7 +75,7 @@ async def integrate_functions(
     archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    return await queue.run(partial(_integrated, text, name, hosted, platform, settings.limits, archive=archive))
+    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, archive=archive)
 
 
 def _add_generator(platform: Platform, generator: Generator) -> None:
@@ -102,7 +102,7 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
             AfterValidator(known_release),
         ] = None,
     ) -> Response:
-        return await queue.run(partial(_generated, generator, text, name, settings.limits, release))
+        return await queue.run(_generated, generator, text, name, settings.limits, release)
 
     router.post(
         f"/generate/{generator.name}",
@@ -137,9 +137,11 @@ def get_schema(
     return schemas.JsonSchema(schema(name))
 
 
-def _integrated(text: bytes, name: str, hosted: Hosted, platform: str, limits: Limits, *, archive: bool) -> Response:
+def _integrated(
+    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, archive: bool
+) -> Response:
     posted = posted_functions(text, name, limits, deployment=True)
-    functions, findings = read_functions(posted.files, hosted.catalogue, limits)
+    functions, findings = read_functions(posted.files, catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
     integrated = integrate(PLATFORMS[platform], functions, deployment)
     count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}

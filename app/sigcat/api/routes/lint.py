@@ -1,13 +1,12 @@
 """The route that lints a posted text."""
 
-from functools import partial
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.negotiation import json_answer
+from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
 from sigcat.api.requests.dependencies import (
@@ -21,10 +20,14 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.api.requests.function_files import SET
 from sigcat.api.routes.functions import check_posted
+from sigcat.api.service_rules import ServiceRules
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.limits import Limits
 from sigcat.rules.linting.posted import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 
+Kind = Literal["overlay", "tree", "function"]
 _BODY = f"An overlay, a tree or a function, as it stands in its file; or, as functions, a set: {SET}."
 _EXAMPLE = """\
 Vehicle.Speed:
@@ -48,15 +51,18 @@ async def lint(
     settings: TheSettings,
     queue: TheWorkQueue,
     kind: Annotated[
-        Literal["overlay", "tree", "function"],
-        Query(description="An overlay over the catalogue, a tree by itself, or functions."),
+        Kind, Query(description="An overlay over the catalogue, a tree by itself, or functions.")
     ] = "overlay",
     name: FileName = "posted.vspec",
 ) -> Response:
     """Check a text against the rules that are on by default. Nothing of it is kept."""
+    report = await queue.run(_report, kind, text, name, hosted.catalogue, rules, settings.limits)
+    return Response(report, media_type=JSON)
+
+
+def _report(kind: Kind, text: bytes, name: str, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> bytes:
     if kind == "function":
-        work = partial(check_posted, text, name, hosted.catalogue, settings.limits)
+        findings = check_posted(text, name, catalogue, limits)
     else:
-        is_tree = kind == "tree"
-        work = partial(lint_text, text, name, hosted.catalogue, rules.active, is_tree=is_tree, limits=settings.limits)
-    return json_answer(lint_report(await queue.run(work)))
+        findings = lint_text(text, name, catalogue, rules.active, is_tree=kind == "tree", limits=limits)
+    return json_bytes(lint_report(findings))

@@ -1,7 +1,5 @@
 """Routes that have the files of a catalogue, or those of the functions, read again."""
 
-from functools import partial
-
 from fastapi import APIRouter
 
 from sigcat.api.answers import schemas
@@ -24,7 +22,7 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
 
     Of several workers or replicas, the one that answers reloads; the others follow with `watch`, or when asked too.
     """
-    fresh = await queue.run(partial(library.reload, hosted.source.id))
+    fresh = await queue.run_here(library.reload, hosted.source.id)
     return catalogue_detail(fresh)
 
 
@@ -35,5 +33,5 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
 )
 async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFiles:
     """Read the function files of the configured folders again. What is wrong with one, its page says."""
-    files = await queue.run(functions.reload)
+    files = await queue.run_here(functions.reload)
     return schemas.FunctionFiles(functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files])

@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from threading import Event, Lock, Thread
 from types import TracebackType
-from typing import NamedTuple, Protocol, Self
+from typing import Any, NamedTuple, Protocol, Self
 
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.search import SearchIndex
+from sigcat.catalogue.search import SearchIndex, index_of
 from sigcat.errors import NotFound
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors
@@ -28,13 +28,21 @@ class Hosted(NamedTuple):
 
     source: Source
     catalogue: Catalogue
-    search_index: SearchIndex
     rejected: tuple[Finding, ...] = ()
     """Findings of a newer state that has errors and was therefore not taken."""
     files: frozenset[Path] = frozenset()
     """Files that were read last, for the state shown or for the one rejected."""
     marks: Marks = frozenset()
     """What those files and their folders looked like before they were read."""
+
+    @property
+    def search_index(self) -> SearchIndex:
+        """The words of the catalogue."""
+        return index_of(self.catalogue)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """As another process needs it, which does not look for changed files."""
+        return Hosted, self[:3]
 
 
 class Library:
@@ -47,6 +55,14 @@ class Library:
 
     def __iter__(self) -> Iterator[Hosted]:
         return iter(tuple(self._hosted.values()))
+
+    def __getstate__(self) -> Any:
+        """As another process needs it: what is hosted at this moment."""
+        return self._limits, self._hosted
+
+    def __setstate__(self, state: Any) -> None:
+        self._limits, self._hosted = state
+        self._lock = Lock()
 
     @property
     def default(self) -> Hosted:
@@ -86,7 +102,7 @@ class Library:
     def _load(self, source: Source) -> Hosted:
         marks = _marks(_named_files(source))
         catalogue = load(source, self._limits)
-        return _with_files(Hosted(source, catalogue, SearchIndex(catalogue)), catalogue, marks)
+        return _with_files(_indexed(Hosted(source, catalogue)), catalogue, marks)
 
     def _reloaded(self, current: Hosted) -> Hosted:
         marks = _marks(current.files)
@@ -95,7 +111,13 @@ class Library:
             return _with_files(current._replace(rejected=fresh.findings), fresh, marks)
         if fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue):
             return _with_files(current._replace(rejected=()), fresh, marks)
-        return _with_files(Hosted(current.source, fresh, SearchIndex(fresh)), fresh, marks)
+        return _with_files(_indexed(Hosted(current.source, fresh)), fresh, marks)
+
+
+def _indexed(hosted: Hosted) -> Hosted:
+    """The same, once its words are ready: no request waits for them."""
+    index_of(hosted.catalogue)
+    return hosted
 
 
 class Reloading(Protocol):

@@ -15,7 +15,6 @@ from sigcat.catalogue.composing.add_overlays import tolerating
 from sigcat.catalogue.composing.compose import compose, unexpanded
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.search import SearchIndex
 from sigcat.errors import NotFound
 from sigcat.names import parent_path
 
@@ -65,12 +64,10 @@ def find_hosted(library: Library, catalogue_id: str) -> Hosted:
         raise NotFound(message, (choice._replace(without=choice.without - absent).id,))
     if choice == Choice(choice.base):
         return base
-    catalogue, index = _variant(base.catalogue, choice)
+    catalogue = variant_of(base.catalogue, choice)
     notes = [f"without {name}" for name in sorted(choice.without)] + (["folded"] if choice.is_folded else [])
     title = f"{base.source.title}, {', '.join(notes)}"
-    return base._replace(
-        source=base.source._replace(id=choice.id, title=title), catalogue=catalogue, search_index=index
-    )
+    return base._replace(source=base.source._replace(id=choice.id, title=title), catalogue=catalogue)
 
 
 def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
@@ -138,15 +135,26 @@ def _by_template(expanded: Catalogue) -> Mapping[str, Sequence[Node]]:
 _expanded: WeakKeyDictionary[Catalogue, Catalogue] = WeakKeyDictionary()
 """What a folded catalogue was before it was folded."""
 
+_origins: WeakKeyDictionary[Catalogue, tuple[Catalogue, Choice]] = WeakKeyDictionary()
+"""What a variant was made of."""
+
+
+def origin_of(variant: Catalogue) -> tuple[Catalogue, Choice] | None:
+    """The arguments of which `variant_of` made a catalogue; None if it was read from files."""
+    return _origins.get(variant)
+
 
 @lru_cache(maxsize=12)
-def _variant(base: Catalogue, choice: Choice) -> tuple[Catalogue, SearchIndex]:
-    catalogue = _without(base, choice.without) if choice.without else base
+def variant_of(base: Catalogue, choice: Choice) -> Catalogue:
+    """A catalogue without some overlays, or with instances folded."""
     if choice.is_folded:
-        folded = unexpanded(catalogue)
-        _expanded[folded] = catalogue
-        catalogue = folded
-    return catalogue, SearchIndex(catalogue)
+        expanded = variant_of(base, choice.folded(False)) if choice.without else base
+        variant = unexpanded(expanded)
+        _expanded[variant] = expanded
+    else:
+        variant = _without(base, choice.without)
+    _origins[variant] = (base, choice)
+    return variant
 
 
 def _without(base: Catalogue, names: frozenset[str]) -> Catalogue:

@@ -9,7 +9,8 @@ from fastapi.responses import Response
 
 from sigcat.api.answers.problems import KINDS
 from sigcat.errors import NotFound
-from sigcat.web.rendering import mounted_below, page
+from sigcat.web.rendering import page
+from sigcat.web.visits import mounted_below
 
 router = APIRouter()
 ADDRESS = "$SIGCAT"

@@ -2,20 +2,21 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Annotated, NamedTuple
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from sigcat.api.requests.dependencies import TheLibrary, TheWorkQueue
+from sigcat.api.requests.dependencies import TheWorkQueue
 from sigcat.catalogue.comparing.changes import CLASSES, KINDS, Change
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import find_hosted
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.web.rendering import page
+from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS, place_of, trees_of, worst_first
+from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 _MOST = 1_000
@@ -34,7 +35,6 @@ class Facet(NamedTuple):
 @router.get("/changes")
 async def show_changes(
     request: Request,
-    library: TheLibrary,
     queue: TheWorkQueue,
     old: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     new: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
@@ -43,14 +43,18 @@ async def show_changes(
     below: Annotated[str, Query(max_length=500)] = "",
 ) -> Response:
     """The changes from one catalogue to another, as a tree with filters."""
-    before, after = await queue.run(partial(_sides, library, old, new))
-    changes = await queue.run(partial(changes_between, before.catalogue, after.catalogue))
     filters = {"class": compatibility, "kind": kind}
+    return await queue.run(_page, visit_of(request), old, new, filters, below)
+
+
+def _page(visit: Visit, old: str | None, new: str | None, filters: Mapping[str, str], below: str) -> Response:
+    before, after = _sides(visit.library, old, new)
+    changes = changes_between(before.catalogue, after.catalogue)
     within = [change for change in changes if not below or f"{place_of(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]
     by_class = Counter(change.compatibility for change in changes)
-    return page(
-        request,
+    return page_for(
+        visit,
         "changes.html",
         hosted=after,
         old=before,

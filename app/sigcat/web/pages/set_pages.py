@@ -1,8 +1,7 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
 from collections.abc import Iterable, Sequence
-from functools import partial
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, Response
@@ -19,16 +18,17 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import expanded_of
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound, UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosting import HostedFiles, functions_over
-from sigcat.limits import PAGE_FUNCTIONS
+from sigcat.limits import PAGE_FUNCTIONS, Limits
 from sigcat.names import nearest
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
-from sigcat.web.rendering import page
+from sigcat.web.rendering import page_for
 from sigcat.web.views import signal_conversions
 from sigcat.web.views.function_sets import (
     FunctionSet,
@@ -42,12 +42,27 @@ from sigcat.web.views.function_sets import (
 )
 from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, attached, chosen_view, integrations_of
 from sigcat.web.views.source_view import SourceView, shown_text, source_view
+from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 VIEWS = {"files": "Files", **SET_VIEWS}
 _MOST_FINDINGS = 200
 
 Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
+
+
+class Asked(NamedTuple):
+    """What the page is made of beside the functions."""
+
+    visit: Visit
+    hosted: Hosted
+    files: HostedFiles
+    limits: Limits
+
+    @property
+    def catalogue(self) -> Catalogue:
+        """The catalogue with every instance: functions name those."""
+        return expanded_of(self.hosted.catalogue)
 
 
 @router.get("/wiring")
@@ -61,14 +76,8 @@ async def show_wiring(
     view: str = "files",
 ) -> Response:
     """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
-    files = hosted_functions.files
-    chosen = _chosen(functions, files)
-
-    def work() -> Response:
-        together = hosted_set(files, chosen, expanded_of(hosted.catalogue))
-        return _page(request, hosted, chosen, together, view=view, is_writing=write)
-
-    return await queue.run(work)
+    asked = Asked(visit_of(request), hosted, hosted_functions.files, settings_of(request).limits)
+    return await queue.run(_shown, asked, _chosen(functions, asked.files), view, is_writing=write)
 
 
 @router.post("/wiring")
@@ -76,7 +85,8 @@ async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQu
     """The same page for posted functions, together with the hosted ones that are named. Nothing of them is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, queue)
-    return await queue.run(partial(_posted, request, hosted, form))
+    asked = Asked(visit_of(request), hosted, functions_of(request).files, settings_of(request).limits)
+    return await queue.run(_posted, asked, form)
 
 
 @router.get("/wiring/files/{document_id}")
@@ -88,9 +98,8 @@ async def download_of_set(
     functions: Chosen = None,
 ) -> Response:
     """A document that is made from a set of functions, as a file."""
-    chosen = _chosen(functions, hosted_functions.files)
-    together = partial(hosted_set, hosted_functions.files, chosen, expanded_of(hosted.catalogue))
-    return await queue.run(lambda: _download(together().whole, document_id))
+    files = hosted_functions.files
+    return await queue.run(_hosted_document, files, _chosen(functions, files), hosted.catalogue, document_id)
 
 
 @router.get("/wiring.json")
@@ -98,25 +107,36 @@ async def get_wiring(
     hosted: NamedCatalogue, hosted_functions: TheFunctions, queue: TheWorkQueue, functions: Chosen = None
 ) -> Response:
     """The wiring of a set of functions as data."""
-    chosen = _chosen(functions, hosted_functions.files)
-    together = partial(hosted_set, hosted_functions.files, chosen, expanded_of(hosted.catalogue))
-    return JSONResponse(_as_data(await queue.run(together)))
+    files = hosted_functions.files
+    return JSONResponse(await queue.run(_wiring_data, files, _chosen(functions, files), hosted.catalogue))
 
 
-def _posted(request: Request, hosted: Hosted, form: Form) -> Response:
+def _shown(asked: Asked, chosen: Sequence[str], view: str, *, is_writing: bool) -> Response:
+    together = hosted_set(asked.files, chosen, asked.catalogue)
+    return _page(asked, chosen, together, view=view, is_writing=is_writing)
+
+
+def _posted(asked: Asked, form: Form) -> Response:
     chosen = tuple(dict.fromkeys(form.every("f")))
     own = distinct((*form.files, *documents_in(form.text("text"))))
-    files = (*chosen_files(functions_of(request).files, chosen), *own)
+    files = (*chosen_files(asked.files, chosen), *own)
     _check_size(files)
-    together = function_set(files, expanded_of(hosted.catalogue), settings_of(request).limits)
+    together = function_set(files, asked.catalogue, asked.limits)
     if form.last("download"):
         return _download(together.whole, form.last("download"))
-    return _page(request, hosted, chosen, together, own, view=form.last("view", "files"))
+    return _page(asked, chosen, together, own, view=form.last("view", "files"))
+
+
+def _hosted_document(files: HostedFiles, chosen: Sequence[str], catalogue: Catalogue, document_id: str) -> Response:
+    return _download(hosted_set(files, chosen, expanded_of(catalogue)).whole, document_id)
+
+
+def _wiring_data(files: HostedFiles, chosen: Sequence[str], catalogue: Catalogue) -> dict[str, object]:
+    return _as_data(hosted_set(files, chosen, expanded_of(catalogue)))
 
 
 def _page(
-    request: Request,
-    hosted: Hosted,
+    asked: Asked,
     chosen: Sequence[str],
     together: FunctionSet,
     own: Sequence[PostedFile] = (),
@@ -125,13 +145,12 @@ def _page(
     is_writing: bool = False,
 ) -> Response:
     findings = together.findings
-    files = functions_of(request).files
-    functions = functions_over(files, expanded_of(hosted.catalogue))
-    sets = known_sets(files)
-    return page(
-        request,
+    functions = functions_over(asked.files, asked.catalogue)
+    sets = known_sets(asked.files)
+    return page_for(
+        asked.visit,
         "wiring.html",
-        hosted=hosted,
+        hosted=asked.hosted,
         functions=functions,
         sets=sets,
         set_title="" if own else next((title for title, ids in sets.items() if set(ids) == set(chosen)), ""),

@@ -1,6 +1,5 @@
 """A page on which one writes an overlay, a tree or a function, and sees at once what is wrong with it."""
 
-from functools import partial
 from typing import Annotated, Literal, NamedTuple
 
 from fastapi import APIRouter, Query, Request
@@ -37,13 +36,14 @@ from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, form_catalogue, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
-from sigcat.web.rendering import page
+from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, documents_of
 from sigcat.web.views.overlay_draft import adding_draft, changing_draft
 from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text, source_view
+from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 Kind = Literal["overlay", "function", "tree"]
@@ -80,6 +80,16 @@ Vehicle.Speed:
 """
 
 
+class Asked(NamedTuple):
+    """What the page is made of beside the text."""
+
+    visit: Visit
+    hosted: Hosted
+    rules: ServiceRules
+    files: HostedFiles
+    limits: Limits
+
+
 class Tried(NamedTuple):
     """What was found in a text, the function that it declares, if it does, and what it does as an overlay."""
 
@@ -102,16 +112,8 @@ async def show_try(
 ) -> Response:
     """The page with a text to begin with: a hosted function, a shipped overlay, what a node says, or a few lines."""
 
-    def work() -> Response:
-        if change or below:
-            text = _draft(hosted.catalogue, change, below)
-        else:
-            text = _beginning(kind, example, functions.files)
-        return _page(
-            request, hosted, kind, text, _judged(request, hosted, rules, kind, text.encode("utf-8", "replace"))
-        )
-
-    return await queue.run(work)
+    asked = Asked(visit_of(request), hosted, rules, functions.files, settings_of(request).limits)
+    return await queue.run(_begun, asked, kind, example, change, below)
 
 
 @router.post("/try")
@@ -121,19 +123,25 @@ async def try_text(
     """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, queue)
-    return await queue.run(partial(_tried_form, request, hosted, rules, form))
+    asked = Asked(visit_of(request), hosted, rules, functions_of(request).files, settings_of(request).limits)
+    return await queue.run(_tried_form, asked, form)
 
 
-def _tried_form(request: Request, hosted: Hosted, rules: ServiceRules, form: Form) -> Response:
+def _begun(asked: Asked, kind: Kind, example: str, change: str, below: str) -> Response:
+    text = _draft(asked.hosted.catalogue, change, below) if change or below else _beginning(kind, example, asked.files)
+    return _page(asked, kind, text, _judged(asked, kind, text.encode("utf-8", "replace")))
+
+
+def _tried_form(asked: Asked, form: Form) -> Response:
     given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
         raise UsageError(f"The kind must be {' or '.join(KINDS)}, not {given[:100]!r}.")
     data = _posted_data(form)
-    result = _judged(request, hosted, rules, kind, data)
+    result = _judged(asked, kind, data)
     if form.last("download"):
         return _download(result.resolved, form.last("download"))
-    return _page(request, hosted, kind, shown_text(data), result, form.last("view", "interfaces"))
+    return _page(asked, kind, shown_text(data), result, form.last("view", "interfaces"))
 
 
 def _posted_data(form: Form) -> bytes:
@@ -149,13 +157,12 @@ def _download(function: ResolvedFunction | None, document_id: str) -> Response:
     return attached(known[document_id])
 
 
-def _judged(request: Request, hosted: Hosted, rules: ServiceRules, kind: Kind, data: bytes) -> Tried:
-    limits = settings_of(request).limits
-    result = tried(data, kind, hosted.catalogue, rules, limits)
+def _judged(asked: Asked, kind: Kind, data: bytes) -> Tried:
+    catalogue, limits = asked.hosted.catalogue, asked.limits
+    result = tried(data, kind, catalogue, asked.rules, limits)
     if kind != "overlay" or holds_function(data):
         return result
-    files = functions_of(request).files
-    return result._replace(outcome=overlay_outcome(data, expanded_of(hosted.catalogue), files, limits))
+    return result._replace(outcome=overlay_outcome(data, expanded_of(catalogue), asked.files, limits))
 
 
 def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:
@@ -170,11 +177,12 @@ def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, li
     return Tried(declaration.findings, declaration.sound)
 
 
-def _page(request: Request, hosted: Hosted, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
+def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
+    hosted = asked.hosted
     resolved, shown = result.resolved, chosen_view(view, _VIEWS)
     function = resolved.function if resolved else None
-    return page(
-        request,
+    return page_for(
+        asked.visit,
         "try.html",
         hosted=hosted,
         kind=kind,

@@ -1,0 +1,88 @@
+"""Whose turn it is: a few pieces of work at once, a bounded number that waits, and a share of both for each client."""
+
+import asyncio
+from collections import Counter, OrderedDict, deque
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+from sigcat.api.work.refusals import Busy
+
+_Waiting = deque["asyncio.Future[None]"]
+
+
+class Turns:
+    """Clients take turns, so that one with much work does not keep others waiting. For one event loop."""
+
+    def __init__(self, at_once: int, waiting: int, share: float) -> None:
+        self._at_once = at_once
+        self._most = at_once + waiting
+        self._at_once_for_one = max(1, int(at_once * share))
+        self._most_for_one = max(1, int(self._most * share))
+        self._working: Counter[str] = Counter()
+        self._waiting: OrderedDict[str, _Waiting] = OrderedDict()
+        """By client; whose turn is next comes first."""
+
+    @property
+    def pending(self) -> int:
+        """How many pieces of work are under way or wait."""
+        return self._working.total() + sum(map(len, self._waiting.values()))
+
+    @asynccontextmanager
+    async def turn(self, client: str) -> AsyncIterator[None]:
+        """Wait for the turn of a client, and have it. Raises Busy where too many wait, or too many of this client."""
+        self._refuse_more(client)
+        await self._begin(client)
+        try:
+            yield
+        finally:
+            self._end(client)
+
+    def _refuse_more(self, client: str) -> None:
+        if self.pending >= self._most:
+            raise Busy("The queue of the service is full. Try again later.")
+        if self._working[client] + len(self._waiting.get(client, ())) >= self._most_for_one:
+            raise Busy(
+                f"One client may have {self._most_for_one} requests of this kind under way. Wait for their answers first."
+            )
+
+    async def _begin(self, client: str) -> None:
+        if self._may_begin(client):
+            self._working[client] += 1
+            return
+        turn = asyncio.get_running_loop().create_future()
+        self._waiting.setdefault(client, deque()).append(turn)
+        try:
+            await turn
+        except asyncio.CancelledError:
+            self._leave(client, turn)
+            raise
+
+    def _may_begin(self, client: str) -> bool:
+        return self._working.total() < self._at_once and self._working[client] < self._at_once_for_one
+
+    def _leave(self, client: str, turn: "asyncio.Future[None]") -> None:
+        """Give up waiting, or a turn that was given at the same moment."""
+        if not turn.cancelled():
+            self._end(client)
+            return
+        self._waiting[client].remove(turn)
+        self._forget_if_idle(client)
+
+    def _end(self, client: str) -> None:
+        self._working[client] -= 1
+        self._forget_if_idle(client)
+        following = next(filter(self._may_begin, self._waiting), None)
+        if following is not None:
+            self._give_turn(following)
+
+    def _give_turn(self, client: str) -> None:
+        self._working[client] += 1
+        self._waiting.move_to_end(client)
+        self._waiting[client].popleft().set_result(None)
+        self._forget_if_idle(client)
+
+    def _forget_if_idle(self, client: str) -> None:
+        if not self._waiting.get(client, True):
+            del self._waiting[client]
+        if not self._working[client]:
+            del self._working[client]

@@ -1,0 +1,98 @@
+"""The zygote of the worker processes: it has the modules, the catalogues and the rules before a worker needs them."""
+
+import asyncio
+import itertools
+import pickle
+import socket
+import weakref
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from functools import lru_cache
+from threading import Lock
+from typing import NamedTuple
+
+from sigcat.api.work.references import Work, pickled
+from sigcat.api.work.worker import Told
+from sigcat.zygote import Zygote
+
+_CHILD = "sigcat.api.work.worker"
+
+Known = frozenset[int | str]
+"""What a process has: names of modules, and numbers of values."""
+
+
+class ReadyWork(NamedTuple):
+    """Work as bytes, and what a worker has to know for it: all that are forked from now on do."""
+
+    data: bytes
+    needs: Known
+
+
+class WarmZygote:
+    """Starts when it is first needed, and again where it ended."""
+
+    def __init__(self) -> None:
+        self._zygote: Zygote | None = None
+        self._known: set[int | str] = set()
+        self._telling = Lock()
+        self._numbers: weakref.WeakKeyDictionary[object, int] = weakref.WeakKeyDictionary()
+        self._following = itertools.count(1)
+
+    @property
+    def known(self) -> Known:
+        """What a worker knows that is forked now."""
+        return frozenset(self._known)
+
+    def child(self) -> socket.socket:
+        """A connection to a new worker."""
+        return self._started().child()
+
+    async def ready(self, work: Work) -> ReadyWork:
+        """Work that can be done. What nobody needed before is told to the zygote; the event loop does not wait for that."""
+        self._started()
+        data, values = pickled(work, self._number_of)
+        modules = {work.function.__module__}
+        if not self._known.issuperset((*modules, *values)):
+            await asyncio.to_thread(self._tell, modules, values)
+        return ReadyWork(data, frozenset((*modules, *values)))
+
+    async def warm(self, modules: Iterable[str], values: Iterable[object]) -> None:
+        """Let it have what work is going to need."""
+        self._started()
+        numbered = {self._number_of(value): value for value in values}
+        await asyncio.to_thread(self._tell, modules, numbered)
+
+    def _started(self) -> Zygote:
+        if self._zygote is None or self._zygote.has_ended:
+            self._known.clear()
+            self._zygote = Zygote(_CHILD)
+        return self._zygote
+
+    def _tell(self, modules: Iterable[str], values: Mapping[int, object]) -> None:
+        with self._telling:  # who finds a value told can be sure that it was
+            new = Told(
+                tuple(name for name in modules if name not in self._known),
+                {number: value for number, value in values.items() if number not in self._known},
+            )
+            if new != Told():
+                self._started().tell(pickle.dumps(new, pickle.HIGHEST_PROTOCOL))
+                self._known.update((*new.modules, *new.values))
+
+    def _number_of(self, value: object) -> int:
+        if value not in self._numbers:
+            self._numbers[value] = next(self._following)
+            weakref.finalize(value, self._forget, self._numbers[value]).atexit = False
+        return self._numbers[value]
+
+    def _forget(self, number: int) -> None:
+        """Nobody holds the value any more."""
+        if number in self._known and self._zygote is not None:
+            self._known.discard(number)
+            with suppress(OSError):
+                self._zygote.tell(pickle.dumps(Told(forgotten=(number,))))
+
+
+@lru_cache(maxsize=1)
+def zygote_of_this_process() -> WarmZygote:
+    """One for all that a process serves."""
+    return WarmZygote()

@@ -1,0 +1,156 @@
+"""What a worker process does: one piece of work after another, until the service closes the connection to it.
+
+The module of the zygote of the service: `keep` and `prepare` run in that, `serve` in its children.
+"""
+
+import fcntl
+import gc
+import importlib
+import os
+import pickle
+import resource
+import socket
+import traceback
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.api.work.references import unpickled
+from sigcat.errors import SigcatError
+from sigcat.limits import COMPARED_NAMES
+from sigcat.names import bounded_proposals
+from sigcat.zygote import read_message, write_message
+
+_kept: dict[int, Any] = {}
+"""Catalogues and rules by number."""
+_GROWTH = 32 * 1024 * 1024
+"""Bytes of memory that a worker may keep from work that is done; one with more is replaced."""
+_STATUS = Path("/proc/self/status")
+_FIRST_TO_END = "1000"
+"""To the system: where memory runs out, end this process before any other."""
+_NICE = 5
+
+
+class Told(NamedTuple):
+    """What the service tells the zygote."""
+
+    modules: tuple[str, ...] = ()
+    """Modules to import."""
+    values: Mapping[int, object] = {}
+    """Values to keep."""
+    forgotten: tuple[int, ...] = ()
+    """Values that nobody refers to any more."""
+
+
+class Order(NamedTuple):
+    """A piece of work for a worker."""
+
+    work: bytes
+    memory: int
+    """Bytes that it may take."""
+
+
+class Outcome(NamedTuple):
+    """What came of a piece of work: its result, or the exception that it raised."""
+
+    result: Any = None
+    error: Exception | None = None
+    is_last: bool = False
+    """Whether the worker ends after it."""
+
+
+def keep(data: bytes) -> None:
+    """Take in what was told."""
+    told: Told = pickle.loads(data)  # noqa: S301 - from the service that started this process
+    for name in told.modules:
+        importlib.import_module(name)
+    _kept.update(told.values)
+    for number in told.forgotten:
+        _kept.pop(number, None)
+    gc.collect()
+
+
+def prepare(kind: str) -> None:
+    """Nothing is to be done before a worker is forked."""
+
+
+def serve(connection: socket.socket) -> None:
+    """Do what comes over the connection."""
+    os.nice(_NICE)  # answers to others go first
+    with suppress(OSError):
+        Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_END)
+    warm = _memory()
+    while (message := read_message(connection)) is not None:
+        order: Order = pickle.loads(message)  # noqa: S301 - from the service that asked for this process
+        with _ended_with(connection):
+            outcome = _outcome(order, warm)
+            data = pickle.dumps(outcome, pickle.HIGHEST_PROTOCOL)
+        write_message(connection, data)
+        if outcome.is_last:
+            return
+
+
+def _outcome(order: Order, warm: "_Memory") -> Outcome:
+    try:
+        with _bounded_memory(warm.data + order.memory), bounded_proposals(COMPARED_NAMES):
+            function, arguments, options = unpickled(order.work, _kept)
+            result = function(*arguments, **options)
+    except MemoryError as error:
+        return Outcome(error=MemoryError(*error.args), is_last=True)
+    except (SigcatError, OSError) as error:
+        return Outcome(error=error)
+    except Exception as error:  # noqa: BLE001 - the service tells its log of it
+        failure = RuntimeError(f"{type(error).__name__}: {error}")
+        failure.add_note(traceback.format_exc())
+        return Outcome(error=failure)
+    return Outcome(result, is_last=_memory().resident - warm.resident > _GROWTH)
+
+
+@contextmanager
+def _ended_with(connection: socket.socket) -> Iterator[None]:
+    """Meanwhile, the end of the connection ends this process at once, whatever it does: the system sends it SIGIO.
+
+    That is how work ends that is given up, and all work when the service ends, even by force.
+    """
+    flags = fcntl.fcntl(connection, fcntl.F_GETFL)
+    fcntl.fcntl(connection, fcntl.F_SETOWN, os.getpid())
+    fcntl.fcntl(connection, fcntl.F_SETFL, flags | os.O_ASYNC)
+    if _is_closed(connection):  # it was before
+        raise ConnectionError
+    yield
+    fcntl.fcntl(connection, fcntl.F_SETFL, flags)
+
+
+def _is_closed(connection: socket.socket) -> bool:
+    try:
+        return not connection.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
+    except BlockingIOError:
+        return False
+
+
+@contextmanager
+def _bounded_memory(most: int) -> Iterator[None]:
+    """Meanwhile, asking the system for more memory than this is a MemoryError."""
+    before = resource.getrlimit(resource.RLIMIT_DATA)
+    resource.setrlimit(resource.RLIMIT_DATA, (most, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_DATA, before)
+
+
+class _Memory(NamedTuple):
+    """Bytes of memory of this process."""
+
+    data: int
+    """What RLIMIT_DATA bounds."""
+    resident: int
+
+
+def _memory() -> _Memory:
+    """The memory of this process; nothing where the system does not tell: there it does not bound it either."""
+    if not _STATUS.is_file():
+        return _Memory(0, 0)
+    fields = dict(line.split(":") for line in _STATUS.read_text().splitlines())
+    return _Memory(*(int(fields[name].split()[0]) * 1024 for name in ("VmData", "VmRSS")))

@@ -1,0 +1,48 @@
+"""A request for a page as a value: the page can then be made in another process."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from fastapi import Request
+
+from sigcat.api.requests.dependencies import library_of
+from sigcat.catalogue.hosting.library import Library
+
+
+class Visit(NamedTuple):
+    """What a page says of the request for it, and of the service."""
+
+    library: Library
+    method: str
+    path: str
+    below: str
+    """The path below which the whole service is offered."""
+    route: str
+    """Template of the path; empty if there is no such page."""
+    names: Mapping[str, Any]
+    """What the path has in place of the names in that."""
+    query: tuple[tuple[str, str], ...]
+
+    @property
+    def wants_part(self) -> bool:
+        """Whether only the part of the page is asked for that changes while one stays on it."""
+        return any(name == "part" for name, _ in self.query)
+
+
+def visit_of(request: Request) -> Visit:
+    """The request as a value."""
+    return Visit(
+        library_of(request),
+        request.method,
+        request.scope["path"],
+        mounted_below(request),
+        getattr(request.scope.get("route"), "path", ""),
+        request.path_params,
+        tuple(request.query_params.multi_items()),
+    )
+
+
+def mounted_below(request: Request) -> str:
+    """The path below which the whole service is offered; below a mounted folder, Starlette keeps it apart."""
+    scope = request.scope
+    return str(scope.get("app_root_path", scope.get("root_path", "")))

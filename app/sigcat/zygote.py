@@ -1,0 +1,171 @@
+"""A process that forks: a child starts at once, with all that was imported and kept before, and can be ended by force.
+
+A process with threads, such as a service, must not be forked, and a fresh one takes a second to import what it needs. A
+zygote has imported it, has one thread and waits. What its children do not change they share with it in memory. It ends
+when nobody is left who could ask it for children. POSIX only.
+"""
+
+import gc
+import importlib
+import os
+import signal
+import socket
+import struct
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from types import MappingProxyType
+from typing import NamedTuple, Protocol, cast
+
+IS_POSSIBLE = hasattr(os, "fork")
+"""Whether this system has zygotes."""
+LENGTH = struct.Struct("!Q")
+"""What stands before each message."""
+_REQUEST = struct.Struct("!?31s")
+
+
+class Child(Protocol):
+    """What the module of a zygote has."""
+
+    def keep(self, data: bytes) -> None:
+        """Take in what was told to the zygote: all later children have it."""
+
+    def prepare(self, kind: str) -> None:
+        """Get ready for a child of this kind, in the zygote."""
+
+    def serve(self, connection: socket.socket) -> None:
+        """What a child does, until whoever asked for it closes the connection."""
+
+
+class Zygote:
+    """The process, as it is seen from where it was started. `module` names a `Child`."""
+
+    def __init__(self, module: str, variables: Mapping[str, str] = MappingProxyType({})) -> None:
+        self._control, theirs = socket.socketpair()
+        with theirs:
+            self._process = subprocess.Popen(  # noqa: S603 - our own module
+                [sys.executable, "-P", "-X", "utf8", "-m", "sigcat.zygote", str(theirs.fileno()), module],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                env={**os.environ, **variables, "PYTHONPATH": os.pathsep.join(sys.path)},
+                pass_fds=(theirs.fileno(),),
+                start_new_session=True,  # who interrupts this process with Ctrl+C lets it finish what is under way
+            )
+
+    @property
+    def has_ended(self) -> bool:
+        """Whether somebody ended it."""
+        return self._process.poll() is not None
+
+    def child(self, kind: str = "") -> socket.socket:
+        """A connection to a new child, which ends when it is closed. Raises OSError if the zygote has ended."""
+        return self._asked(kind, is_told=False)
+
+    def tell(self, data: bytes) -> None:
+        """Let the zygote keep something; waits until it reads. Raises OSError if it has ended."""
+        with self._asked("", is_told=True) as connection:
+            connection.sendall(data)
+
+    def close(self) -> None:
+        """Let it end, and its children as soon as their connections are closed."""
+        self._control.close()
+        self._process.wait()
+
+    def _asked(self, kind: str, *, is_told: bool) -> socket.socket:
+        ours, theirs = socket.socketpair()
+        with theirs:
+            socket.send_fds(self._control, [_REQUEST.pack(is_told, kind.encode())], [theirs.fileno()])
+        return ours
+
+
+# -- in the process -----------------------------------------------------------------------------------------------
+
+
+class _Request(NamedTuple):
+    is_told: bool
+    kind: str
+    connection: socket.socket
+
+
+def main(descriptor: int, module: str) -> None:
+    """Fork as often as it is asked for. The module is imported with the first request."""
+    for ignored in (signal.SIGINT, signal.SIGTERM):  # a service finishes its work first
+        signal.signal(ignored, signal.SIG_IGN)
+    gc.disable()  # what is imported and kept stays
+    with socket.socket(fileno=descriptor) as control:
+        for request in _requests(control):
+            child = cast(Child, importlib.import_module(module))
+            with request.connection:
+                if request.is_told:
+                    child.keep(_all_of(request.connection))
+                    continue
+                child.prepare(request.kind)
+                _wait_for_ended()
+                gc.freeze()
+                if os.fork() == 0:
+                    control.close()
+                    _live(child, request.connection)
+
+
+def _requests(control: socket.socket) -> Iterator[_Request]:
+    while True:
+        data, descriptors, _, _ = socket.recv_fds(control, _REQUEST.size, 1)
+        if not descriptors:
+            return
+        is_told, kind = _REQUEST.unpack(data)
+        yield _Request(is_told, kind.rstrip(b"\0").decode(), socket.socket(fileno=descriptors[0]))
+
+
+def _wait_for_ended() -> None:
+    """Take leave of the children that have ended."""
+    with suppress(ChildProcessError):
+        while os.waitpid(-1, os.WNOHANG) != (0, 0):
+            pass
+
+
+def _live(child: Child, connection: socket.socket) -> None:
+    """The whole life of a child: it never comes back into the loop of the zygote."""
+    status = 1
+    try:
+        gc.enable()
+        child.serve(connection)
+        status = 0
+    except ConnectionError:
+        status = 0  # nobody waits for it any more
+    except BaseException:  # noqa: BLE001 - told like any other that ends a process
+        sys.excepthook(*sys.exc_info())
+    finally:
+        os._exit(status)
+
+
+def _all_of(connection: socket.socket) -> bytes:
+    return b"".join(iter(lambda: connection.recv(1 << 20), b""))
+
+
+def read_message(connection: socket.socket) -> bytes | None:
+    """The next message; None if the other side closed the connection."""
+    head = _exactly(LENGTH.size, connection)
+    return None if head is None else _exactly(LENGTH.unpack(head)[0], connection)
+
+
+def write_message(connection: socket.socket, *parts: bytes) -> None:
+    """Send a message in one piece."""
+    connection.sendall(LENGTH.pack(sum(map(len, parts))))
+    for part in parts:
+        connection.sendall(part)
+
+
+def _exactly(size: int, connection: socket.socket) -> bytes | None:
+    data = bytearray(size)
+    view, filled = memoryview(data), 0
+    while filled < size:
+        count = connection.recv_into(view[filled:])
+        if not count:
+            return None
+        filled += count
+    return bytes(data)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), sys.argv[2])

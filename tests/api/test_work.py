@@ -1,0 +1,319 @@
+"""Work that takes long: whose turn it is, and processes that are ended when it takes too long or too much."""
+
+import asyncio
+import ctypes
+import gc
+import os
+import re
+import signal
+import time
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from starlette.requests import Request
+
+from sigcat.api.application import create_app
+from sigcat.api.requests.clients import client_of
+from sigcat.api.settings import Settings
+from sigcat.api.tokens import new_token
+from sigcat.api.work import worker
+from sigcat.api.work.queue import WorkQueue
+from sigcat.api.work.references import Work, pickled, unpickled
+from sigcat.api.work.refusals import Busy, WorkFailed
+from sigcat.api.work.turns import Turns
+from sigcat.catalogue.hosting.library import Library
+from sigcat.catalogue.hosting.variants import expanded_of, find_hosted
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from tests.api.conftest import SOURCES
+from tests.processes import is_running
+from tests.waiting import DEADLINE, wait_until
+
+MEBIBYTE = 1024 * 1024
+
+
+def run(coroutine: Coroutine[Any, Any, Any]) -> Any:
+    """In a thread of its own: a browser that is open in this process has an event loop in the main one."""
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(asyncio.run, coroutine).result()
+
+
+# -- turns --------------------------------------------------------------------------------------------------------
+
+
+class Crowd:
+    """Clients whose work goes on until it is told to end."""
+
+    def __init__(self, turns: Turns) -> None:
+        self.turns = turns
+        self.begun: list[str] = []
+        self.ending = asyncio.Event()
+
+    async def work(self, client: str, ending: asyncio.Event | None = None) -> None:
+        async with self.turns.turn(client):
+            self.begun.append(client)
+            await (ending or self.ending).wait()
+
+    async def come(self, *clients: str) -> list["asyncio.Task[None]"]:
+        tasks = [asyncio.create_task(self.work(client)) for client in clients]
+        await asyncio.sleep(0)
+        return tasks
+
+
+def test_work_beyond_the_queue_is_refused_at_once_and_told_when_to_come_again() -> None:
+    async def full() -> Busy:
+        crowd = Crowd(Turns(at_once=1, waiting=1, share=1))
+        tasks = await crowd.come("a", "b")
+        with pytest.raises(Busy, match="full") as refused:
+            await crowd.work("c")
+        crowd.ending.set()
+        await asyncio.gather(*tasks)
+        assert crowd.turns.pending == 0
+        return refused.value
+
+    refusal: Busy = run(full())
+    assert (refusal.status_code, refusal.headers) == (503, {"Retry-After": "2"})
+
+
+def test_one_client_has_at_most_its_share_and_others_get_through() -> None:
+    async def greedy() -> list[str]:
+        crowd = Crowd(Turns(at_once=2, waiting=6, share=0.5))
+        tasks = await crowd.come("greedy", "greedy", "greedy", "greedy")
+        with pytest.raises(Busy, match="One client may have 4"):
+            await crowd.work("greedy")
+        tasks += await crowd.come("modest")
+        begun = list(crowd.begun)
+        crowd.ending.set()
+        await asyncio.gather(*tasks)
+        return begun
+
+    assert run(greedy()) == ["greedy", "modest"]
+
+
+def test_clients_take_turns() -> None:
+    async def two() -> list[str]:
+        crowd = Crowd(Turns(at_once=1, waiting=9, share=1))
+        tasks = await crowd.come("a", "a", "a", "b", "b", "c")
+        crowd.ending.set()
+        await asyncio.gather(*tasks)
+        return crowd.begun
+
+    assert run(two()) == ["a", "a", "b", "c", "a", "b"]
+
+
+def test_who_goes_away_leaves_the_turn_to_others() -> None:
+    async def impatient() -> tuple[list[str], int]:
+        crowd = Crowd(Turns(at_once=1, waiting=9, share=1))
+        first, second, third, fourth = await crowd.come("a", "b", "c", "d")
+        second.cancel()
+        first.cancel()
+        await asyncio.sleep(0)
+        third.cancel()  # at the moment at which it was given the turn
+        await asyncio.gather(first, second, third, return_exceptions=True)
+        crowd.ending.set()
+        await fourth
+        return crowd.begun, crowd.turns.pending
+
+    assert run(impatient()) == (["a", "d"], 0)
+
+
+SECRET, TOKEN = new_token("ci", ["read"])
+
+
+@pytest.mark.parametrize(
+    ("host", "authorization", "client"),
+    [
+        ("192.0.2.1", "", "192.0.2.1"),
+        ("192.0.2.1", "Bearer SECRET", "token ci"),
+        ("192.0.2.1", "Bearer guess", "192.0.2.1"),
+        ("2001:db8:1:2:3::1", "", "2001:db8:1:2::/64"),
+        ("2001:db8:1:2:ffff::7", "", "2001:db8:1:2::/64"),
+        ("::ffff:192.0.2.1", "", "192.0.2.1"),
+        ("fe80::1%eth0", "", "fe80::/64"),
+        ("testclient", "", "testclient"),
+    ],
+)
+def test_a_client_is_a_token_or_else_an_address(library: Library, host: str, authorization: str, client: str) -> None:
+    app = create_app(library, Settings(tokens=(TOKEN,)))
+    headers = [(b"authorization", authorization.replace("SECRET", SECRET).encode())]
+    assert client_of(Request({"type": "http", "app": app, "client": (host, 1), "headers": headers})) == client
+
+
+# -- processes ----------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def queue() -> Iterator[WorkQueue]:
+    queue = WorkQueue(1, 3, seconds=DEADLINE, memory=32 * MEBIBYTE)
+    yield queue
+    queue.close()
+
+
+def done(queue: WorkQueue, function: Callable[..., Any], *arguments: Any) -> Any:
+    return run(queue.of("somebody").run(function, *arguments))
+
+
+def refuse() -> None:
+    raise InputRefused("Refused.", (Finding("V001", "error", "a message", "tree", 3, 4),))
+
+
+def stubborn(_: object) -> None:
+    """Work that holds the interpreter, so that nothing within the process could end it."""
+    re.match("^(a|a|aa)*$", "a" * 60 + "b")
+
+
+def crash() -> None:
+    ctypes.string_at(0)
+
+
+def digest_of(catalogue: Catalogue) -> str:
+    return catalogue.digest
+
+
+def instances_behind(catalogue: Catalogue) -> tuple[int, int]:
+    return len(catalogue.nodes), len(expanded_of(catalogue).nodes)
+
+
+def kept_in_worker() -> int:
+    return len(worker._kept)
+
+
+def noted(file: Path, text: str) -> str:
+    with file.open("a") as notes:
+        notes.write(text)
+    time.sleep(0.3)
+    return text
+
+
+def test_a_worker_does_one_piece_of_work_after_another(queue: WorkQueue) -> None:
+    first = done(queue, os.getpid)
+    assert first not in (os.getpid(), done(queue, os.getppid))
+    assert done(queue, os.getpid) == first
+
+
+def test_what_work_refuses_reaches_who_asked_for_it(queue: WorkQueue) -> None:
+    with pytest.raises(InputRefused, match="Refused") as refused:
+        done(queue, refuse)
+    assert [(finding.rule, finding.line) for finding in refused.value.findings] == [("V001", 3)]
+
+
+def test_a_fault_of_ours_says_where_it_is(queue: WorkQueue) -> None:
+    with pytest.raises(RuntimeError, match="ValueError: invalid literal") as failed:
+        done(queue, int, "x")
+    assert "Traceback" in failed.value.__notes__[0]
+
+
+@pytest.mark.parametrize("work", [time.sleep, stubborn])
+def test_work_that_takes_too_long_is_ended(work: Callable[[object], None]) -> None:
+    queue = WorkQueue(1, 0, seconds=DEADLINE)
+    process = done(queue, os.getpid)
+    queue._seconds = 0.1
+    with pytest.raises(Busy, match=r"longer than 0\.1 seconds"):
+        done(queue, work, DEADLINE)
+    wait_until(lambda: not is_running(process), "the process ends")
+    queue._seconds = DEADLINE
+    assert done(queue, os.getpid) != process
+    queue.close()
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="Linux, where the memory of a process is bounded")
+def test_work_that_takes_too_much_memory_is_ended(queue: WorkQueue) -> None:
+    process = done(queue, os.getpid)
+    assert len(done(queue, bytes, 16 * MEBIBYTE)) == 16 * MEBIBYTE
+    with pytest.raises(Busy, match="more than 32 MiB"):
+        done(queue, bytes, 40 * MEBIBYTE)
+    wait_until(lambda: not is_running(process), "the process ends")
+    assert done(queue, len, b"next") == 4
+
+
+def test_work_that_crashes_is_told_and_the_next_is_done(queue: WorkQueue) -> None:
+    with pytest.raises(WorkFailed) as failed:
+        done(queue, crash)
+    assert failed.value.status_code == 500
+    assert done(queue, len, b"next") == 4
+
+
+def test_a_worker_that_somebody_killed_is_replaced(queue: WorkQueue) -> None:
+    process = done(queue, os.getpid)
+    os.kill(process, signal.SIGKILL)
+    wait_until(lambda: not is_running(process), "it is killed")
+    assert done(queue, len, b"next") == 4
+
+
+def test_so_is_the_zygote(queue: WorkQueue) -> None:
+    process = done(queue, os.getppid)
+    os.kill(process, signal.SIGKILL)
+    queue.close()
+    wait_until(lambda: not is_running(process), "it is killed")
+    assert done(queue, len, b"next") == 4
+
+
+def test_work_is_given_up_with_who_asked_for_it(queue: WorkQueue) -> None:
+    async def impatient() -> None:
+        task = asyncio.create_task(queue.of("somebody").run(time.sleep, DEADLINE))
+        await asyncio.sleep(0.1)
+        task.cancel()
+
+    process = done(queue, os.getpid)
+    run(impatient())
+    wait_until(lambda: not is_running(process), "the process ends")
+
+
+def test_a_catalogue_arrives_as_it_was_asked_for(queue: WorkQueue, library: Library) -> None:
+    for hosted in library:
+        assert done(queue, digest_of, hosted.catalogue) == hosted.catalogue.digest
+    folded = find_hosted(library, "small~folded").catalogue
+    assert done(queue, instances_behind, folded) == instances_behind(folded)
+    assert instances_behind(folded)[0] < instances_behind(folded)[1]
+
+
+def test_a_catalogue_is_not_sent_with_the_work_but_named(library: Library) -> None:
+    catalogue = library.default.catalogue
+    folded = find_hosted(library, "small~folded").catalogue
+    data, values = pickled(Work(zip, (catalogue, folded, catalogue), {}), lambda _: 7)
+    assert (len(data) < 500, values) == (True, {7: catalogue})
+    assert unpickled(data, {7: catalogue}).arguments == (catalogue, folded, catalogue)
+
+
+def test_a_catalogue_that_nobody_holds_is_forgotten(queue: WorkQueue) -> None:
+    catalogue = Library(SOURCES[:1]).default.catalogue
+    done(queue, digest_of, catalogue)
+    queue.close()
+    before = done(queue, kept_in_worker)
+    del catalogue
+    gc.collect()
+    queue.close()
+    assert done(queue, kept_in_worker) < before
+
+
+def test_equal_work_under_way_is_done_once_for_all(queue: WorkQueue, tmp_path: Path) -> None:
+    async def crowd() -> list[str]:
+        asked = [
+            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path / "notes", "x"))
+            for client in ("a", "b", "c")
+        ]
+        await asyncio.sleep(0.1)
+        asked[0].cancel()
+        return await asyncio.gather(*asked[1:])
+
+    assert run(crowd()) == ["x", "x"]
+    assert (tmp_path / "notes").read_text() == "x"
+    assert run(queue.of("d").run_once("key", noted, tmp_path / "notes", "y")) == "y"
+
+
+def test_health_answers_while_heavy_work_is_done(library: Library) -> None:
+    app = create_app(library)
+
+    async def both() -> int:
+        work = asyncio.create_task(app.state.work_queue.of("somebody").run(time.sleep, DEADLINE))
+        async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://sigcat") as client:
+            status = (await client.get("/health/live", timeout=DEADLINE)).status_code
+        work.cancel()
+        return status
+
+    assert run(both()) == 200
