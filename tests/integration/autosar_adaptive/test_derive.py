@@ -443,6 +443,37 @@ def test_a_parameter_has_its_storage_class_datatype_and_values():
     assert (one.datatype.datatype, one.datatype.min, one.datatype.max, one.datatype.unit) == ("float", 0.5, 8, "m/s^2")
 
 
+def test_the_code_of_a_component_and_its_calls_goes_along():
+    component = derive([example("EcoControlMpc")]).model.components[0]
+    assert component.code is not None
+    assert (component.code.signature, component.header_files) == ("Pointers", ("EcoControlMpc.h",))
+    init = component.calls[0].code
+    assert init is not None
+    assert (init.symbol, init.arguments) == ("EcoControlMpc_initialize", ("EcoControlMpc_M",))
+
+
+def test_a_parameter_keeps_its_scale_its_key_and_its_elements():
+    scaled = parameter(Factor="0.5", Offset="-1", Key="gain", Storage="Learned", RangeError="Demo_Range_ErrorSts")
+    derived = derive([function(contract={"ParameterList": [scaled]})])
+    assert derived.model.components[0].parameters is not None
+    (entry,) = derived.model.components[0].parameters
+    assert (entry.datatype.scaling, entry.datatype.offset) == (0.5, -1)
+    assert entry.code is not None
+    assert (entry.code.key, entry.code.storage, entry.code.range_error) == ("gain", "Learned", "Demo_Range_ErrorSts")
+
+
+def test_each_side_of_a_method_keeps_its_code():
+    method = {"Name": "Ask", "Description": "Asks.", "Role": "Provider", "InDataTypeList": [], "OutDataTypeList": []}
+    user = function("User", contract={"MethodList": [method | {"Role": "Consumer", "RequestVariable": "out.ask"}]})
+    model = derive([function(contract={"MethodList": [method | {"Symbol": "Demo_ask"}]}), user]).model
+    offered = services(model)["DemoService", "Provider"].services[0].methods[0].uses
+    used = services(model)["DemoService", "Consumer"].services[0].methods[0].uses
+    assert offered is not None
+    assert used is not None
+    assert [use.method.symbol for use in offered] == ["Demo_ask"]
+    assert [use.method.request_variable for use in used] == ["out.ask"]
+
+
 def test_who_provides_from_outside_is_the_provider():
     one = function(signals=[at("Vehicle.A.B", ExternalProvider="Gateway")])
     provider = services(derive([one]).model)["VehicleAService", "Consumer"].providers

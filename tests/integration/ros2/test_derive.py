@@ -442,6 +442,43 @@ def test_a_parameter_that_nodes_do_not_have_is_told(rule, more):
     assert (rule, "Vehicle.Limit") in rules([made])
 
 
+def test_a_parameter_that_is_scaled_in_the_code_is_converted_from_there():
+    scaled = parameter(Datatype="DT_UInt16", VssDatatype="float", Factor="0.5", Offset="-1", ConversionFactor="2")
+    word = {"typeRef": "DT_UInt16", "category": "primitive", "cDef": "uint16_t"}
+    (made,) = node([function(contract={"ParameterList": [scaled]}, datatypes=[word])])["Parameters"]
+    assert (made["Default"], made["From"], made["To"]) == (4.0, 0, 18)
+    assert (made["Conversion"]["Factor"], made["Conversion"]["Offset"]) == ("1", "2")
+
+
+def test_a_parameter_starts_with_the_elements_that_its_author_gave():
+    listed = parameter(Datatype="DT_Pair", VssDatatype="float[]", DefaultText="[1, 2]", InitElements="[3, 4.5]")
+    pair = {"typeRef": "DT_Pair", "category": "userdefined", "cDef": "float[2]", "Kind": "array",
+            "ElementType": "DT_Float32", "Length": 2}  # fmt: skip
+    (made,) = node([function(contract={"ParameterList": [listed]}, datatypes=[pair])])["Parameters"]
+    assert made["Default"] == [3.0, 4.5]
+
+
+def test_what_a_graph_and_a_signal_say_is_not_in_words():
+    error = {
+        "Name": "Acc_Order_ErrorSts", "Description": "The order is broken.", "Datatype": "DT_Float32", "Dependancy": [],
+        "OccurenceCountLimit": 0, "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "None.",
+        "ResetCondition": "A restart.",
+    }  # fmt: skip
+    watchdog = {"AliveSupervision": None, "DeadlineSupervision": None, "LogicalSupervision": "After init."}
+    told, graph = {"Watchdog": watchdog}, {"Checkpoint": {"Initial": True}}
+    in_words = function(call=told, contract={"ErrorList": [error]})
+    assert {("N205", "Acc_Step"), ("N206", "Acc_Order_ErrorSts")} <= set(rules([in_words]))
+    drawn = function(call=told | graph, contract={"ErrorList": [error | {"Reset": "Restart"}]})
+    assert not {"N205", "N206"} & {rule for rule, _ in rules([drawn])}
+    (step,) = document([drawn])["ComponentList"][0]["functionList"]
+    assert (step["Checkpoint"], step["funcContractList"][0]["ErrorList"][0]["Reset"]) == ({"Initial": True}, "Restart")
+
+
+def test_each_function_keeps_how_its_code_is_called():
+    made = document([example("core_acc"), example("eco_control_mpc")])["SourceFunctionList"]
+    assert [each["Code"]["Signature"] for each in made] == ["Globals", "Pointers"]
+
+
 def test_a_call_follows_those_of_its_node_that_it_names_but_for_init():
     last = function(call={"PrevRunnable": "Acc_Init, Acc_Read, Acc_Filter, Hmi_Step"})
     (step,) = last.components[0].runnables

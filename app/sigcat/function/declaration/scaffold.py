@@ -22,6 +22,12 @@ description: Says in one sentence what the function does.
 responsible: Name of a team
 version: 0.1.0
 
+# How the C code is compiled and called, which an adapter needs: by pointers or as members of a C++ class, too.
+# code:
+#   signature: globals
+#   sources: [__NAME__.c]
+#   headers: [__NAME__.h]
+
 # Interfaces that the catalogue does not have yet. `sigcat function overlay` makes an overlay of them for others.
 define:
   parameters:
@@ -93,12 +99,17 @@ components:
         parameters:
           - path: Vehicle.Function.__NAME__.Parameter.Gain
             variable: par.gain
-        errors: [__NAME___SpeedTimeout_ErrorSts, __NAME___AliveError_ErrorSts]
-        safetyReactions: [__NAME__Invalid_SftyCondSts]
+        errors:
+          - __NAME___SpeedTimeout_ErrorSts
+          - {interface: __NAME___AliveError_ErrorSts, reset: restart}
+        safetyReactions:
+          - {interface: __NAME__Invalid_SftyCondSts, variable: in.isInvalid}
       - __NAME___Terminate
 
 modes:
   interfaces: [__NAME___Mode_In, __NAME___Mode_Out]
+  in: {variable: in.mode, initial: 'OFF'}
+  out: {variable: out.mode}
   active:
     - mode: 'OFF'
       description: The function is not used.

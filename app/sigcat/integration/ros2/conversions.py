@@ -20,8 +20,7 @@ def to_catalogue(
     item: Signal | DataQueue | ParameterInterface, interface: Subject, findings: FindingCollector
 ) -> Linear:
     """From the number in the code to the value in the catalogue's unit."""
-    scale = _linear(getattr(item, "factor", None), getattr(item, "offset", None), interface, findings)
-    return scale.then(physical(item, interface, findings))
+    return _linear(item.factor, item.offset, interface, findings).then(physical(item, interface, findings))
 
 
 def physical(item: Signal | DataQueue | ParameterInterface, interface: Subject, findings: FindingCollector) -> Linear:

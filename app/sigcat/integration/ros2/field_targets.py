@@ -100,7 +100,7 @@ _ERROR: Targets = {
     "MaturationTime": "{status}: MaturationTime",
     "Severity": "{status}: Severity and Level",
     "ResetTime": "{status}: ResetTime",
-    "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, which no node can check"),
+    "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, for people"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{status}: VssPath",
     **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "Reset"), _CORE),
@@ -127,7 +127,9 @@ _CALL: Targets = {
     "ExecOffset": "{schedule}: Offset",
     "ParallelProcessing": "{schedule}: CallbackGroupType",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
-    "Watchdog": FieldTarget("{schedule}: Alive…, Deadline…, Logical…", "a logical supervision is in words"),
+    "Watchdog": FieldTarget(
+        "{schedule}: Alive…, Deadline…, Logical…", "of a logical supervision the words; its graph is in ComponentList"
+    ),
     "Scheduling": "{schedule}: CallbackGroup",
     "DebounceDelay": "{schedule}: Debounce",
     "Priority": FieldTarget("{schedule}: ThreadPriority", "if it is a priority of a thread"),

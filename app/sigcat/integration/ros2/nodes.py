@@ -221,9 +221,9 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
         )
         fix = "Set it for the process, for instance with `ulimit -s`."
         findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
-    if call.watchdog and call.watchdog.logical:
+    if call.watchdog and call.watchdog.logical and call.checkpoint is None:
         message = f"{call.name}: the logical supervision is free text, which no node can check."
-        fix = "Supervise it in hand-written code."
+        fix = "Give the calls a `checkpoint` each, with the calls that may follow."
         findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, Subject(call.name, call), fix, key="Watchdog")
 
 
@@ -297,9 +297,9 @@ def _diagnostic(
         )
         fix = "Count them in a fault memory outside ROS 2."
         findings.report(codes.IGNITION_CYCLES_NOT_COUNTED, message, subject, fix, key="IgnitionCountLimit")
-    if error.reset_condition:
+    if error.reset_condition and error.reset is None:
         message = f"{error.name}: the reset condition is free text, which no node can check."
-        fix = "Report the error as passed when the condition holds."
+        fix = "Say it with `reset`, unless it is that the error is no longer present."
         findings.report(codes.RESET_CONDITION_IN_WORDS, message, subject, fix, key="ResetCondition")
     return Diagnostic(
         name=f"{part.name}: {error.name}",

@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterable, Mapping
 from math import isfinite
-from typing import Any
+from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
@@ -14,7 +14,7 @@ from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.ros2.conversions import conversion, converted, physical
+from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue
 from sigcat.integration.ros2.messages import unresolved
 from sigcat.integration.ros2.model import RosParameter
 from sigcat.integration.ros2.names import field_name, package_name, report_renamed
@@ -56,20 +56,31 @@ def _parameter(
     _unexpressed(item, kind, interface, findings)
     name = field_name(item.name, taken)
     report_renamed(name, item.name, interface, findings)
-    return _resolved(item, kind, name.text, part, table, physical(item, interface, findings))
+    ways = _Ways(physical(item, interface, findings), to_catalogue(item, interface, findings))
+    return _resolved(item, kind, name.text, part, table, ways)
+
+
+class _Ways(NamedTuple):
+    """Conversions to the catalogue's unit."""
+
+    physical: Linear
+    """Of values of the document, which are in the code's unit."""
+    stored: Linear
+    """Of the number in the code."""
 
 
 def _resolved(
-    item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], linear: Linear
+    item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], ways: _Ways
 ) -> RosParameter:
-    low, high = _limits(item, kind, linear)
+    low, high = _limits(item, kind, ways.physical)
+    names: dict[float, str] = {each.value: each.symbol for each in symbols_of(item.datatype, table)}
     api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
     return RosParameter(
         name=name,
         parameter=item.name,
         type=_type(kind),
         description=item.description,
-        default=_default(item, kind, linear, {each.value: each.symbol for each in symbols_of(item.datatype, table)}),
+        default=_default(item, kind, ways.physical, names),
         low=low,
         high=high,
         constraints=_constraints(kind),
@@ -78,7 +89,7 @@ def _resolved(
         variable=item.variable or item.name,
         variable_type=c_definition(item.datatype, table),
         variable_units=item.units or None,
-        conversion=conversion(api, name, item.datatype, kind, linear, table, _type(kind), is_outgoing=False),
+        conversion=conversion(api, name, item.datatype, kind, ways.stored, table, _type(kind), is_outgoing=False),
         storage=item.interface_type,
         attribute=item.attribute,
         range_error_action=item.range_error_action,
