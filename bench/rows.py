@@ -68,13 +68,13 @@ def instances(bench: Bench) -> Row:
     hundred = probe("compose", trees.below_instances(bench.folder, HUNDRED_THOUSAND))
     twenty = probe("compose", trees.flat(bench.folder / "instances", TWENTY_THOUSAND))
     figure, reference = interleaved([hundred, twenty], bench.runs)
-    return _at_most("compose 100,000 signals below instances", figure, "5 × 20,000 flat", 5 * reference, 1)
+    return at_most("compose 100,000 signals below instances", figure, "5 × 20,000 flat", 5 * reference, 1)
 
 
 def floor(bench: Bench) -> Row:
     """The standard tree beside libyaml alone."""
     figure, reference = interleaved([probe("compose", ROOT_FILE), probe("floor", ROOT_FILE)], bench.runs)
-    return _at_most("compose the standard tree", figure, "`yaml.compose` of the same files", reference, 8)
+    return at_most("compose the standard tree", figure, "`yaml.compose` of the same files", reference, 8)
 
 
 def recompose(bench: Bench) -> Row:
@@ -103,7 +103,7 @@ def search(bench: Bench) -> Row:
     """A thousand searches for three words, ranked, with counts of every filter."""
     index = SearchIndex(read_catalogue(trees.flat(bench.folder / "search", HUNDRED_THOUSAND)))
     p99 = median(_p99_of_searches(index) for _ in range(bench.runs))
-    return Row("search 100,000 signals for three words, p99", _time(p99), "", "", "at most 10 ms")
+    return Row("search 100,000 signals for three words, p99", time_of(p99), "", "", "at most 10 ms")
 
 
 def _p99_of_searches(index: SearchIndex) -> float:
@@ -129,14 +129,14 @@ def integration(bench: Bench) -> Row:
     """3 executables, 18 services and 162 events, from function files to ARXML, as one process."""
     figure, reference = _integration(bench, 1)
     work = "functions to Integration JSON and ARXML, 162 events"
-    return Row(work, _time(figure), f"read and write the same bytes: {_time(reference)}", "", "under 1 s")
+    return Row(work, time_of(figure), f"read and write the same bytes: {time_of(reference)}", "", "under 1 s")
 
 
 def integration_ten(bench: Bench) -> Row:
     """Ten times as many of all of them."""
     small, _ = _integration(bench, 1)
     large, _ = _integration(bench, 10)
-    return _at_most("the same, 1,620 events", large, "10 × 162 events", 10 * small, 1)
+    return at_most("the same, 1,620 events", large, "10 × 162 events", 10 * small, 1)
 
 
 def _integration(bench: Bench, times: int) -> list[float]:
@@ -158,14 +158,16 @@ def _split(medians: list[float], name: str) -> tuple[float, str, float]:
 
 def _faster(work: str, figure: float, name: str, reference: float, wanted: int) -> Row:
     ratio = f"{reference / figure:.1f} × faster"
-    return Row(work, _time(figure), f"{name}: {_time(reference)}", ratio, f"at least {wanted} ×")
+    return Row(work, time_of(figure), f"{name}: {time_of(reference)}", ratio, f"at least {wanted} ×")
 
 
-def _at_most(work: str, figure: float, name: str, reference: float, wanted: int) -> Row:
-    return Row(work, _time(figure), f"{name}: {_time(reference)}", f"{figure / reference:.2f} ×", f"at most {wanted} ×")
+def at_most(work: str, figure: float, name: str, reference: float, wanted: int) -> Row:
+    return Row(
+        work, time_of(figure), f"{name}: {time_of(reference)}", f"{figure / reference:.2f} ×", f"at most {wanted} ×"
+    )
 
 
-def _time(seconds: float) -> str:
+def time_of(seconds: float) -> str:
     return (
         f"{seconds:.2f} s"
         if seconds >= 1

@@ -32,6 +32,7 @@ def _helpers(prefix: str, macro: str) -> dict[str, Lines]:
         "Scaled": _scaled(prefix),
         "QuietFloat": _quiet("QuietFloat", "float", prefix),
         "QuietDouble": _quiet("QuietDouble", "double", prefix),
+        "BeyondFloat": _beyond_float(prefix),
         "ToFloat": _to_float(prefix),
         "RoundedToEven": _rounded(prefix),
         **{f"To{each.name.capitalize()}": _to_integer(each, prefix) for each in integers},
@@ -43,7 +44,7 @@ def _helpers(prefix: str, macro: str) -> dict[str, Lines]:
 def _now(prefix: str) -> Lines:
     return lines(f"""
         /* The time: one before the last one counts as the last one. */
-        static uint64_t {prefix}_Now({prefix} *self, uint64_t t)
+        static inline uint64_t {prefix}_Now({prefix} *self, uint64_t t)
         {{
             if (t > self->now) {{
                 self->now = t;
@@ -146,7 +147,7 @@ def _judge(prefix: str, macro: str) -> Lines:
 def _scaled(prefix: str) -> Lines:
     return lines(f"""
         /* Two roundings, never one: the sum is a statement of its own. */
-        static double {prefix}_Scaled(double value, double factor, double offset)
+        static inline double {prefix}_Scaled(double value, double factor, double offset)
         {{
             const double product = value * factor;
             return product + offset;
@@ -158,9 +159,32 @@ def _quiet(name: str, c: str, prefix: str) -> Lines:
     nan = "NAN" if c == "float" else "(double)NAN"
     return lines(f"""
         /* The number; of a NaN the one with the usual bits. */
-        static {c} {prefix}_{name}({c} value)
+        static inline {c} {prefix}_{name}({c} value)
         {{
             return (value == value) ? value : {nan};
+        }}
+    """)
+
+
+def _beyond_float(prefix: str) -> Lines:
+    return lines(f"""
+        /* What no float holds: too large, infinite, or no number. */
+        static float {prefix}_BeyondFloat(double value)
+        {{
+            float found;
+
+            if (value > DBL_MAX) {{
+                found = INFINITY;
+            }} else if (value < -DBL_MAX) {{
+                found = -INFINITY;
+            }} else if (value > 0.0) {{
+                found = FLT_MAX;
+            }} else if (value < 0.0) {{
+                found = -FLT_MAX;
+            }} else {{
+                found = NAN;
+            }}
+            return found;
         }}
     """)
 
@@ -168,17 +192,11 @@ def _quiet(name: str, c: str, prefix: str) -> Lines:
 def _to_float(prefix: str) -> Lines:
     return lines(f"""
         /* Rounded once; what is finite stays finite. */
-        static float {prefix}_ToFloat(double value)
+        static inline float {prefix}_ToFloat(double value)
         {{
-            float rounded;
-            if ((value > (double)FLT_MAX) && (value <= DBL_MAX)) {{
-                rounded = FLT_MAX;
-            }} else if ((value < -(double)FLT_MAX) && (value >= -DBL_MAX)) {{
-                rounded = -FLT_MAX;
-            }} else {{
-                rounded = (float)value;
-            }}
-            return rounded;
+            const bool is_usual = (value >= -(double)FLT_MAX) && (value <= (double)FLT_MAX);
+
+            return is_usual ? (float)value : {prefix}_BeyondFloat(value);
         }}
     """)
 

@@ -59,7 +59,17 @@ def converted(value: str, element: Element, instead_of_nan: str, prefix: str) ->
     if element.conversion == IDENTITY:
         return _of_same_scale(value, element.source, element.target, instead_of_nan, prefix)
     scaled = _scaled(_as_double(value, element.source), element, prefix)
+    if element.target.name == "float" and not is_beyond_float(element):
+        return f"(float){scaled}"
     return _from_double(scaled, element.target, instead_of_nan, prefix)
+
+
+def is_beyond_float(element: Element) -> bool:
+    """Whether a finite number can become too large for a float."""
+    largest = max(abs(element.source.smallest), element.source.largest)
+    reached = largest * abs(element.conversion.factor) + abs(element.conversion.offset)
+    float_type = element.target.name == "float"
+    return float_type and reached > element.target.largest
 
 
 def _scaled(value: str, element: Element, prefix: str) -> str:

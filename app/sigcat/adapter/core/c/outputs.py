@@ -32,11 +32,15 @@ def ends_of(call: Call, output: Output, scope: Scope) -> Ends:
 
 def given(call: Call, output: Output, scope: Scope) -> Lines:
     """An output after a call: an assignment, or a call of its function."""
-    flag = lines(f"self->publish.{output.named.name} = true;")
     if not is_direct(output):
-        return joined([lines(f"{scope.prefix}_Give_{call.name}_{output.named.name}(self);"), flag])
+        return lines(f"{scope.prefix}_Give_{call.name}_{output.named.name}(self);")
     (line,) = assigned(output.value, ends_of(call, output, scope), scope.prefix, quiet=True)
-    return (Line(f"{line.text} /* {output.named.comment} */", line.source), *flag)
+    return (Line(f"{line.text} /* {output.named.comment} */", line.source),)
+
+
+def published(call: Call) -> Lines:
+    """What a call has given is to be sent. Flags stand side by side, so that a compiler sets several at once."""
+    return joined(lines(f"self->publish.{output.named.name} = true;") for output in call.outputs)
 
 
 def initial(call: Call, output: Output, scope: Scope) -> Lines:

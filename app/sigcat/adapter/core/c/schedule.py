@@ -197,6 +197,7 @@ def _get_output(call: Call, scope: Scope) -> Lines:
         supervision.closed(scope),
         supervision.ended(call, scope),
         *(outputs.given(call, output, scope) for output in call.outputs),
+        outputs.published(call),
         *(_condition(error.named.name, scope.variable(error.variable), scope)
           for error in plan.errors if error.variable and error.call == call.name),
         errors.evaluated(plan.errors_of(call.name, late=True), scope),

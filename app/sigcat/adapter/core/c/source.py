@@ -35,7 +35,12 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
 
 
 def _includes(text: str, header_name: str) -> Lines:
-    known = (("<float.h>", True), ("<math.h>", "_Quiet" in text), ("<stddef.h>", True), ("<string.h>", "mem" in text))
+    known = (
+        ("<float.h>", True),
+        ("<math.h>", "_Quiet" in text or "_ToFloat(" in text),
+        ("<stddef.h>", True),
+        ("<string.h>", "mem" in text),
+    )
     rows = [f'#include "{header_name}"', "", *(f"#include {name}" for name, is_used in known if is_used)]
     return lines("\n".join(rows))
 

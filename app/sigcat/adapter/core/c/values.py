@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.lines import Line, Lines, block, function, indented, joined, lines
-from sigcat.adapter.core.c.literals import converted, literal, within
+from sigcat.adapter.core.c.literals import converted, is_beyond_float, literal, within
 from sigcat.adapter.core.identifiers import comment
 from sigcat.adapter.core.numbers import Number, NumberType
 from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
 from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.conversion import IDENTITY
 
 
 def declared(wire: WireType, name: str) -> str:
@@ -115,7 +116,9 @@ def _converted(source: str, leaf: Leaf, number: int, ends: Ends, prefix: str) ->
 def _quiet(text: str, element: Element, prefix: str, quiet: bool) -> str:
     """A number whose NaN has the usual bits, where one may come so far."""
     target = element.target
-    can_be_nan = quiet and target.is_floating and element.source.is_floating
+    is_copied = element.source == target and element.conversion == IDENTITY
+    is_quiet = is_beyond_float(element) and not is_copied  # the conversion has seen to it
+    can_be_nan = quiet and target.is_floating and element.source.is_floating and not is_quiet
     return f"{prefix}_Quiet{target.c.capitalize()}({text})" if can_be_nan else text
 
 
