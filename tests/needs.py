@@ -5,6 +5,8 @@ those that `sigcat pull` fetched are taken. ELIV_PRESENTATION names a checkout o
 """
 
 import os
+import sys
+from importlib.util import find_spec
 from pathlib import Path
 from shutil import which
 
@@ -38,6 +40,8 @@ def published(name: str) -> bytes:
     return _FILES[name].read_bytes()
 
 
-C_COMPILERS = tuple(name for name in ("gcc", "clang") if which(name))
-"""Compilers of C and C++ of this machine."""
-c_compiler = pytest.mark.skipif(not C_COMPILERS, reason="a C compiler: install gcc or clang")
+_ZIG = ((sys.executable, "-m", "ziglang", "cc"),) if find_spec("ziglang") and not which("clang") else ()
+C_COMPILERS = (*((name,) for name in ("gcc", "clang") if which(name)), *_ZIG)
+"""Commands of this machine that compile C and C++: gcc, and clang or what PyPI has of it."""
+c_compiler = pytest.mark.skipif(not C_COMPILERS, reason="a C compiler: install gcc or clang, or `pip install ziglang`")
+object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")

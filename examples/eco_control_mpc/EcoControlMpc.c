@@ -56,8 +56,8 @@
 #define SMALLEST_SPEED 5.0 /* m/s: slower, there is nothing to plan */
 
 #define FIRST_SPREAD 16.0 /* m^2/s^2: between neighboring speeds, without a plan of the step before */
-#define NEXT_SPREAD  2.0  /* m^2/s^2: with one */
-#define LAST_SPREAD  0.3  /* m^2/s^2: closer is exact enough */
+#define NEXT_SPREAD  4.0  /* m^2/s^2: with one */
+#define LAST_SPREAD  0.5  /* m^2/s^2: closer is exact enough: the acceleration to 0.05 m/s^2 */
 #define PASSES       60   /* more are not made */
 
 #define NO_PROPOSAL (-20.0F) /* m/s^2 */
@@ -95,7 +95,7 @@ static real_T limited(real_T value, real_T lower, real_T upper)
 /* How far a value is outside of limits. */
 static real_T beyond(real_T value, real_T lower, real_T upper)
 {
-  return fabs(value - limited(value, lower, upper));
+  return (value < lower) ? (lower - value) : ((value > upper) ? (value - upper) : 0.0);
 }
 
 /* Slope and rolling resistance of every segment; false if this is no road. */
@@ -234,7 +234,7 @@ static boolean_T optimize(const Problem_T *problem, real_T spread, real_T plan[P
   int32_T pass = 0;
   while ((spread > LAST_SPREAD) && (pass < PASSES)) {
     if (!improve(problem, spread, plan)) {
-      spread *= 0.5;
+      spread *= 0.25;
     }
     pass++;
   }

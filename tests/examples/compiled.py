@@ -34,10 +34,18 @@ def source(function: str) -> Path:
 
 
 @cache
-def program(function: str, options: Sequence[str] = ("-O2", *C99), compiler: str = "") -> Path:
+def program(function: str, options: Sequence[str] = ("-O2", *C99), compiler: Sequence[str] = ()) -> Path:
     """The program of a function; whatever the compiler says is an error."""
     file = Path(_FOLDER.name) / f"{function}{abs(hash((options, compiler)))}"
-    command = [compiler or C_COMPILERS[0], *WARNINGS, *BITS, *options, f"-I{source(function).parent}", "-o", str(file)]
+    command = [
+        *(compiler or C_COMPILERS[0]),
+        *WARNINGS,
+        *BITS,
+        *options,
+        f"-I{source(function).parent}",
+        "-o",
+        str(file),
+    ]
     done = subprocess.run(
         [*command, str(source(function)), str(PROGRAMS / f"{function}.c"), "-x", "none", "-lm"],
         check=False,
@@ -53,7 +61,7 @@ def program(function: str, options: Sequence[str] = ("-O2", *C99), compiler: str
 def object_file(function: str) -> Path:
     """What the source of a function is compiled to."""
     file = Path(_FOLDER.name) / f"{function}.o"
-    subprocess.run([C_COMPILERS[0], *BITS, *C99, "-c", source(function), "-o", file], check=True)
+    subprocess.run([*C_COMPILERS[0], *BITS, *C99, "-c", source(function), "-o", file], check=True)
     return file
 
 

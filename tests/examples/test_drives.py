@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from tests.examples.compiled import EXAMPLES, Running
-from tests.examples.signals import AccInputs, AccOutputs, MpcInputs, MpcOutputs, Status
+from tests.examples.signals import AccInputs, AccOutputs, MpcInputs, MpcOutputs, Status, WheelInputs, WheelOutputs
 from tests.function.shipped import interfaces
 from tests.function.test_build import example, step
 from tests.needs import c_compiler
@@ -131,12 +131,12 @@ def test_the_road_has_hills_and_curves_and_a_vehicle_ahead_comes_and_goes():
     assert min(distance for distance in distances if distance) > 3.0
 
 
-def arrived(name: str, period: float) -> Iterator[dict[str, str]]:
+def arrived(name: str, period: float, duration: float = 600) -> Iterator[dict[str, str]]:
     """The last value of each column, in steps of a period."""
     last: dict[str, str] = {}
     waiting = iter(rows(name))
     row = next(waiting, None)
-    for index in range(round(600 / period)):
+    for index in range(round(duration / period)):
         while row and float(row["time"]) <= index * period:
             last |= {column: text for column, text in row.items() if text}
             row = next(waiting, None)
@@ -159,6 +159,17 @@ def acc_inputs(last: Row, proposal: float) -> AccInputs:
     )
 
 
+def wheel_inputs(last: Row) -> WheelInputs:
+    wheels = (
+        f"Vehicle.Chassis.Axle.Row{row}.Wheel.{side}.AngularSpeed" for row in (1, 2) for side in ("Left", "Right")
+    )
+    turning = WheelInputs(*(math.radians(float(last.get(wheel, "0"))) for wheel in wheels))
+    return turning._replace(
+        mode={"OFF": 0, "NORMAL": 1, "SERVICE": 2}[last["WheelSpeedCalculation_Mode_In"]],
+        rear_left_invalid=last["WhlSpdRLInvalid_SftyCondSts"] == "ACTIVE",
+    )
+
+
 def mpc_inputs(last: Row, acc: AccInputs) -> MpcInputs:
     return MpcInputs(
         is_enabled=acc.is_enabled,
@@ -167,6 +178,22 @@ def mpc_inputs(last: Row, acc: AccInputs) -> MpcInputs:
         mode=MODES[last["EcoControlMpc_Mode_In"]],
         altitudes=tuple(json.loads(last.get("Vehicle.ADAS.Map.Horizon.Altitude", json.dumps([0.0] * 50)))),
     )
+
+
+@c_compiler
+def test_the_wheels_fail_and_recover_on_their_drive():
+    """Without an adapter: the error is told, and only the reaction from outside has others stand in."""
+    with Running("wheel_speed_calculation") as wheels:
+        wheels.step(())
+        told = [WheelOutputs(*wheels.step(wheel_inputs(last))) for last in arrived("wheel_speed_calculation", 0.01, 60)]
+        stored = WheelOutputs(*wheels.end()).range_errors
+    begins = [after.range_error - before.range_error for before, after in pairwise(told)].count(1)
+    assert begins == stored - 7 == 5
+    straight, curve, stand = told[2200], told[2700], told[5150]
+    assert [output.mode for output in (told[50], told[500], straight, curve, stand)] == [0, 1, 2, 2, 2]
+    assert straight.rear_left == pytest.approx(20_000, abs=50)
+    assert curve.rear_left == pytest.approx(20_150, abs=50)
+    assert stand.rear_left - stand.front_left == pytest.approx(3_000, abs=50)
 
 
 @c_compiler

@@ -10,7 +10,7 @@ import pytest
 
 from tests.examples.compiled import C99, CPP17, SOURCES, answer, object_file, program
 from tests.examples.signals import POINTS, AccInputs, MpcInputs, WheelInputs
-from tests.needs import C_COMPILERS, c_compiler
+from tests.needs import C_COMPILERS, c_compiler, object_reader
 
 pytestmark = c_compiler
 
@@ -81,7 +81,9 @@ def wheels(dice: random.Random) -> Sequence[float]:
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
-@pytest.mark.parametrize(("compiler", "options"), BUILDS, ids=lambda value: "".join(value[:2]))
+@pytest.mark.parametrize(
+    ("compiler", "options"), BUILDS, ids=lambda value: "".join(value[-1:] if value in C_COMPILERS else value[:2])
+)
 def test_every_build_compiles_without_a_warning_and_answers_with_the_same_bits(function, compiler, options):
     expected = answer(program(function), steps(function))
     assert len({expected[at : at + 8] for at in range(0, len(expected), 8)}) > 50
@@ -105,11 +107,13 @@ def symbols(function: str, kinds: str) -> set[str]:
     return {line.split()[-1] for line in told.splitlines() if line.split()[-2] in kinds}
 
 
+@object_reader
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_the_library_is_needed_for_square_roots_alone(function):
     assert symbols(function, "U") <= LIBRARY
 
 
+@object_reader
 def test_a_reentrant_function_has_no_variables_of_its_own():
     assert symbols("eco_control_mpc", "BbDdCc") == set()
     assert symbols("core_acc", "BbDdCc") >= {"core_inputs", "core_outputs"}
