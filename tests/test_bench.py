@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from bench import __main__, browser, service, trees
+from bench import __main__, browser, servers, trees
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
 
 
-@pytest.mark.parametrize("script", [browser._SERVE, service._SERVICE, service._FLOOR], ids=["site", "api", "floor"])
+@pytest.mark.parametrize("script", [browser._SERVE, servers.SERVICE, servers.FLOOR], ids=["site", "api", "floor"])
 def test_what_the_scripts_of_servers_import_is_there(script: str) -> None:
     for line in script.splitlines():
         if line.startswith(("from ", "import ")):

@@ -1,14 +1,18 @@
 """Running the service: request ids, metrics, logs, closed reading, CORS, compression, kept answers, a full queue."""
 
 import asyncio
-import logging
+import io
+import json
+import threading
 from pathlib import Path
 
 import pytest
 
 from sigcat.api.application import create_app
 from sigcat.api.middleware.answer_cache import AnswerCache
+from sigcat.api.middleware.request_notes import Note
 from sigcat.api.read_settings import read_settings, shown
+from sigcat.api.request_lines import RequestLines, line_of
 from sigcat.api.server import uvicorn_config
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import new_token
@@ -65,13 +69,55 @@ def test_metrics_can_be_turned_off(library: Library) -> None:
     assert asker(create_app(library, Settings(metrics=False)))("/metrics").status_code == 404
 
 
-def test_a_request_is_one_line_of_json_in_the_log(ask: Ask, caplog: pytest.LogCaptureFixture) -> None:
-    with caplog.at_level(logging.INFO, "sigcat.requests"):
-        answer = ask(f"{SMALL}/nodes/Vehicle.Speed%0Aforged")
-    (record,) = [each.msg for each in caplog.records if each.name == "sigcat.requests"]
-    assert isinstance(record, dict)
+@pytest.fixture
+def notes() -> list[Note]:
+    return []
+
+
+@pytest.fixture
+def noted(library: Library, notes: list[Note]) -> Ask:
+    """A service that logs into `notes`."""
+    app = create_app(library)
+    app.state.request_notes.log = notes.append
+    return asker(app)
+
+
+def test_a_request_is_one_line_of_json_in_the_log(noted: Ask, notes: list[Note]) -> None:
+    answer = noted(f"{SMALL}/nodes/Vehicle.Speed%0Aforged")
+    (line,) = [line_of(0, note) for note in notes]
+    assert line.endswith("\n")
+    assert line.count("\n") == 1
+    record = json.loads(line)
     assert record["request_id"] == answer.headers["x-request-id"]
     assert (record["status"], record["route"]) == (404, "/api/v1/catalogues/{catalogue}/nodes/{path}")
+
+
+def test_lines_are_written_in_order_and_all_of_them_before_the_end() -> None:
+    stream = io.StringIO()
+    lines = RequestLines(stream)
+    for number in range(1000):
+        lines.add(Note(str(number), "GET", "/", "/", 200, 0, ""))
+    lines.end()
+    assert [json.loads(line)["request_id"] for line in stream.getvalue().splitlines()] == [str(n) for n in range(1000)]
+
+
+def test_a_log_that_nobody_reads_holds_up_no_answer_and_grows_no_further() -> None:
+    blocked = threading.Event()
+
+    class Stream(io.StringIO):
+        def write(self, text: str) -> int:
+            blocked.wait()
+            return super().write(text)
+
+    stream = Stream()
+    lines = RequestLines(stream)
+    for number in range(50_000):
+        lines.add(Note(str(number), "GET", "/", "/", 200, 0, ""))
+    blocked.set()
+    lines.end()
+    written = stream.getvalue().splitlines()
+    assert json.loads(written[-1])["request_id"] == "49999"
+    assert len(written) < 50_000
 
 
 @pytest.fixture

@@ -28,6 +28,7 @@ from sigcat.api.openapi_document import openapi_document
 from sigcat.api.requests.held_bodies import HeldBodies
 from sigcat.api.requests.query_parameters import refuse_unknown
 from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
+from sigcat.api.routes.shortcuts import SHORTCUTS
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.queue import WorkQueue
@@ -75,7 +76,8 @@ def create_app(
     app.state.export_queue = _queue(settings.exports, settings)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
-    app.state.request_notes = RequestNotes(app.state.metrics, is_logged=settings.log == "json")
+    app.state.request_notes = RequestNotes(app.state.metrics)
+    app.router.routes.extend(SHORTCUTS)
     for router in _ROUTERS:
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
     for router in (exports.router, *([metrics.router] if settings.metrics else [])):

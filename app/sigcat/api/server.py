@@ -4,12 +4,12 @@ import gc
 import json
 import logging
 import sys
-from collections.abc import Mapping
 
 import uvicorn
 from fastapi import FastAPI
 
 from sigcat.api.connections.http import HttpConnection
+from sigcat.api.request_lines import TIME, RequestLines
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
 
@@ -29,14 +29,12 @@ class _Server(uvicorn.Server):
 
 
 class _Lines(logging.Formatter):
-    """One line of JSON for each record; those of requests are mappings of their fields."""
+    """One line of JSON for each record."""
 
     def format(self, record: logging.LogRecord) -> str:
         """The line."""
-        time = self.formatTime(record, "%Y-%m-%dT%H:%M:%S%z")
+        time = self.formatTime(record, TIME)
         record_fields = {"time": time, "level": record.levelname.lower(), "logger": record.name}
-        if isinstance(record.msg, Mapping):
-            return json.dumps({**record_fields, **record.msg})
         if record.exc_info:
             record_fields["trace"] = self.formatException(record.exc_info)
         return json.dumps({**record_fields, "message": record.getMessage()})
@@ -57,6 +55,8 @@ _COULD_NOT_RUN = 2
 def prepare(application: FastAPI, settings: Settings) -> None:
     """What a process needs that serves: its log, what is wrong with its catalogues in it, and fewer runs of the garbage collector."""
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
+    if settings.log == "json":
+        application.state.request_notes.log = RequestLines(sys.stderr).add
     tell_errors(application.state.library)
     if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
         _log.warning("reading needs a token, and none of `tokens` has the scope read: no client can read")

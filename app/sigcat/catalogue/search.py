@@ -9,7 +9,7 @@ import re
 from array import array
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property, reduce
+from functools import cached_property, lru_cache, reduce
 from itertools import islice, product
 from operator import and_
 from pathlib import PurePath
@@ -296,6 +296,7 @@ def _facet(nodes: Sequence[Node], value_of: Callable[[Node], str]) -> dict[str, 
     return {value: bits_of(numbers[value]) for value in sorted(numbers)}
 
 
+@lru_cache(1024)
 def overlay_name(overlay: str) -> str:
     """What an overlay is called in filters and on pages: the name of its file, without folder and suffix."""
     return PurePath(overlay).stem

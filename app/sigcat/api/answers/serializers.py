@@ -4,6 +4,7 @@ import datetime as dt
 import os
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from math import isfinite
 from typing import Any
 
@@ -56,6 +57,7 @@ def origin_schema(origin: Origin) -> schemas.Place:
     )
 
 
+@lru_cache(1024)
 def shown_file(file: str) -> str:
     """A file as readers know it: what sigcat ships is named from its folder on, wherever it is installed."""
     return plain_text(file.removeprefix(_SHIPPED))

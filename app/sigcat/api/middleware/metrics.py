@@ -27,6 +27,8 @@ class Metrics:
         self._requests = Counter(
             "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
         )
+        self._series: dict[tuple[str, str, int], tuple[Counter, Histogram]] = {}
+        """Of these both, the ones that were used: looking them up costs as much as counting."""
         self._seconds = Histogram(
             "sigcat_request_seconds", "From the first byte of a request to the last of its answer.", ("route",),
             buckets=_SECONDS, registry=self.registry,
@@ -44,8 +46,14 @@ class Metrics:
 
     def count(self, method: str, route: str, status: int, seconds: float) -> None:
         """Note one answered request. Methods that HTTP does not have are one: a client must not invent series."""
-        self._requests.labels(method if method in _METHODS else "(other)", route, str(status)).inc()
-        self._seconds.labels(route).observe(seconds)
+        series = self._series.get((method, route, status))
+        if series is None:
+            known = method if method in _METHODS else "(other)"
+            series = self._requests.labels(known, route, str(status)), self._seconds.labels(route)
+            if known == method:  # what a client invents is not remembered
+                self._series[method, route, status] = series
+        series[0].inc()
+        series[1].observe(seconds)
 
 
 class _Hosted(Collector):

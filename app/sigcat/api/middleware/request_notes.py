@@ -1,6 +1,6 @@
 """What is kept of each request: a count in the metrics, and a line in the log."""
 
-import logging
+from collections.abc import Callable
 from random import Random
 from typing import NamedTuple
 
@@ -10,7 +10,6 @@ NO_ROUTE = "(none)"
 _LONGEST_METHOD = 20
 _LONGEST_PATH = 500
 _ids = Random()  # noqa: S311 — an id names a request and keeps no secret; asking the system lets other threads go first
-_log = logging.getLogger("sigcat.requests")
 
 
 class Note(NamedTuple):
@@ -28,21 +27,20 @@ class Note(NamedTuple):
 
 
 class RequestNotes:
-    """Counts requests and logs them, each line within a bound, whatever a client sends."""
+    """Counts requests and hands notes of them to the log, each within a bound, whatever a client sends."""
 
-    def __init__(self, metrics: Metrics, *, is_logged: bool) -> None:
+    def __init__(self, metrics: Metrics) -> None:
         self._metrics = metrics
-        self._is_logged = is_logged
+        self.log: Callable[[Note], None] | None = None
+        """Where notes go; a server sets it."""
 
     def add(self, note: Note) -> None:
-        """Note a request. The log has the line as it is written, a mapping: the formatter makes JSON of it, once."""
+        """Note a request."""
         self._metrics.count(note.method, note.route, note.status, note.seconds)
-        if self._is_logged:
-            line = {
-                "request_id": note.request_id, "method": note.method[:_LONGEST_METHOD], "path": note.path[:_LONGEST_PATH],
-                "route": note.route, "status": note.status, "ms": round(note.seconds * 1000, 2), "client": note.client,
-            }  # fmt: skip
-            _log.info({**line, "refused": note.refused} if note.refused else line)
+        if self.log is not None:
+            if len(note.path) > _LONGEST_PATH or len(note.method) > _LONGEST_METHOD:
+                note = note._replace(path=note.path[:_LONGEST_PATH], method=note.method[:_LONGEST_METHOD])
+            self.log(note)
 
 
 def new_request_id() -> str:

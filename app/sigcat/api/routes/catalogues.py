@@ -99,7 +99,7 @@ def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
 @router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
 async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
-    return answer(request, serializers.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
+    return node_answer(request, hosted, path)
 
 
 @router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
@@ -238,6 +238,11 @@ def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Itera
         if field not in known:
             hint = did_you_mean(field[:PROPOSAL_CHARACTERS], sorted(known)) or f"Fields are {', '.join(sorted(known))}."
             raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
+
+
+def node_answer(request: Request, hosted: Hosted, path: str) -> Response:
+    """The node at a path. Raises NotFound with the nearest paths."""
+    return answer(request, serializers.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

@@ -1,0 +1,66 @@
+"""The log of requests: a line of JSON for each, written a few times in a second from a thread.
+
+Neither making lines nor a slow disk holds up answers. What is noted when the process ends is written first.
+"""
+
+import atexit
+import json
+import time
+from collections import deque
+from functools import lru_cache
+from threading import Event, Thread
+from typing import TextIO
+
+from sigcat.api.middleware.request_notes import Note
+
+TIME = "%Y-%m-%dT%H:%M:%S%z"
+_SECONDS = 0.05
+_MOST = 20_000
+"""Notes that wait, where nothing can be written; of more, the oldest are left out."""
+
+
+class RequestLines:
+    """Takes notes, and writes them."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._waiting: deque[tuple[float, Note]] = deque(maxlen=_MOST)
+        self._ended = Event()
+        self._thread = Thread(target=self._run, name="sigcat-log", daemon=True)
+        self._thread.start()
+        atexit.register(self.end)
+
+    def add(self, note: Note) -> None:
+        """Take a note."""
+        self._waiting.append((time.time(), note))
+
+    def end(self) -> None:
+        """Write what there is, and no more."""
+        self._ended.set()
+        self._thread.join()
+
+    def _run(self) -> None:
+        while not self._ended.wait(_SECONDS):
+            self._write()
+        self._write()
+
+    def _write(self) -> None:
+        lines = [line_of(*self._waiting.popleft()) for _ in range(len(self._waiting))]
+        if lines:
+            self._stream.write("".join(lines))
+            self._stream.flush()
+
+
+def line_of(seconds: float, note: Note) -> str:
+    """The line of a request that was answered at a time."""
+    fields = {
+        "time": _time(int(seconds)), "level": "info", "logger": "sigcat.requests", "request_id": note.request_id,
+        "method": note.method, "path": note.path, "route": note.route, "status": note.status,
+        "ms": round(note.seconds * 1000, 2), "client": note.client,
+    }  # fmt: skip
+    return json.dumps({**fields, "refused": note.refused} if note.refused else fields) + "\n"
+
+
+@lru_cache(2)
+def _time(seconds: int) -> str:
+    return time.strftime(TIME, time.localtime(seconds))

@@ -1,0 +1,60 @@
+"""A shortcut answers as the operation does that it leads around."""
+
+import pytest
+
+from sigcat.api.application import create_app
+from sigcat.api.routes.shortcuts import SHORTCUTS, Shortcut
+from sigcat.catalogue.hosting.library import Library
+from tests.api.conftest import SETTINGS, Ask, asker
+
+NODES = "/api/v1/catalogues/small/nodes"
+
+
+@pytest.fixture(scope="module")
+def without(library: Library) -> Ask:
+    """The same service, in which every request takes the long way."""
+    app = create_app(library, SETTINGS)
+    app.router.routes[:] = [route for route in app.router.routes if not isinstance(route, Shortcut)]
+    return asker(app)
+
+
+@pytest.mark.parametrize("accepted", ["*/*", "application/json", "application/yaml", "text/csv", "image/png"])
+@pytest.mark.parametrize(
+    "address",
+    [f"{NODES}/Vehicle.Speed", f"{NODES}/Vehicle", f"{NODES}/Vehicle.Sped", f"{NODES}/{'a' * 300}", f"{NODES}/%00",
+     f"{NODES}/Vehicle.Speed?colour=red", "/api/v1/catalogues/smal/nodes/Vehicle", f"/api/v1/catalogues/{'a' * 300}/nodes/Vehicle",
+     "/api/v1/catalogues/small~without.overlay/nodes/Vehicle.Speed", "/api/v1/catalogues/small@1/nodes/Vehicle.Speed", f"{NODES}/"],
+)  # fmt: skip
+def test_a_shortcut_changes_no_answer(ask: Ask, without: Ask, address: str, accepted: str) -> None:
+    short, long = (each(address, headers={"Accept": accepted}, follow_redirects=False) for each in (ask, without))
+    assert short.status_code == long.status_code
+    assert body(short) == body(long)
+    assert headers(short) == headers(long)
+
+
+@pytest.mark.parametrize("method", ["HEAD", "POST", "DELETE", "OPTIONS"])
+def test_other_methods_are_answered_alike(ask: Ask, without: Ask, method: str) -> None:
+    short, long = (each(f"{NODES}/Vehicle.Speed", method) for each in (ask, without))
+    assert (short.status_code, headers(short)) == (long.status_code, headers(long))
+
+
+def test_a_known_state_is_not_sent_again(ask: Ask, without: Ask) -> None:
+    known = {"If-None-Match": ask(f"{NODES}/Vehicle.Speed").headers["etag"]}
+    short, long = (each(f"{NODES}/Vehicle.Door", headers=known) for each in (ask, without))
+    assert (short.status_code, headers(short)) == (long.status_code, headers(long))
+    assert short.status_code == 304
+
+
+def test_every_shortcut_leads_around_an_operation(library: Library) -> None:
+    operations = create_app(library).openapi()["paths"]
+    assert all("get" in operations[shortcut.path] for shortcut in SHORTCUTS)
+
+
+def body(answer) -> object:
+    if answer.headers.get("content-type") != "application/problem+json":
+        return answer.content
+    return {key: value for key, value in answer.json().items() if key != "request_id"}
+
+
+def headers(answer) -> dict[str, str]:
+    return {key: value for key, value in answer.headers.items() if key not in ("x-request-id", "content-length")}
