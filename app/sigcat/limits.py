@@ -102,6 +102,15 @@ EXPRESSION_CHARACTERS = 1_000
 
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
+NAME_CHARACTERS = 300
+"""Characters of a name in a request: of a catalogue, a rule, a file."""
+
+PARAMETER_CHARACTERS = 2_000
+"""Characters of one parameter of a request, such as the path of a node."""
+
+PARAMETER_VALUES = 1_000
+"""Values of a parameter that may be given several times."""
+
 REQUEST_FUNCTIONS = 500
 """Functions in one request to the API."""
 

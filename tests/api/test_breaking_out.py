@@ -55,9 +55,9 @@ def test_no_cell_of_a_table_is_a_formula_and_no_row_is_forged(get: Ask, path: st
 @pytest.mark.parametrize("case", HOSTILE)
 def test_json_and_yaml_say_the_text_as_it_is(get: Ask, case: str) -> None:
     address = f"{API}/new/nodes?fields=path,description&q=n{list(HOSTILE).index(case)}"
-    (node,) = get(address).json()["nodes"]
+    (node,) = get(address).json()["rows"]
     assert node["description"] == HOSTILE[case]
-    assert yaml.safe_load(get(address, headers={"Accept": "application/yaml"}).text)["nodes"] == [node]
+    assert yaml.safe_load(get(address, headers={"Accept": "application/yaml"}).text)["rows"] == [node]
 
 
 def test_a_report_in_markdown_opens_no_markup(get: Ask) -> None:

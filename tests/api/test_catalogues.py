@@ -13,8 +13,8 @@ def test_the_default_catalogue_comes_first(ask: Ask) -> None:
 
 def test_a_catalogue_tells_its_layers_and_its_findings(ask: Ask) -> None:
     broken = ask("/api/v1/catalogues/broken").json()
-    assert broken["findings"]["error"] == 1
-    (problem,) = broken["problems"]
+    assert broken["finding_counts"]["errors"] == 1
+    (problem,) = broken["findings"]
     assert (problem["rule"], problem["line"], problem["path"]) == ("V001", 6, "Vehicle.Speed")
     assert "sensor" in problem["fix"]
     assert [layer["is_overlay"] for layer in ask(SMALL).json()["layers"]] == [False, True]
@@ -22,7 +22,7 @@ def test_a_catalogue_tells_its_layers_and_its_findings(ask: Ask) -> None:
 
 def test_a_node_has_children_unit_and_neighbours(ask: Ask) -> None:
     speed = ask(f"{SMALL}/nodes/Vehicle.Speed").json()
-    assert speed["unit"]["name"] == "kilometer per hour"
+    assert speed["unit_definition"]["name"] == "kilometer per hour"
     assert (speed["parent"], speed["previous"], speed["next"]) == ("Vehicle", None, "Vehicle.Door")
     door = ask(f"{SMALL}/nodes/Vehicle.Door").json()
     assert [child["name"] for child in door["children"]] == ["Left", "Right"]
@@ -58,9 +58,9 @@ def test_a_yaml_date_is_sent_as_text(ask: Ask) -> None:
 
 def test_the_tree_goes_down_to_the_depth_asked_for(ask: Ask) -> None:
     tree = ask(f"{SMALL}/tree", params={"path": "Vehicle.Door", "depth": 1}).json()
-    assert [child["children"] for child in tree["children"]] == [None, None]
-    assert [child["child_count"] for child in tree["children"]] == [1, 1]
-    assert ask(f"{SMALL}/tree?depth=0").json()["children"] is None
+    assert [child["subtrees"] for child in tree["subtrees"]] == [None, None]
+    assert [child["child_count"] for child in tree["subtrees"]] == [1, 1]
+    assert ask(f"{SMALL}/tree?depth=0").json()["subtrees"] is None
 
 
 def test_a_tree_beyond_the_limit_is_refused_with_what_to_do(ask: Ask) -> None:
@@ -71,7 +71,7 @@ def test_a_tree_beyond_the_limit_is_refused_with_what_to_do(ask: Ask) -> None:
 
 def test_search_takes_words_and_filters_and_counts_what_it_found(ask: Ask) -> None:
     page = ask(f"{SMALL}/search", params={"q": "speed", "deprecated": "no"}).json()
-    assert [node["path"] for node in page["nodes"]] == ["Vehicle.Speed"]
+    assert [node["path"] for node in page["hits"]] == ["Vehicle.Speed"]
     assert page["facets"]["type"] == {"sensor": 1}
     by_overlay = ask(f"{SMALL}/search", params={"overlay": "overlay", "type": "sensor"}).json()
     assert by_overlay["total"] == 2
@@ -81,7 +81,7 @@ def test_search_pages_by_cursor_until_the_end(ask: Ask) -> None:
     paths, cursor = [], ""
     while True:
         page = ask(f"{SMALL}/search", params={"q": "vehicle", "limit": 4} | ({"cursor": cursor} if cursor else {}))
-        paths += [node["path"] for node in page.json()["nodes"]]
+        paths += [node["path"] for node in page.json()["hits"]]
         cursor = page.json()["next_cursor"]
         if cursor is None:
             break
@@ -90,7 +90,7 @@ def test_search_pages_by_cursor_until_the_end(ask: Ask) -> None:
 
 def test_a_huge_limit_is_cut_to_what_the_service_gives(ask: Ask) -> None:
     page = ask(f"{SMALL}/search", params={"limit": 10**12}).json()
-    assert len(page["nodes"]) == 5
+    assert len(page["hits"]) == 5
     assert page["next_cursor"]
 
 

@@ -10,14 +10,14 @@ def test_a_diff_tells_each_change_with_its_class(ask: Ask) -> None:
     assert (diff["old"], diff["new"]) == ("bare", "small")
     by_path = {change["path"]: change for change in diff["changes"]}
     assert by_path["Vehicle.Function"]["kind"] == "added"
-    (datatype,) = [each for each in by_path["Vehicle.Speed"]["attributes"] if each["name"] == "datatype"]
-    assert (datatype["old"], datatype["new"]) == ("float", "double")
-    assert diff["summary"]["changes"] == len(diff["changes"])
+    (datatype,) = [each for each in by_path["Vehicle.Speed"]["attribute_changes"] if each["name"] == "datatype"]
+    assert (datatype["old_value"], datatype["new_value"]) == ("float", "double")
+    assert diff["summary"]["total"] == len(diff["changes"])
 
 
 def test_a_diff_shows_only_the_classes_that_are_asked_for(ask: Ask) -> None:
     diff = ask(f"{BARE}/diff?to=small&only=breaking&only=risky").json()
-    assert {change["class"] for change in diff["changes"]} <= {"breaking", "risky"}
+    assert {change["compatibility"] for change in diff["changes"]} <= {"breaking", "risky"}
 
 
 def test_a_diff_comes_as_release_notes_and_as_a_tree_of_text(ask: Ask) -> None:
@@ -46,8 +46,8 @@ def test_a_trial_tells_nodes_findings_and_changes_and_stores_nothing(ask: Ask) -
     trial = ask(f"{SMALL}/trial", "POST", content=b"Vehicle.Speed:\n  max: 100\n").json()
     assert trial["ok"]
     (node,) = trial["nodes"]
-    assert (node["path"], node["attributes"]["max"]) == ("Vehicle.Speed", 100)
-    assert trial["changes"][0]["class"] == "compatible"
+    assert (node["path"], node["values"]["max"]) == ("Vehicle.Speed", 100)
+    assert trial["changes"][0]["compatibility"] == "compatible"
     assert ask(SMALL).json()["digest"] == before
 
 

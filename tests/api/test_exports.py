@@ -77,8 +77,26 @@ def test_options_are_spelled_as_parameters(get: Ask) -> None:
 @pytest.mark.parametrize("query", ["prety=true", "pretty=perhaps", "types_output=a", "output=/etc/passwd"])
 def test_an_option_that_does_not_fit_is_refused_by_name(get: Ask, query: str) -> None:
     refused = get(f"{CLEAN}/export/json?{query}")
-    assert refused.status_code == 400
+    assert refused.status_code == 422
     assert query.partition("=")[0] in refused.json()["detail"]
+
+
+def test_an_option_of_another_format_is_refused_by_name(get: Ask) -> None:
+    assert "'pretty'" in get(f"{CLEAN}/export/yaml?pretty=true").json()["detail"]
+
+
+@pytest.mark.parametrize("query", ["pretty=false", "expand=true", "strict=no&expand=1", "pretty=FALSE"])
+def test_an_option_may_be_given_as_it_is_anyway(get: Ask, query: str) -> None:
+    assert get(f"{CLEAN}/export/json?{query}").content == get(f"{CLEAN}/export/json").content
+
+
+def test_a_flag_may_stand_alone(get: Ask) -> None:
+    assert get(f"{CLEAN}/export/json?pretty").content == get(f"{CLEAN}/export/json?pretty=true").content
+
+
+def test_a_list_is_given_by_repeating_it(get: Ask) -> None:
+    kept = get(f"{CLEAN}/export/json?extended_attributes=ASILlevel&extended_attributes=Other").json()
+    assert kept["Vehicle"]["children"]["Speed"]["ASILlevel"] == "B"
 
 
 def test_a_format_of_vss_tools_is_run_in_a_process_of_its_own(get: Ask) -> None:

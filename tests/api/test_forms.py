@@ -54,15 +54,15 @@ def test_a_cell_is_never_a_formula() -> None:
 
 def test_nodes_have_the_fields_that_are_asked_for(ask: Ask) -> None:
     page = ask(f"{SMALL}/nodes?fields=path,max,ASILlevel&type=sensor&limit=2").json()
-    assert page["nodes"][0] == {"path": "Vehicle.Speed", "max": 300, "ASILlevel": "B"}
-    assert (page["total"], len(page["nodes"])) == (3, 2)
+    assert page["rows"][0] == {"path": "Vehicle.Speed", "max": 300, "ASILlevel": "B"}
+    assert (page["total"], len(page["rows"])) == (3, 2)
     following = ask(f"{SMALL}/nodes?fields=path&type=sensor&limit=2&cursor={page['next_cursor']}").json()
-    assert [set(node) for node in following["nodes"]] == [{"path"}]
+    assert [set(node) for node in following["rows"]] == [{"path"}]
 
 
 def test_a_table_without_a_limit_has_every_node(ask: Ask) -> None:
     table = ask(f"{SMALL}/nodes?fields=path,unit", headers={"Accept": "text/csv"}).text
-    assert len(table.splitlines()) == 1 + ask(SMALL).json()["nodes"]
+    assert len(table.splitlines()) == 1 + ask(SMALL).json()["node_count"]
 
 
 def test_an_address_with_the_version_never_changes(ask: Ask) -> None:

@@ -2,12 +2,12 @@
 
 
 def test_the_process_lives(ask):
-    assert ask("/health/live").json() == {"status": "alive", "catalogues": {}}
+    assert ask("/health/live").json() == {"state": "alive", "digests": {}}
 
 
 def test_a_ready_service_tells_the_hash_of_each_catalogue(ask):
     answer = ask("/health/ready").json()
-    assert answer["status"] == "ready"
+    assert answer["state"] == "ready"
     listed = {entry["id"]: entry["digest"] for entry in ask("/api/v1/catalogues").json()["catalogues"]}
     assert listed
-    assert answer["catalogues"] == listed
+    assert answer["digests"] == listed

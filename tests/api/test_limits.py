@@ -85,6 +85,6 @@ def test_names_are_proposed_for_the_first_wrong_paths(wide: Ask) -> None:
 def test_of_very_many_wrong_keys_the_first_are_told_and_how_many_more_there_are(wide: Ask) -> None:
     text = "".join(f"k{number}: 1\n" for number in range(2_000))
     report = wide(f"{LINT}?kind=function", "POST", content=text.encode()).json()
-    assert report["counts"]["error"] == 1_001
+    assert report["finding_counts"]["errors"] == 1_001
     missing = 4
     assert f"{2_000 + missing - 1_000:,} more values are wrong" in " ".join(f["message"] for f in report["findings"])

@@ -106,7 +106,7 @@ def sound(tmp_path: Path) -> Ask:
 def test_an_exporter_refuses_options_that_it_does_not_have(sound: Ask) -> None:
     assert sound("/api/v1/catalogues/sound/export/json").status_code == 200
     answer = sound("/api/v1/catalogues/sound/export/json?colour=red")
-    assert answer.status_code == 400
+    assert answer.status_code == 422
     assert "colour" in answer.json()["detail"]
 
 

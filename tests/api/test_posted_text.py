@@ -28,7 +28,7 @@ def test_an_overlay_is_checked_over_the_catalogue(ask: Ask) -> None:
 
 def test_a_clean_overlay_has_no_findings(ask: Ask) -> None:
     text = b"Vehicle.Speed:\n  type: sensor\n  datatype: double\n  ASILlevel: B\n"
-    assert ask("/api/v1/lint", "POST", content=text).json()["counts"]["error"] == 0
+    assert ask("/api/v1/lint", "POST", content=text).json()["finding_counts"]["errors"] == 0
 
 
 def test_a_declaration_becomes_function_json(shipped: Ask) -> None:
@@ -61,7 +61,7 @@ def test_the_published_function_json_is_accepted_with_warnings(shipped: Ask) -> 
     content = published("function_model_core_acc.json")
     report = shipped("/api/v1/functions/validate", "POST", content=content).json()
     assert report["ok"]
-    assert report["counts"]["warning"]
+    assert report["finding_counts"]["warnings"]
 
 
 HOSTILE = {
@@ -123,6 +123,6 @@ def test_the_media_type_does_not_matter(ask: Ask, media_type: str) -> None:
 
 def test_a_function_that_is_posted_as_an_overlay_is_one_finding(shipped: Ask) -> None:
     report = shipped("/api/v1/lint?name=mine.yaml", "POST", content=DECLARATION).json()
-    assert report["counts"] == {"error": 1, "warning": 0, "info": 0}
+    assert report["finding_counts"] == {"errors": 1, "warnings": 0, "infos": 0}
     assert report["findings"][0]["message"] == "The text must be an overlay, not a function."
     assert report["findings"][0]["fix"] == "Check it with the kind `function`."

@@ -36,14 +36,14 @@ def bearer(secret: str) -> dict[str, str]:
 
 def test_a_reload_takes_the_new_state(mine: Ask, tree: Path) -> None:
     tree.write_text(TREE + SIGNAL)
-    assert mine(ADDRESS, "POST", headers=bearer(SECRET)).json()["nodes"] == 2
+    assert mine(ADDRESS, "POST", headers=bearer(SECRET)).json()["node_count"] == 2
     assert mine("/api/v1/catalogues/mine/nodes/Vehicle.Speed").status_code == 200
 
 
 def test_a_broken_edit_keeps_the_last_good_state_and_says_so(mine: Ask, tree: Path) -> None:
     tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
     answer = mine(ADDRESS, "POST", headers=bearer(SECRET)).json()
-    assert (answer["nodes"], answer["problems"]) == (1, [])
+    assert (answer["node_count"], answer["findings"]) == (1, [])
     assert [finding["rule"] for finding in answer["rejected"]] == ["V001"]
 
 

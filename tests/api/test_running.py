@@ -142,7 +142,7 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
 def nodes_at(port: int) -> int:
     """Nodes of the catalogue; none as long as nobody answers."""
     with suppress(httpx.TransportError):
-        return int(httpx.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own", timeout=DEADLINE).json()["nodes"])
+        return int(httpx.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own", timeout=DEADLINE).json()["node_count"])
     return 0
 
 
@@ -173,7 +173,7 @@ def test_pages_document_and_links_stand_below_the_path_that_a_proxy_offers(behin
         assert not [link for link in links if link.startswith("/") and not link.startswith("/signals")], page
     document = httpx.get(f"{behind_a_proxy.address}/openapi.json").json()
     assert document["servers"][0]["url"] == "/signals"
-    schemas = httpx.get(f"{behind_a_proxy.address}/api/v1/schemas").json()
+    schemas = httpx.get(f"{behind_a_proxy.address}/api/v1/schemas").json()["schemas"]
     assert all(address.startswith("/signals/api/v1/") for address in schemas)
     assert "/signals/static/sigcat.css" in httpx.get(f"{behind_a_proxy.address}/static/nope").text
 

@@ -76,7 +76,7 @@ def test_search_prints_a_node_in_each_line_for_pipes(capsys):
     assert len(output.out.splitlines()) == 2
     assert "2 of " in output.err
     assert main(["search", "wheel", "speed", "--limit", "2", "--format", "json"]) == 0
-    assert next(hit["instances"] for hit in json.loads(capsys.readouterr().out)) == 4
+    assert next(hit["instance_count"] for hit in json.loads(capsys.readouterr().out)) == 4
     assert main(["search", "wheel", "speed", "--limit", "2", "--instances"]) == 0
     assert capsys.readouterr().out.splitlines()[1] == "Vehicle.Chassis.Axle.Row1.Wheel.Right.Speed  sensor float km/h"
 

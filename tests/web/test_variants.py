@@ -21,7 +21,7 @@ def test_the_api_knows_the_catalogue_of_the_page(site: Ask) -> None:
     detail = site(f"{API}/{VARIANT}").json()
     assert (detail["id"], detail["title"]) == (VARIANT, "VSS 6.0 with function interfaces, without error, folded")
     assert (
-        detail["nodes"]
+        detail["node_count"]
         == len(site(f"{API}/{VARIANT}/nodes?fields=path", headers={"Accept": "text/csv"}).text.splitlines()) - 1
     )
     assert site(f"{API}/{VARIANT}/nodes/Vehicle.Chassis.Axle.Wheel.Speed").status_code == 200

@@ -46,7 +46,7 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 
 _log = logging.getLogger("sigcat")
 _ROUTERS = (
-    catalogues.listing, catalogues.router, changes.router, reloading.router, reloading.of_functions, viss.router, rules.router,
+    catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router,
 )  # fmt: skip
 
@@ -80,8 +80,8 @@ def create_app(
     app.router.routes.extend(SHORTCUTS)
     for router in _ROUTERS:
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
-    for router in (exports.router, *([metrics.router] if settings.metrics else [])):
-        app.include_router(router)  # exporters know their own options
+    for router in (exports.unknown_formats, *([metrics.router] if settings.metrics else [])):
+        app.include_router(router)
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)

@@ -29,7 +29,14 @@ def breaking_changes(old: Schema, new: Schema) -> list[str]:
         found += [f"{name}: {change}" for change in _parameters(before, operation, old, new)]
         found += [f"{name}: {change}" for change in _body(before, operation)]
         found += [f"{name}: {change}" for change in _responses(before, operation, old, new)]
+    if all(major(path) in majors for path, _, _ in operations(old)):
+        found += [f"The schema {name!r} is gone." for name in _schemas(old) if name not in _schemas(new)]
     return list(dict.fromkeys(found))
+
+
+def _schemas(document: Schema) -> Schema:
+    schemas: Schema = document.get("components", {}).get("schemas", {})
+    return schemas
 
 
 def major(path: str) -> str:
@@ -43,6 +50,8 @@ def _parameters(before: Schema, after: Schema, old: Schema, new: Schema) -> Iter
     later = {(each["in"], each["name"]): each for each in after.get("parameters", [])}
     for key in earlier.keys() - later.keys():
         yield f"the parameter {key[1]!r} is gone."
+    if [key for key in earlier if key in later] != [key for key in later if key in earlier]:
+        yield "the order of the parameters is another one."
     for key, parameter in later.items():
         known = earlier.get(key)
         if parameter.get("required") and not (known and known.get("required")):
@@ -81,7 +90,7 @@ def _responses(before: Schema, after: Schema, old: Schema, new: Schema) -> Itera
             if now is None:
                 yield f"the answer {status} is no longer {media_type}."
             else:
-                yield from _answered(content.get("schema", {}), now.get("schema", {}), old, new, f"{status} ")
+                yield from _answered(content.get("schema", {}), now.get("schema", {}), old, new, status)
 
 
 def _answered(before: Schema, after: Schema, old: Schema, new: Schema, at: str, depth: int = 0) -> Iterator[str]:
@@ -90,20 +99,20 @@ def _answered(before: Schema, after: Schema, old: Schema, new: Schema, at: str, 
     if depth > _DEEPEST or not was:
         return
     if _kinds(after, new) - _kinds(before, old):
-        yield f"{at}may be {_told(_kinds(after, new))} now; it was {_told(_kinds(before, old))}."
+        yield f"{at} may be {_told(_kinds(after, new))} now; it was {_told(_kinds(before, old))}."
     earlier, later = _values(before, old), _values(after, new)
     if earlier and (added := sorted((later or {"any text"}) - earlier)):
-        yield f"{at}may be {', '.join(added)} now."
+        yield f"{at} may be {', '.join(added)} now."
     for name, schema in was.get("properties", {}).items():
-        below = f"{at}{name} " if at.endswith(" ") else f"{at}.{name} "
+        below = f"{at}.{name}" if " " in at else f"{at} {name}"
         if name not in now.get("properties", {}):
-            yield f"{below}is gone."
+            yield f"{below} is gone."
             continue
         if name in was.get("required", []) and name not in now.get("required", []):
-            yield f"{below}may be absent now."
-        yield from _answered(schema, now["properties"][name], old, new, f"{below.strip()}.", depth + 1)
+            yield f"{below} may be absent now."
+        yield from _answered(schema, now["properties"][name], old, new, below, depth + 1)
     if "items" in was and "items" in now:
-        yield from _answered(was["items"], now["items"], old, new, f"{at.strip('. ')}[] ", depth + 1)
+        yield from _answered(was["items"], now["items"], old, new, f"{at}[]", depth + 1)
 
 
 def _resolved(schema: Schema, document: Schema) -> Schema:

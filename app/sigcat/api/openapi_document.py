@@ -9,6 +9,7 @@ from fastapi.openapi.utils import get_openapi
 
 from sigcat.api.answers.negotiation import JSON, YAML
 from sigcat.api.answers.problems import KINDS, PROBLEM
+from sigcat.api.openapi_shapes import answered, in_order, parameter, written
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.platforms.table import PLATFORMS
 
@@ -18,13 +19,16 @@ TAGS = {
     "catalogues": "Trees, nodes, search, units.",
     "changes": "What changed between two catalogues, and what an overlay would change.",
     "exports": "A catalogue in other formats.",
-    "rules": "The rules for names and fields.",
-    "lint": "Checks of a posted text.",
     "functions": "From the declaration of a function to Function JSON.",
     "integration": "From Function JSON to a platform.",
+    "lint": "Checks of a posted text.",
     "operation": "Health, and what an operator does.",
+    "rules": "The rules for names and fields.",
 }
-_EVERYWHERE = {401: "A token is needed, where the operator closed reading", 500: KINDS[500][1]}
+_EVERYWHERE = (422, 500, 503)
+"""Statuses of any operation: an unknown parameter, a failure, a service that stops or has too much to do."""
+_CLOSED = "A token is needed, where the operator closed reading"
+_RETRY_AFTER = {"Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}}}
 _FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
 LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
     "list_catalogues": {"get_catalogue": {"parameters": {"catalogue": "$response.body#/catalogues/0/id"}}},
@@ -33,9 +37,9 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
         "search_nodes": {"parameters": _FROM_CATALOGUE},
         "diff_catalogues": {"parameters": {**_FROM_CATALOGUE, "to": "$response.body#/id"}},
     },
-    "get_tree": {"get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/children/0/path"}}},
+    "get_tree": {"get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/subtrees/0/path"}}},
     "search_nodes": {
-        "get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/nodes/0/path"}},
+        "get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/hits/0/path"}},
         "search_nodes": {"parameters": {**_FROM_CATALOGUE, "cursor": "$response.body#/next_cursor"}},
     },
     "get_node": {"get_tree": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/path"}}},
@@ -62,7 +66,8 @@ def openapi_document(app: FastAPI) -> Document:
             description=app.description,
             routes=app.routes,
             tags=[{"name": name, "description": text} for name, text in TAGS.items()],
-            license_info={"name": "Apache 2.0", "identifier": "Apache-2.0"},
+            contact={"name": "The operator of the service"},
+            license_info={"name": "Apache 2.0", "url": "https://www.apache.org/licenses/LICENSE-2.0"},
             servers=[{"url": "/", "description": "Where the document comes from."}],
         )
         app.openapi_schema = completed(document)
@@ -73,10 +78,10 @@ def completed(document: Document) -> Document:
     """The document with problems in every operation, every form of an answer, and links. Changes its argument."""
     ids = {operation["operationId"] for _, _, operation in operations(document)}
     for path, _, operation in operations(document):
+        parameters = in_order(map(parameter, operation.get("parameters", ())), path)
+        operation.update({"parameters": parameters} if parameters else {})
         responses = operation["responses"]
-        if path.startswith("/api/"):
-            for status, text in _EVERYWHERE.items():
-                responses.setdefault(str(status), {"description": text, **deepcopy(PROBLEM)})
+        _add_problems(responses, is_open=not path.startswith("/api/"))
         for response in responses.values():
             _complete_forms(response)
         links = {name: link for name, link in LINKS.get(operation["operationId"], {}).items() if name in ids}
@@ -84,18 +89,28 @@ def completed(document: Document) -> Document:
             responses["200"]["links"] = {name: {"operationId": name, **link} for name, link in links.items()}
         operation["responses"] = dict(sorted(responses.items()))
     document["security"] = [{}, {"token": []}]
-    schemas = document["components"]["schemas"]
-    for unused in ("HTTPValidationError", "ValidationError"):
-        schemas.pop(unused, None)
-    schemas.update(_function_schemas())
-    document["components"]["schemas"] = dict(sorted(schemas.items()))
+    document["components"]["schemas"] = dict(sorted(_schemas(document["components"]["schemas"]).items()))
     return document
 
 
-def _function_schemas() -> dict[str, Any]:
-    """Function JSON as it is written, which FastAPI cannot see: the models write themselves."""
-    schema = FunctionJson.model_json_schema(by_alias=True, ref_template="#/components/schemas/{model}")
-    return {**schema.pop("$defs"), "FunctionJson": schema}
+def _schemas(made: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
+    """The schemas of answers. Function JSON is as it is written, which FastAPI cannot see: the models write themselves."""
+    unused = ("HTTPValidationError", "ValidationError")
+    function = FunctionJson.model_json_schema(by_alias=True, ref_template="#/components/schemas/{model}")
+    of_functions = {**function.pop("$defs"), "FunctionJson": function}
+    return {
+        **{name: answered(schema) for name, schema in made.items() if name not in unused},
+        **{name: written(schema) for name, schema in of_functions.items()},
+    }
+
+
+def _add_problems(responses: dict[str, Any], *, is_open: bool) -> None:
+    """The problems that any operation may answer with."""
+    for status in _EVERYWHERE:
+        responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
+    if not is_open:
+        responses.setdefault("401", {"description": _CLOSED, **deepcopy(PROBLEM)})
+    responses["503"]["headers"] = _RETRY_AFTER
 
 
 def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str, Any]]]:

@@ -62,9 +62,9 @@ def _line(hit: "Hit") -> str:
 def _json(hits: "tuple[Hit, ...]") -> str:
     import json
 
-    from sigcat.api.answers.serializers import found_node
+    from sigcat.api.answers.serializers import search_hit
 
-    return json.dumps([found_node(hit).model_dump(mode="json") for hit in hits], indent=2, ensure_ascii=False)
+    return json.dumps([search_hit(hit).model_dump(mode="json") for hit in hits], indent=2, ensure_ascii=False)
 
 
 def _say(result: "SearchResult") -> None:

@@ -76,4 +76,4 @@ def _data(trial: "Trial") -> dict[str, Any]:
 def _node_data(node: "Node") -> dict[str, Any]:
     from sigcat.catalogue.comparing.diff_report import plain
 
-    return {"path": node.path, "attributes": plain(dict(node.values))}
+    return {"path": node.path, "values": plain(dict(node.values))}

@@ -72,13 +72,13 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.ModeOutItem: _MODE,
     code.CodeSection: {key: f"Code: {target}" for key, target in {
         "signature": "Signature", "sources": "Sources", "headers": "Headers", "includeFolders": "IncludeFolders",
-        "definitions": "Definitions", "class": "ClassName", "storage": "Storage",
+        "definitions": "Macros", "class": "ClassName", "storage": "Storage",
     }.items()},
     code.ObjectItem: {key: f"Code: Objects: {target}" for key, target in {
         "name": "Name", "type": "Type", "member": "Member", "definedBy": "DefinedBy",
     }.items()},
     code.CheckpointItem: {key: f"functionList: Checkpoint: {target}" for key, target in {
-        "initial": "Initial", "final": "Final", "next": "Next",
+        "initial": "BeginsSequence", "final": "EndsSequence", "next": "Next",
     }.items()},
     yaml.ActiveMode: {
         "mode": "ModesList: Name", "description": "ModesList: Description", "runnables": "ModesList: RunnablesList",

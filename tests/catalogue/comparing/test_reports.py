@@ -23,32 +23,38 @@ def sides(tmp_path):
 def test_the_data_of_a_change():
     data = diff_data(changes(signal("Vehicle.A", max=10), signal("Vehicle.B", max=20, fka="[Vehicle.A]")))
     assert data == {
-        "summary": {"class": "breaking", "changes": 1, "breaking": 1, "risky": 0, "compatible": 0, "text": 0},
+        "summary": {"worst": "breaking", "total": 1, "breaking": 1, "risky": 0, "compatible": 0, "text": 0},
         "changes": [
             {
                 "kind": "moved",
-                "class": "breaking",
+                "compatibility": "breaking",
                 "rule": "moved",
                 "path": "Vehicle.B",
                 "former": "Vehicle.A",
                 "type": "sensor",
                 "paths": ["Vehicle.B"],
-                "formerPaths": ["Vehicle.A"],
+                "former_paths": ["Vehicle.A"],
                 "leaves": 1,
                 "evidence": "fka",
-                "isGuess": False,
-                "attributes": [
+                "is_guess": False,
+                "attribute_changes": [
                     {
                         "name": "description",
-                        "old": "Value of Vehicle.A.",
-                        "new": "Value of Vehicle.B.",
-                        "class": "text",
+                        "old_value": "Value of Vehicle.A.",
+                        "new_value": "Value of Vehicle.B.",
+                        "compatibility": "text",
                         "rule": "text",
                     },
-                    {"name": "max", "old": 10, "new": 20, "class": "risky", "rule": "range-widened"},
+                    {
+                        "name": "max",
+                        "old_value": 10,
+                        "new_value": 20,
+                        "compatibility": "risky",
+                        "rule": "range-widened",
+                    },
                 ],
-                "instancesCame": [],
-                "instancesWent": [],
+                "instances_came": [],
+                "instances_went": [],
                 "note": None,
             }
         ],
@@ -56,14 +62,14 @@ def test_the_data_of_a_change():
 
 
 def test_without_changes_there_is_no_worst_class():
-    assert diff_data(())["summary"]["class"] is None
+    assert diff_data(())["summary"]["worst"] is None
     assert text_report(()) == "No differences.\n"
     assert markdown_report((), "a", "b") == "# Changes from `a` to `b`\n\nNo differences.\n"
 
 
 def test_values_that_json_does_not_have_become_text():
     values = diff_data(changes(signal("Vehicle.A", x=".inf", y="2024-01-31"), signal("Vehicle.A")))
-    assert [attribute["old"] for attribute in values["changes"][0]["attributes"]] == ["inf", "2024-01-31"]
+    assert [attribute["old_value"] for attribute in values["changes"][0]["attribute_changes"]] == ["inf", "2024-01-31"]
     json.dumps(values, allow_nan=False)
 
 

@@ -123,7 +123,7 @@ def test_json_has_nodes_findings_and_changes(files, capsys):
     data = json.loads(capsys.readouterr().out)
     assert [node["path"] for node in data["nodes"]] == ["Vehicle.Speed"]
     assert data["findings"][0]["rule"] == "V003"
-    assert data["summary"]["class"] == "breaking"
+    assert data["summary"]["worst"] == "breaking"
 
 
 def test_an_overlay_can_come_from_standard_input(files, capsys, monkeypatch):

@@ -15,9 +15,9 @@ from sigcat_client.models import (
     CatalogueList,
     Diff,
     FunctionJson,
-    IntegrateFunctionsPlatform,
     LintReport,
     Node,
+    PlatformName,
     Problem,
     SearchPage,
     TreeNode,
@@ -45,12 +45,12 @@ def main(address: str, declaration: Path) -> None:
 def read(client: Client, catalogue: str) -> None:
     tree = get_tree.sync(catalogue, client=client, depth=2)
     assert isinstance(tree, TreeNode)
-    assert tree.children
+    assert tree.subtrees
     page = search_nodes.sync(catalogue, client=client, q="wheel speed", limit=5)
     assert isinstance(page, SearchPage)
-    node = get_node.sync(catalogue, page.nodes[0].path, client=client)
+    node = get_node.sync(catalogue, page.hits[0].path, client=client)
     assert isinstance(node, Node)
-    assert node.path == page.nodes[0].path
+    assert node.path == page.hits[0].path
     missing = get_node.sync(catalogue, "Vehicle.Sped", client=client)
     assert isinstance(missing, Problem)
     assert missing.nearest
@@ -66,7 +66,7 @@ def change(client: Client, catalogue: str) -> None:
     assert trial.changes[0].path == "Vehicle.Speed"
     diff = diff_catalogues.sync("vss", client=client, to=catalogue)
     assert isinstance(diff, Diff)
-    assert diff.summary.changes == len(diff.changes)
+    assert diff.summary.total == len(diff.changes)
 
 
 def build(client: Client, catalogue: str, declaration: Path) -> None:
@@ -77,7 +77,7 @@ def build(client: Client, catalogue: str, declaration: Path) -> None:
     report = validate_function.sync(client=client, body=file(document))
     assert isinstance(report, LintReport)
     assert report.ok, report.findings
-    platform = IntegrateFunctionsPlatform("autosar-adaptive")
+    platform = PlatformName("autosar-adaptive")
     integrated = integrate_functions.sync_detailed(platform, client=client, body=file(text))
     assert integrated.status_code == 200, integrated.content
     arxml = generate_arxml.sync_detailed(client=client, body=file(integrated.content))

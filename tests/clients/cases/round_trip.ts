@@ -19,13 +19,13 @@ const listed = answered(await sigcat.listCatalogues());
 const catalogue = listed.catalogues[0]!.id;
 
 const tree = answered(await sigcat.getTree({ path: { catalogue }, query: { depth: 2 } }));
-assert(tree.children!.length > 0);
+assert(tree.subtrees!.length > 0);
 const page = answered(await sigcat.searchNodes({ path: { catalogue }, query: { q: 'wheel speed', limit: 5 } }));
-const found = page.nodes[0]!.path;
+const found = page.hits[0]!.path;
 const node = answered(await sigcat.getNode({ path: { catalogue, path: found } }));
 assert.equal(node.path, found);
 const missing = await sigcat.getNode({ path: { catalogue, path: 'Vehicle.Sped' } });
-assert((missing.error as sigcat.Problem).nearest!.length > 0);
+assert((missing.error as sigcat.Problem).nearest.length > 0);
 
 const report = answered(await sigcat.lint({ body: file('Vehicle.Speed:\n  type: sensr\n') }));
 assert.equal(report.findings[0]!.line, 2);
@@ -33,7 +33,7 @@ const overlay = file('Vehicle.Speed:\n  type: sensor\n  datatype: float\n  unit:
 const trial = answered(await sigcat.tryOverlay({ path: { catalogue }, body: overlay }));
 assert.equal(trial.changes[0]!.path, 'Vehicle.Speed');
 const diff = answered(await sigcat.diffCatalogues({ path: { catalogue: 'vss' }, query: { to: catalogue } }));
-assert.equal(diff.summary.changes, diff.changes.length);
+assert.equal(diff.summary.total, diff.changes.length);
 
 const text = file(readFileSync(declaration));
 const built = answered(await sigcat.buildFunctionJson({ body: text, query: { catalogue } }));

@@ -7,7 +7,7 @@ def test_from_the_tree_to_a_node_to_a_lint(service: str) -> None:
     with httpx.Client(base_url=service) as client:
         (first, *_) = client.get("/api/v1/catalogues").json()["catalogues"]
         tree = client.get(f"/api/v1/catalogues/{first['id']}/tree").json()
-        leaf = next(child for child in tree["children"] if child["type"] == "sensor")
+        leaf = next(child for child in tree["subtrees"] if child["type"] == "sensor")
         node = client.get(f"/api/v1/catalogues/{first['id']}/nodes/{leaf['path']}").json()
         assert node["name"] == leaf["name"]
         report = client.post("/api/v1/lint", content=b"Vehicle.Speed:\n  type: sensr\n").json()

@@ -1,7 +1,6 @@
 """Every error as RFC 9457 problem details, `application/problem+json`."""
 
 import logging
-import re
 from collections.abc import Iterable
 from http import HTTPStatus
 from typing import Any
@@ -121,11 +120,9 @@ def _invalid(error: dict[str, Any]) -> Finding:
     name = where[-1] if where else ""
     pointer = "".join("/" + part.replace("~", "~0").replace("/", "~1") for part in where)
     reason = reason_of(error)
-    choices = re.fullmatch(r"\^\(([\w|]+)\)\$", str(error.get("ctx", {}).get("pattern", "")))
-    if choices:
-        reason = f"must be {choices[1].replace('|', ' or ')}"
     if error["type"] == "extra_forbidden":
-        return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Unknown parameter {name!r}.", pointer=pointer)
+        fix = error.get("ctx", {}).get("hint", "")
+        return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Unknown parameter {name!r}.", pointer=pointer, fix=fix)
     return codes.PARAMETER_THAT_DOES_NOT_FIT.finding(f"Parameter {name!r}: {reason}.", pointer=pointer)
 
 

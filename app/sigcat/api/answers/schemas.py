@@ -1,16 +1,66 @@
-"""One schema for each noun of the API."""
+"""One schema for each noun of the API.
 
-from typing import Any, Literal
+A name has one type wherever it stands, and is there always: generated clients have one class for each of these, and ask of no
+field whether it is there. `tests/api/test_contract_shape.py` has the rules.
+"""
+
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, RootModel
+from typing_extensions import TypeAliasType
 
-Compatibility = Literal["breaking", "risky", "compatible", "text"]
+from sigcat.limits import ANSWER_FINDINGS
+
+# -- enumerations and mappings: schemas with a name of their own, which generated clients would make up otherwise -----
+
+Severity = TypeAliasType(
+    "Severity", Annotated[Literal["error", "warning", "info"], Field(description="How bad a finding is.")]
+)
+Compatibility = TypeAliasType(
+    "Compatibility",
+    Annotated[
+        Literal["breaking", "risky", "compatible", "text"], Field(description="Whom a change breaks, the worst first.")
+    ],
+)
+ChangeKind = TypeAliasType(
+    "ChangeKind", Annotated[Literal["removed", "moved", "changed", "added"], Field(description="What happened.")]
+)
+ChangeEvidence = TypeAliasType(
+    "ChangeEvidence",
+    Annotated[
+        Literal["fka", "deprecation", "same definition"],
+        Field(description="What says that a node moved; `same definition` is a guess."),
+    ],
+)
+TextKind = TypeAliasType(
+    "TextKind", Annotated[Literal["overlay", "tree", "function"], Field(description="What a posted text is.")]
+)
+HealthState = TypeAliasType(
+    "HealthState", Annotated[Literal["alive", "ready"], Field(description="What a health check answers.")]
+)
+TypeCounts = TypeAliasType("TypeCounts", Annotated[dict[str, int], Field(description="Nodes by type.")])
+ValueCounts = TypeAliasType(
+    "ValueCounts", Annotated[dict[str, int], Field(description="Results by value of a filter.")]
+)
+Facets = TypeAliasType(
+    "Facets", Annotated[dict[str, ValueCounts], Field(description="How many results have each value of each filter.")]
+)
+NodeValues = TypeAliasType(
+    "NodeValues", Annotated[dict[str, Any], Field(description="Values of a node by name of the attribute.")]
+)
+RuleOptions = TypeAliasType("RuleOptions", Annotated[dict[str, Any], Field(description="What a check is told.")])
+CatalogueDigests = TypeAliasType(
+    "CatalogueDigests", Annotated[dict[str, str], Field(description="Content hash of each hosted catalogue by id.")]
+)
+VissNodes = TypeAliasType(
+    "VissNodes", Annotated[dict[str, Any], Field(description="Attributes of a node by its name, with `children`.")]
+)
 
 
 class Schema(BaseModel):
-    """Base of all: frozen, and closed to fields that it does not name."""
+    """Base of all: frozen, and made of the fields that it names."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", json_schema_serialization_defaults_required=True)
 
 
 class Place(Schema):
@@ -26,7 +76,7 @@ class Finding(Schema):
     """One problem in one place, and what to do about it."""
 
     rule: str
-    severity: Literal["error", "warning", "info"]
+    severity: Severity
     message: str
     file: str = ""
     line: int = Field(0, description="From 1; 0: the file as a whole.")
@@ -36,6 +86,10 @@ class Finding(Schema):
     fix: str = Field("", description="What to do; empty if the message already says it.")
 
 
+Findings = Annotated[list[Finding], Field(max_length=ANSWER_FINDINGS + 1)]
+"""Of very many the first, and a last one that says how many more there are."""
+
+
 class Problem(Schema):
     """RFC 9457 problem details, with findings that say what is wrong and where."""
 
@@ -43,8 +97,8 @@ class Problem(Schema):
     title: str
     status: int
     detail: str
-    findings: list[Finding] = Field(default_factory=list)
-    nearest: list[str] = Field(default_factory=list, description="Names that exist and are near the one asked for.")
+    findings: Findings
+    nearest: list[str] = Field(description="Names that exist and are near the one asked for.")
     request_id: str = Field(
         default="", description="What the log calls the request; also in the header `X-Request-Id`."
     )
@@ -53,9 +107,9 @@ class Problem(Schema):
 class FindingCounts(Schema):
     """How many findings there are of each severity."""
 
-    error: int = 0
-    warning: int = 0
-    info: int = 0
+    errors: int
+    warnings: int
+    infos: int
 
 
 class Layer(Schema):
@@ -63,7 +117,7 @@ class Layer(Schema):
 
     name: str
     is_overlay: bool
-    files: int
+    file_count: int
     digest: str
 
 
@@ -74,18 +128,18 @@ class CatalogueSummary(Schema):
     title: str
     digest: str = Field(description="SHA-256 of the content: equal for equal trees.")
     version: str = Field(description="Hash of all that is shown. Below `ID@VERSION` no address ever changes.")
-    nodes: int
-    types: dict[str, int] = Field(description="Nodes by type.")
+    node_count: int
+    types: TypeCounts
     roots: list[str]
-    findings: FindingCounts
+    finding_counts: FindingCounts
 
 
 class Catalogue(CatalogueSummary):
     """A hosted catalogue with its layers and everything that is wrong with it."""
 
     layers: list[Layer]
-    problems: list[Finding] = Field(description="Findings of the catalogue as it is served.")
-    rejected: list[Finding] = Field(description="Findings of a newer state that was therefore not taken.")
+    findings: Findings = Field(description="Findings of the catalogue as it is served.")
+    rejected: Findings = Field(description="Findings of a newer state that was therefore not taken.")
 
 
 class CatalogueList(Schema):
@@ -101,22 +155,25 @@ class FunctionFile(Schema):
     file: str
 
 
-class FunctionFiles(Schema):
+class FunctionFileList(Schema):
     """The functions that the service hosts, those of one's own first."""
 
     functions: list[FunctionFile]
 
 
 class NodeSummary(Schema):
-    """A node in a list."""
+    """A node in a list. Whatever has a node has these fields."""
 
     path: str
     name: str
     type: str
     datatype: str | None
-    unit: str | None
+    unit: str | None = Field(description="Key of the unit.")
     description: str
-    category: str | None = Field(description="Interface category: data, error, safety_reaction, mode or scheduling.")
+    category: str = Field(
+        description="Interface category: data, error, safety_reaction, mode or scheduling; empty for a branch that only "
+        "groups interfaces of a function."
+    )
     deprecated: bool
     child_count: int
 
@@ -171,51 +228,49 @@ class QuantityList(Schema):
     quantities: list[Quantity]
 
 
-class Node(Schema):
+class Node(NodeSummary):
     """Everything about one node."""
 
-    path: str
-    name: str
-    type: str
     template: str = Field(description="Path of the definition; for an instance, without the names of instances.")
-    category: str | None
     interface_name: str | None = Field(description="Name of the interface that the node stands for.")
     parent: str | None
     previous: str | None
     next: str | None
     origin: Place
-    unit: Unit | None
+    unit_definition: Unit | None = Field(description="The unit, if the catalogue knows it.")
     attributes: list[Attribute]
     children: list[NodeSummary]
 
 
 class TreeNode(NodeSummary):
-    """A node with what stands below it; `children` is null where the depth asked for ends."""
+    """A node with what stands below it."""
 
-    children: "list[TreeNode] | None"
+    subtrees: "list[TreeNode] | None" = Field(description="Its children; null where the depth asked for ends.")
 
 
-class FoundNode(NodeSummary):
-    """A hit of a search."""
+class SearchHit(NodeSummary):
+    """A node that a search found."""
 
-    instances: int = Field(description="How many nodes that share a definition were found; this is the first of them.")
+    instance_count: int = Field(
+        description="How many nodes that share a definition were found; this is the first of them."
+    )
 
 
 class SearchPage(Schema):
     """One page of search results, best first."""
 
     total: int = Field(description="How many hits there are.")
-    nodes: list[FoundNode]
-    facets: dict[str, dict[str, int]] = Field(description="How many results have each value of each filter.")
+    hits: list[SearchHit]
+    facets: Facets
     did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
     next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
-class NodeRows(Schema):
+class NodePage(Schema):
     """One page of nodes with the fields that were asked for."""
 
     total: int
-    nodes: list[dict[str, Any]] = Field(description="Value by field; a field that a node lacks is null.")
+    rows: list[NodeValues] = Field(description="Value by field; a field that a node lacks is null.")
     next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
@@ -223,37 +278,37 @@ class AttributeChange(Schema):
     """One attribute of a changed node; null stands for an attribute that is not there."""
 
     name: str
-    old: Any
-    new: Any
-    compatibility: Compatibility = Field(alias="class")
+    old_value: Any
+    new_value: Any
+    compatibility: Compatibility
     rule: str = Field(description="Row of the class table that decided.")
 
 
 class Change(Schema):
     """One change; equal changes of the instances of a branch are one."""
 
-    kind: Literal["removed", "moved", "changed", "added"]
-    compatibility: Compatibility = Field(alias="class")
+    kind: ChangeKind
+    compatibility: Compatibility
     rule: str = Field(description="Row of the class table that decided.")
     path: str = Field(description="Where the node is now, or was, if it is gone; of instances, without their names.")
     former: str | None = Field(description="Where the node was before, if it moved.")
     type: str
     paths: list[str] = Field(description="Every path that the change concerns; of a subtree, its topmost path.")
-    former_paths: list[str] = Field(alias="formerPaths")
+    former_paths: list[str] = Field(description="Where these paths were before, if they moved.")
     leaves: int = Field(description="Signals in the subtrees that came, went or moved with them.")
-    evidence: Literal["fka", "deprecation", "same definition"] | None
-    is_guess: bool = Field(alias="isGuess")
-    attributes: list[AttributeChange]
-    instances_came: list[str] = Field(alias="instancesCame")
-    instances_went: list[str] = Field(alias="instancesWent")
+    evidence: ChangeEvidence | None
+    is_guess: bool
+    attribute_changes: list[AttributeChange]
+    instances_came: list[str]
+    instances_went: list[str]
     note: str | None = Field(description="What the deprecation of a node that is gone said.")
 
 
 class ChangeCounts(Schema):
     """How many changes there are of each class."""
 
-    compatibility: Compatibility | None = Field(alias="class", description="The worst class; null without changes.")
-    changes: int
+    worst: Compatibility | None = Field(description="The worst class; null without changes.")
+    total: int
     breaking: int
     risky: int
     compatible: int
@@ -269,20 +324,20 @@ class Diff(Schema):
     changes: list[Change]
 
 
-class TriedNode(Schema):
+class TrialNode(Schema):
     """A node as it would be."""
 
     path: str
-    attributes: dict[str, Any]
+    values: NodeValues
 
 
 class Trial(Schema):
     """What an overlay would make of a catalogue. Nothing of it is stored."""
 
     ok: bool = Field(description="Whether the overlay brings no error.")
-    findings: list[Finding] = Field(description="What the overlay would add to the findings of the catalogue.")
+    findings: Findings = Field(description="What the overlay would add to the findings of the catalogue.")
     node_count: int = Field(description="Nodes that would be new or have other attributes.")
-    nodes: list[TriedNode] = Field(description="The first of them.")
+    nodes: list[TrialNode] = Field(description="The first of them.")
     summary: ChangeCounts
     changes: list[Change]
 
@@ -294,8 +349,8 @@ class RuleSummary(Schema):
     name: str
     title: str
     category: str
-    severity: Literal["error", "warning", "info"]
-    default: bool = Field(description="Whether the rule is on when nothing is configured.")
+    severity: Severity
+    on_by_default: bool = Field(description="Whether the rule is on when nothing is configured.")
 
 
 class Rule(RuleSummary):
@@ -303,7 +358,7 @@ class Rule(RuleSummary):
 
     why: str
     check: str
-    options: dict[str, Any]
+    options: RuleOptions
     fix: str
     good: list[Any]
     bad: list[Any]
@@ -320,14 +375,14 @@ class LintReport(Schema):
     """What the rules found in a posted text."""
 
     ok: bool = Field(description="Whether there is no error among the findings.")
-    counts: FindingCounts
-    findings: list[Finding]
+    finding_counts: FindingCounts
+    findings: Findings
 
 
 class VissMetadata(Schema):
     """Metadata of a node and of all below it, as VISS has it."""
 
-    metadata: dict[str, Any] = Field(description="The attributes of the node by its name, with `children`.")
+    metadata: VissNodes
     ts: str = Field(description="When it was answered.")
 
 
@@ -346,13 +401,32 @@ class VissRefusal(Schema):
     ts: str
 
 
-class SchemaAddresses(RootModel[list[str]]):
-    """Addresses of JSON Schemas, relative to the service."""
+class SchemaList(Schema):
+    """The JSON Schemas of the file formats for functions."""
 
-    model_config = ConfigDict(frozen=True)
+    schemas: list[str] = Field(description="Addresses, relative to the service.")
 
 
 class JsonSchema(RootModel[dict[str, Any]]):
     """A JSON Schema (2020-12)."""
 
     model_config = ConfigDict(frozen=True)
+
+
+class VssTree(RootModel[dict[str, Any]]):
+    """A tree as `vspec export json` writes it: each node by its name, with `children`."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class IntegrationJson(RootModel[dict[str, Any]]):
+    """Integration JSON; its JSON Schema is at `/api/v1/schemas/integration-PLATFORM.json`."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class Health(Schema):
+    """Answer of a health check."""
+
+    state: HealthState
+    digests: CatalogueDigests

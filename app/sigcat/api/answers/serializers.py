@@ -82,7 +82,7 @@ def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
 def finding_counts(findings: Iterable[Finding]) -> schemas.FindingCounts:
     """How many findings there are of each severity."""
     counts = Counter(finding.severity for finding in findings)
-    return schemas.FindingCounts(error=counts["error"], warning=counts["warning"], info=counts["info"])
+    return schemas.FindingCounts(errors=counts["error"], warnings=counts["warning"], infos=counts["info"])
 
 
 def catalogue_summary(hosted: Hosted) -> schemas.CatalogueSummary:
@@ -95,7 +95,7 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     return schemas.Catalogue(
         **_summary_fields(hosted),
         layers=[_layer(layer) for layer in hosted.catalogue.layers],
-        problems=listed_findings(hosted.catalogue.findings),
+        findings=listed_findings(hosted.catalogue.findings),
         rejected=listed_findings(hosted.rejected),
     )
 
@@ -105,9 +105,9 @@ def node_summary(node: Node) -> schemas.NodeSummary:
     return schemas.NodeSummary(**_node_fields(node))
 
 
-def found_node(hit: Hit) -> schemas.FoundNode:
-    """A hit of a search."""
-    return schemas.FoundNode(**_node_fields(hit.node), instances=hit.instances)
+def search_hit(hit: Hit) -> schemas.SearchHit:
+    """A node that a search found."""
+    return schemas.SearchHit(**_node_fields(hit.node), instance_count=hit.instances)
 
 
 def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
@@ -117,17 +117,14 @@ def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
     position = siblings.index(node.path)
     unit = catalogue.unit(node)
     return schemas.Node(
-        path=node.path,
-        name=node.name,
-        type=node.type,
+        **_node_fields(node),
         template=node.template,
-        category=category_of(node.path),
         interface_name=interface_name_of(node),
         parent=parent.path if parent else None,
         previous=siblings[position - 1] if position else None,
         next=siblings[position + 1] if position + 1 < len(siblings) else None,
         origin=origin_schema(catalogue.origin(node)),
-        unit=unit_schema(unit) if unit else None,
+        unit_definition=unit_schema(unit) if unit else None,
         attributes=attributes(node),
         children=[node_summary(child) for child in node.children],
     )
@@ -157,8 +154,8 @@ def attributes(node: Node) -> list[schemas.Attribute]:
 
 def tree_node(node: Node, depth: int) -> schemas.TreeNode:
     """A node and what stands below it, `depth` levels down."""
-    children = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
-    return schemas.TreeNode(**_node_fields(node), children=children)
+    subtrees = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
+    return schemas.TreeNode(**_node_fields(node), subtrees=subtrees)
 
 
 def unit_schema(unit: Unit) -> schemas.Unit:
@@ -181,16 +178,16 @@ def _summary_fields(hosted: Hosted) -> dict[str, Any]:
         "title": hosted.source.title,
         "digest": catalogue.digest,
         "version": version_of(hosted),
-        "nodes": len(catalogue.nodes),
+        "node_count": len(catalogue.nodes),
         "types": dict(Counter(plain_text(node.type) for node in catalogue.nodes.values())),
         "roots": [plain_text(root.path) for root in catalogue.roots],
-        "findings": finding_counts(catalogue.findings),
+        "finding_counts": finding_counts(catalogue.findings),
     }
 
 
 def _layer(layer: Layer) -> schemas.Layer:
     return schemas.Layer(
-        name=shown_file(layer.name), is_overlay=layer.is_overlay, files=len(layer.files), digest=layer.digest
+        name=shown_file(layer.name), is_overlay=layer.is_overlay, file_count=len(layer.files), digest=layer.digest
     )
 
 
@@ -202,7 +199,7 @@ def _node_fields(node: Node) -> dict[str, Any]:
         "datatype": _text(node.values.get("datatype")),
         "unit": _text(node.values.get("unit")),
         "description": _text(node.values.get("description")) or "",
-        "category": category_of(node.path),
+        "category": category_of(node.path) or "",
         "deprecated": bool(node.values.get("deprecation")),
         "child_count": len(node.children),
     }
@@ -235,12 +232,13 @@ def lint_report(findings: Iterable[Finding]) -> schemas.LintReport:
     """Findings as a report."""
     listed = tuple(findings)
     return schemas.LintReport(
-        ok=not has_errors(listed), counts=finding_counts(listed), findings=listed_findings(listed)
+        ok=not has_errors(listed), finding_counts=finding_counts(listed), findings=listed_findings(listed)
     )
 
 
 def _rule_fields(rule: Rule) -> dict[str, Any]:
-    return {name: getattr(rule, name) for name in schemas.RuleSummary.model_fields}
+    same = {name: getattr(rule, name) for name in ("id", "name", "title", "category", "severity")}
+    return {**same, "on_by_default": rule.default}
 
 
 def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
@@ -251,7 +249,7 @@ def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
         findings=listed_findings(trial.findings),
         node_count=len(trial.nodes),
         nodes=[
-            schemas.TriedNode(path=plain_text(node.path), attributes=plain(node.values))
+            schemas.TrialNode(path=plain_text(node.path), values=plain(node.values))
             for node in trial.nodes[:most_nodes]
         ],
         summary=schemas.ChangeCounts.model_validate(data["summary"]),

@@ -20,6 +20,7 @@ from sigcat.catalogue.hosting.variants import MARK, find_hosted
 from sigcat.catalogue.search import index_of
 from sigcat.errors import NotFound
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.limits import NAME_CHARACTERS
 
 __all__ = [
     "AnyCatalogue",
@@ -120,7 +121,7 @@ CatalogueId = Annotated[
         description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, without that overlay; with `~folded`, "
         "with instances as they were written; with `@VERSION`, of that state of it and no other.",
         examples=["interfaces"],
-        max_length=200,
+        max_length=NAME_CHARACTERS,
     ),
 ]
 
@@ -188,7 +189,8 @@ AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
 async def named_catalogue(
     request: Request,
     catalogue: Annotated[
-        str | None, Query(max_length=200, description="Id of a hosted catalogue; without it, the default one.")
+        str | None,
+        Query(max_length=NAME_CHARACTERS, description="Id of a hosted catalogue; without it, the default one."),
     ] = None,
 ) -> Hosted:
     """The hosted catalogue that a posted text is judged against."""
@@ -199,7 +201,7 @@ async def named_catalogue(
 NamedCatalogue = Annotated[Hosted, Depends(named_catalogue)]
 
 
-FileName = Annotated[str, Query(max_length=300, description="What findings call the text.")]
+FileName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="What findings call the text.")]
 
 
 async def posted_body(request: Request) -> AsyncIterator[bytes]:

@@ -1,12 +1,15 @@
 """Query parameters that an operation does not have are refused, in the same way by all of them: none is ignored silently."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from fastapi import Request
 from fastapi.dependencies.models import Dependant
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel
+
+from sigcat.limits import PROPOSAL_CHARACTERS
+from sigcat.names import did_you_mean
 
 
 def parameter_names(dependant: Dependant) -> Iterator[str]:
@@ -26,8 +29,15 @@ async def refuse_unknown(request: Request) -> None:
     known = set(parameter_names(request.scope["route"].dependant))
     unknown = dict.fromkeys(name for name in request.query_params if name not in known)
     if unknown:
-        raise RequestValidationError([_unknown(name[:100]) for name in unknown])
+        raise RequestValidationError([_unknown(name, known) for name in unknown])
 
 
-def _unknown(name: str) -> dict[str, Any]:
-    return {"type": "extra_forbidden", "loc": ("query", name), "msg": "Unknown parameter", "input": ""}
+def _unknown(name: str, known: Iterable[str]) -> dict[str, Any]:
+    hint = did_you_mean(name[:PROPOSAL_CHARACTERS], known)
+    return {
+        "type": "extra_forbidden",
+        "loc": ("query", name[:100]),
+        "msg": "Unknown parameter",
+        "input": "",
+        "ctx": {"hint": hint},
+    }

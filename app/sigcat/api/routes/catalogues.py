@@ -21,7 +21,7 @@ from sigcat.catalogue.search import FACETS, SearchResult
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound, UsageError
-from sigcat.limits import ANSWER_DEPTH, PROPOSAL_CHARACTERS
+from sigcat.limits import ANSWER_DEPTH, NAME_CHARACTERS, PARAMETER_CHARACTERS, PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean, nearest
 
 listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
@@ -30,7 +30,17 @@ _PAGE = 50
 _OWN_FIELDS = ("path", "name", "category")
 """Fields of a node that are no attributes."""
 
-NodePath = Annotated[str, Path(description="Path of a node.", examples=["Vehicle.Speed"])]
+NodePath = Annotated[
+    str, Path(description="Path of a node.", examples=["Vehicle.Speed"], max_length=PARAMETER_CHARACTERS)
+]
+
+
+Value = Annotated[str, Field(max_length=NAME_CHARACTERS)]
+"""A value of a filter."""
+
+
+_SAID = {True: "yes", False: "no"}
+"""What a filter calls a truth."""
 
 
 class SearchQuery(BaseModel):
@@ -41,26 +51,27 @@ class SearchQuery(BaseModel):
     q: str = Field(
         "",
         description="Words, in any order, of path, description or unit; a generated name; a static id.",
+        max_length=PARAMETER_CHARACTERS,
         examples=["wheel speed"],
     )
-    type: str | None = Field(None, description="branch, sensor, actuator, attribute, struct or property.")
-    datatype: str | None = Field(None, examples=["float"])
-    unit: str | None = Field(None, description="Key of a unit.", examples=["km/h"])
-    category: str | None = Field(None, description="data, error, safety_reaction, mode or scheduling.")
-    asil: str | None = Field(None, description="QM, A, B, C or D.")
-    overlay: str | None = Field(None, description="Name of the overlay that added or last changed the node.")
-    deprecated: str | None = Field(None, description="`yes` or `no`.", pattern="^(yes|no)$")
+    type: Value | None = Field(None, description="branch, sensor, actuator, attribute, struct or property.")
+    datatype: Value | None = Field(None, description="Datatype, as trees write it.", examples=["float"])
+    unit: Value | None = Field(None, description="Key of a unit.", examples=["km/h"])
+    category: Value | None = Field(None, description="data, error, safety_reaction, mode or scheduling.")
+    asil: Value | None = Field(None, description="QM, A, B, C or D.")
+    overlay: Value | None = Field(None, description="Name of the overlay that added or last changed the node.")
+    deprecated: bool | None = Field(None, description="Whether its use is deprecated.")
     instances: bool = Field(
         False, description="Each instance by itself; else those that share a definition are one result."
     )
     limit: int = Field(_PAGE, ge=1, description="Results in one page.")
-    cursor: str | None = Field(None, max_length=200, description="`next_cursor` of the page before.")
+    cursor: str | None = Field(None, max_length=NAME_CHARACTERS, description="`next_cursor` of the page before.")
 
     @property
     def filters(self) -> dict[str, str]:
         """Values by facet, of the filters that were given."""
         given = {facet: getattr(self, facet) for facet in FACETS}
-        return {facet: value for facet, value in given.items() if value is not None}
+        return {facet: _SAID.get(value, value) for facet, value in given.items() if value is not None}
 
 
 class RowQuery(SearchQuery):
@@ -73,7 +84,7 @@ class RowQuery(SearchQuery):
     fields: str = Field(
         "path,type,datatype,unit",
         description="Fields, separated by commas: `path`, `name`, `category`, or any attribute.",
-        max_length=1000,
+        max_length=PARAMETER_CHARACTERS,
         examples=["path,unit,min,max,ASILlevel"],
     )
 
@@ -107,7 +118,10 @@ def get_tree(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
-    path: Annotated[str | None, Query(description="Where the tree begins; without it, at the root.")] = None,
+    path: Annotated[
+        str | None,
+        Query(description="Where the tree begins; without it, at the root.", max_length=PARAMETER_CHARACTERS),
+    ] = None,
     depth: Annotated[int, Query(ge=0, le=ANSWER_DEPTH, description="Levels below the first node.")] = 1,
 ) -> Response:
     """A node and what stands below it, down to a depth."""
@@ -129,20 +143,20 @@ async def search_nodes(
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
     result, cursor = found(hosted, settings, query)
-    nodes = [serializers.found_node(hit) for hit in result.hits]
+    hits = [serializers.search_hit(hit) for hit in result.hits]
     page = schemas.SearchPage(
         total=result.total,
-        nodes=nodes,
+        hits=hits,
         facets={facet: dict(counts) for facet, counts in result.facets.items()},
         did_you_mean=list(result.did_you_mean),
         next_cursor=cursor,
     )
-    return answer(request, page, rows(nodes))
+    return answer(request, page, rows(hits))
 
 
 @router.get(
     "/nodes",
-    response_model=schemas.NodeRows,
+    response_model=schemas.NodePage,
     responses=offered("table") | problem_documentation(400, 404, 406, 422),
 )
 async def list_nodes(
@@ -156,7 +170,7 @@ async def list_nodes(
         return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
     result, cursor = found(hosted, settings, query)
     listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
-    return answer(request, schemas.NodeRows(total=result.total, nodes=listed, next_cursor=cursor), listed)
+    return answer(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
 
 
 @router.get(
@@ -202,7 +216,7 @@ def searched_state(hosted: Hosted, query: SearchQuery) -> str:
 
 def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
     """Values of a node by field: `path`, `name`, `category`, or any attribute."""
-    own = {"path": node.path, "name": node.name, "category": category_of(node.path)}
+    own = {"path": node.path, "name": node.name, "category": category_of(node.path) or ""}
     return [serializers.plain(own[field] if field in own else node.values.get(field)) for field in fields]
 
 

@@ -34,7 +34,7 @@ from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.comparing.diff_report import markdown_report, text_report
 from sigcat.catalogue.comparing.trial import try_overlay as tried
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.limits import Limits
+from sigcat.limits import NAME_CHARACTERS, PARAMETER_VALUES, Limits
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["changes"])
 
@@ -65,8 +65,13 @@ async def diff_catalogues(
     catalogue: CatalogueId,
     library: TheLibrary,
     queue: TheWorkQueue,
-    to: Annotated[str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=200)],
-    only: Annotated[list[schemas.Compatibility] | None, Query(description="Classes to show; all without it.")] = None,
+    to: Annotated[
+        str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=NAME_CHARACTERS)
+    ],
+    only: Annotated[
+        list[schemas.Compatibility] | None,
+        Query(max_length=PARAMETER_VALUES, description="Classes to show; all without it."),
+    ] = None,
 ) -> Response:
     """What changed from one hosted catalogue to another, and whom it breaks."""
     old, is_old_fixed = await catalogue_at(catalogue, library, queue)

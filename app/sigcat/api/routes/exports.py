@@ -1,104 +1,98 @@
-"""The route that exports a catalogue in any format."""
+"""The routes that export a catalogue: one for each format, with the options of that format and no others."""
 
 import io
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Annotated, Any, NamedTuple
 
-from fastapi import APIRouter, Path, Request
+from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response, StreamingResponse
 
+from sigcat.api.answers import schemas
 from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
+from sigcat.api.requests.export_options import export_query, given_options
+from sigcat.api.settings import Settings
+from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.exporting.export import exported, refuse_unfit
-from sigcat.catalogue.exporting.exporter import Exporter, Option
+from sigcat.catalogue.exporting.exporter import Exporter
 from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
 from sigcat.catalogue.exporting.files import zipped
-from sigcat.catalogue.exporting.options import option_named
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.errors import UsageError
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"])
+unknown_formats = APIRouter(prefix="/api/v1/catalogues/{catalogue}")
+"""Comes after the others, and takes whatever parameters are meant for a format that is not there."""
 
 _BLOCK = 256 * 1024
-_TRUTH = {"": True, "true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
-_TYPES: Mapping[str, dict[str, Any]] = {
-    "flag": {"type": "boolean"}, "switch": {"type": "boolean"}, "number": {"type": "integer"},
-    "texts": {"type": "array", "items": {"type": "string"}},
-}  # fmt: skip
+_ZIP = "application/zip"
+_BYTES = {"schema": {"type": "string", "format": "binary"}}
+_COUNTED = {"Sigcat-Warnings": {"description": "How many warnings there are.", "schema": {"type": "integer"}}}
 
 
-def _is_offered(option: Option) -> bool:
-    """Whether a request can give the option: those that name files of the machine it cannot."""
-    return option.kind in ("flag", "switch", "text", "name", "texts", "number", "choice")
+def _add_exporter(exporter: Exporter) -> None:
+    """The operation of a format: each has an address of its own, options of its own and a media type of its own."""
+    options = export_query(exporter)
+
+    async def export_catalogue(
+        request: Request,
+        hosted: TheCatalogue,
+        settings: TheSettings,
+        queue: TheExportQueue,
+        query: Annotated[options, Query()],  # type: ignore[valid-type]
+    ) -> Response:
+        given = given_options(query, exporter)
+        return await _export(request, hosted.catalogue, exporter, given, settings, queue)
+
+    router.get(
+        f"/export/{exporter.name}",
+        name=f"export_{exporter.name}",
+        description=f"The catalogue as {exporter.text}, byte for byte as `{exporter.same_as}` writes it.",
+        response_class=Response,
+        responses={200: _documentation(exporter), **problem_documentation(400, 404, 422, 503)},
+    )(export_catalogue)
 
 
-def _spelled(option: Option) -> str:
-    return option.name.replace("-", "_")
+def _documentation(exporter: Exporter) -> dict[str, Any]:
+    """What OpenAPI says of the answer."""
+    if exporter.stream is not None:
+        return {"description": "The file, sent while it is written.", "model": schemas.VssTree}
+    described = {"description": "The file.", "headers": _COUNTED}
+    if exporter.media_type == "application/schema+json":
+        return {**described, "content": {exporter.media_type: {"schema": {"$ref": "#/components/schemas/JsonSchema"}}}}
+    if exporter.is_folder:
+        return {**described, "description": "The files, as a zip.", "content": {_ZIP: _BYTES}}
+    is_text = exporter.media_type != "application/octet-stream"
+    content = {exporter.media_type: {"schema": {"type": "string"}} if is_text else _BYTES}
+    if exporter.has_types_beside:
+        content[_ZIP] = _BYTES
+        described["description"] = "The file; of a catalogue with struct types, a zip of several."
+    return {**described, "content": content}
 
 
-def _documentation() -> dict[str, Any]:
-    """Every option as a parameter, with the formats that take it."""
-    takers: dict[str, list[tuple[Exporter, Option]]] = {}
-    for exporter in EXPORTERS.values():
-        for option in filter(_is_offered, exporter.options):
-            takers.setdefault(_spelled(option), []).append((exporter, option))
-    return {"parameters": [_parameter(name, taken) for name, taken in takers.items()]}
+for each in EXPORTERS.values():
+    _add_exporter(each)
 
 
-def _parameter(name: str, taken: list[tuple[Exporter, Option]]) -> dict[str, Any]:
-    option = taken[0][1]
-    schema = dict(_TYPES.get(option.kind, {"type": "string"}))
-    if option.choices and option.kind == "texts":
-        schema["items"] = {"type": "string", "enum": list(option.choices)}
-    elif option.choices:
-        schema["enum"] = list(option.choices)
-    formats = "every format" if len(taken) > len(EXPORTERS) - 3 else ", ".join(exporter.name for exporter, _ in taken)
-    description = f"{option.text[:1].upper()}{option.text[1:]} ({formats})."
-    return {"name": name, "in": "query", "required": False, "description": description, "schema": schema}
+@unknown_formats.get("/export/{format}", include_in_schema=False)
+def refuse_format(format: str) -> None:  # noqa: A002 - the name in the address
+    """Raises NotFound with the formats that may have been meant."""
+    exporter_named(format)
 
 
-def _content_schema(media_type: str) -> dict[str, str]:
-    return {"type": "object"} if media_type.endswith("json") else {"type": "string", "format": "binary"}
-
-
-_MEDIA_TYPES = tuple(dict.fromkeys(exporter.media_type for exporter in EXPORTERS.values()))
-
-
-@router.get(
-    "/export/{format}",
-    response_class=Response,
-    responses={
-        200: {
-            "description": "The file, byte for byte as `vspec export` writes it; of a folder or several files, a zip.",
-            "content": {media_type: {"schema": _content_schema(media_type)} for media_type in _MEDIA_TYPES},
-            "headers": {
-                "Sigcat-Warnings": {
-                    "description": "How many warnings there are; JSON, which is sent while it is written, has none.",
-                    "schema": {"type": "integer"},
-                }
-            },
-        },
-        **problem_documentation(400, 404, 422, 503),
-    },
-    openapi_extra=_documentation(),
-)
-async def export_catalogue(
+async def _export(
     request: Request,
-    hosted: TheCatalogue,
-    settings: TheSettings,
-    queue: TheExportQueue,
-    format: Annotated[str, Path(description=f"One of {', '.join(EXPORTERS)}.", examples=["json"], max_length=100)],  # noqa: A002 - the name in the address
+    catalogue: Catalogue,
+    exporter: Exporter,
+    options: Mapping[str, Any],
+    settings: Settings,
+    queue: ClientQueue,
 ) -> Response:
-    """A catalogue in another format. JSON is sent while it is written."""
-    exporter = exporter_named(format)
-    options = _options(exporter, request.query_params.multi_items())
-    catalogue = hosted.catalogue
+    """The files of an export. JSON is sent while it is written."""
     if request.state.is_head:
         refuse_unfit(catalogue, exporter)
-        media_type = "application/zip" if exporter.is_folder else exporter.media_type
-        return Response(media_type=media_type, headers=caching_headers(request))
+        return Response(media_type=exporter.media_type, headers=caching_headers(request))
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
@@ -122,31 +116,8 @@ def _exported(catalogue: Catalogue, format_name: str, options: Mapping[str, Any]
     exporter = exporter_named(format_name)
     if exporter.is_folder or len(files) > 1:
         name = f"{catalogue.roots[0].name}-{exporter.name}.zip"
-        return _OneFile(name, "application/zip", zipped(files), len(findings))
+        return _OneFile(name, _ZIP, zipped(files), len(findings))
     return _OneFile(files[0].name, exporter.media_type, files[0].data, len(findings))
-
-
-def _options(exporter: Exporter, given: Iterable[tuple[str, str]]) -> dict[str, Any]:
-    """Options as the exporter takes them. Raises UsageError for one that it does not have."""
-    known = {_spelled(option): option for option in exporter.options if _is_offered(option)}
-    options: dict[str, Any] = {}
-    for name, text in given:
-        option = option_named(name, known, exporter)
-        value = _value(option, text)
-        options[option.name] = [*options.get(option.name, []), value] if option.kind == "texts" else value
-    return options
-
-
-def _value(option: Option, text: str) -> Any:
-    if option.kind in ("flag", "switch"):
-        if text.lower() not in _TRUTH:
-            raise UsageError(f"{_spelled(option)} must be true or false, not {text[:80]!r}.")
-        return _TRUTH[text.lower()]
-    if option.kind == "number":
-        if not (text.isascii() and text.isdecimal() and len(text) < 10):
-            raise UsageError(f"{_spelled(option)} must be a whole number, not {text[:80]!r}.")
-        return int(text)
-    return text
 
 
 def _sent(

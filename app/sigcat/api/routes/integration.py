@@ -9,19 +9,19 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
-from pydantic import AfterValidator
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.requests.dependencies import NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.requests.enumerations import enumeration
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
-from sigcat.limits import Limits
-from sigcat.names import either
+from sigcat.limits import NAME_CHARACTERS, Limits
+from sigcat.names import camel_case
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Integrated, Platform
@@ -36,15 +36,9 @@ _BODY = (
 )
 
 
-def _known(name: str) -> str:
-    if name not in PLATFORMS:
-        raise ValueError(f"must be {' or '.join(PLATFORMS)}, not {name[:100]!r}")
-    return name
-
-
-PlatformName = Annotated[
-    str, Path(description="The platform.", json_schema_extra={"enum": list(PLATFORMS)}), AfterValidator(_known)
-]
+_PLATFORM = enumeration("PlatformName", PLATFORMS, "A platform.")
+PlatformName = Annotated[_PLATFORM, Path(description="The platform.")]  # type: ignore[valid-type]
+_COUNTED = {"Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}}
 _ZIP = {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
 _MOMENT = (1980, 1, 1, 0, 0, 0)
 """Time of every file in an archive: the same request gives the same bytes."""
@@ -54,14 +48,8 @@ _MOMENT = (1980, 1, 1, 0, 0, 0)
     "/integrate/{platform}",
     response_class=Response,
     responses={
-        200: {
-            "description": "The Integration JSON, or with `archive` a zip of it, the report and the findings.",
-            "content": {"application/json": {"schema": {"type": "object"}}, **_ZIP},
-            "headers": {
-                "Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}
-            },
-        },
-        **problem_documentation(400, 404, 413, 415, 422, 503),
+        200: {"model": schemas.IntegrationJson, "description": "The Integration JSON.", "headers": _COUNTED},
+        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
 )
@@ -71,35 +59,48 @@ async def integrate_functions(
     settings: TheSettings,
     queue: TheWorkQueue,
     platform: PlatformName,
-    name: Annotated[str, Query(max_length=300, description="What findings call the text.")] = "function.yaml",
-    archive: Annotated[bool, Query(description="Answer with a zip that has the report and the findings too.")] = False,
+    name: FileName = "function.yaml",
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, archive=archive)
+    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits)
+
+
+@router.post(
+    "/integrate/{platform}/archive",
+    response_class=Response,
+    responses={
+        200: {"description": "A zip of Integration JSON, report and findings.", "content": _ZIP, "headers": _COUNTED},
+        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+    },
+    openapi_extra=text_body(_BODY, DECLARATION),
+)
+async def integrate_functions_archive(
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    queue: TheWorkQueue,
+    platform: PlatformName,
+    name: FileName = "function.yaml",
+) -> Response:
+    """Derive the Integration JSON of a function or a set of functions, with the report of every field and the findings."""
+    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, archive=True)
 
 
 def _add_generator(platform: Platform, generator: Generator) -> None:
     """The route of a generator: each has an address of its own."""
 
-    def known_release(release: str | None) -> str | None:
-        if release is not None and release not in generator.releases:
-            raise ValueError(f"must be {either(generator.releases)}, not {release[:100]!r}")
-        return release
+    releases = enumeration(
+        f"{camel_case(generator.name)}Release", generator.releases, f"A release of {platform.title}."
+    )
 
     async def generate_files(
         text: PostedText,
         settings: TheSettings,
         queue: TheWorkQueue,
-        name: Annotated[
-            str, Query(max_length=300, description="What findings call the text.")
-        ] = f"{platform.name}.json",
+        name: FileName = f"{platform.name}.json",
         release: Annotated[
-            str | None,
-            Query(
-                description="Release of the platform; that of the Integration JSON if absent.",
-                json_schema_extra={"enum": list(generator.releases)},
-            ),
-            AfterValidator(known_release),
+            releases | None,  # type: ignore[valid-type]
+            Query(description="Release of the platform; that of the Integration JSON if absent."),
         ] = None,
     ) -> Response:
         return await queue.run(_generated, generator, text, name, settings.limits, release)
@@ -111,7 +112,7 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
         response_class=Response,
         responses={
             200: {"description": f"The {generator.title} files as a zip.", "content": _ZIP},
-            **problem_documentation(413, 415, 422, 503),
+            **problem_documentation(408, 413, 415, 422, 503),
         },
         openapi_extra=text_body(f"The Integration JSON of {platform.title}.", ""),
     )(generate_files)
@@ -122,23 +123,23 @@ for each in PLATFORMS.values():
         _add_generator(each, one)
 
 
-@router.get("/schemas", responses=problem_documentation(404))
-def list_schemas(request: Request) -> schemas.SchemaAddresses:
+@router.get("/schemas")
+def list_schemas(request: Request) -> schemas.SchemaList:
     """Addresses of the JSON Schemas of every file format for functions."""
     below = request.scope.get("root_path", "").rstrip("/")
-    return schemas.SchemaAddresses([f"{below}{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
+    return schemas.SchemaList(schemas=[f"{below}{router.prefix}/schemas/{name}.json" for name in SCHEMAS])
 
 
 @router.get("/schemas/{name}.json", responses=problem_documentation(404))
 def get_schema(
-    name: Annotated[str, Path(description="Name of the format.", examples=["function"])],
+    name: Annotated[str, Path(description="Name of the format.", examples=["function"], max_length=NAME_CHARACTERS)],
 ) -> schemas.JsonSchema:
     """The JSON Schema (2020-12) of a file format."""
     return schemas.JsonSchema(schema(name))
 
 
 def _integrated(
-    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, archive: bool
+    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, archive: bool = False
 ) -> Response:
     posted = posted_functions(text, name, limits, deployment=True)
     functions, findings = read_functions(posted.files, catalogue, limits)

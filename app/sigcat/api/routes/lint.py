@@ -1,6 +1,6 @@
 """The route that lints a posted text."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from fastapi import APIRouter, Query
 from fastapi.responses import Response
@@ -27,7 +27,6 @@ from sigcat.rules.linting.posted import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 
-Kind = Literal["overlay", "tree", "function"]
 _BODY = f"An overlay, a tree or a function, as it stands in its file; or, as functions, a set: {SET}."
 _EXAMPLE = """\
 Vehicle.Speed:
@@ -51,7 +50,8 @@ async def lint(
     settings: TheSettings,
     queue: TheWorkQueue,
     kind: Annotated[
-        Kind, Query(description="An overlay over the catalogue, a tree by itself, or functions.")
+        schemas.TextKind,
+        Query(description="An overlay over the catalogue, a tree by itself, or functions."),
     ] = "overlay",
     name: FileName = "posted.vspec",
 ) -> Response:
@@ -60,7 +60,9 @@ async def lint(
     return Response(report, media_type=JSON)
 
 
-def _report(kind: Kind, text: bytes, name: str, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> bytes:
+def _report(
+    kind: schemas.TextKind, text: bytes, name: str, catalogue: Catalogue, rules: ServiceRules, limits: Limits
+) -> bytes:
     if kind == "function":
         findings = check_posted(text, name, catalogue, limits)
     else:

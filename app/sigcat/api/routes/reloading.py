@@ -31,7 +31,7 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
     responses=problem_documentation(401, 403, 503),
     dependencies=list(needs("reload")),
 )
-async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFiles:
+async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFileList:
     """Read the function files of the configured folders again. What is wrong with one, its page says."""
     files = await queue.run_here(functions.reload)
-    return schemas.FunctionFiles(functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files])
+    return schemas.FunctionFileList(functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files])

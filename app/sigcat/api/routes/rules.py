@@ -10,10 +10,11 @@ from sigcat.api.answers.negotiation import answer, offered, rows
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import rule_detail, rule_summary
 from sigcat.api.requests.dependencies import TheRules
+from sigcat.limits import NAME_CHARACTERS
 
 router = APIRouter(prefix="/api/v1/rules", tags=["rules"])
 
-RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"])]
+RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"], max_length=NAME_CHARACTERS)]
 
 
 @router.get("", response_model=schemas.RuleList, responses=offered("table") | problem_documentation(406))

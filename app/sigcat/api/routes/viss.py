@@ -18,6 +18,7 @@ from sigcat.api.answers.problems import PROBLEM, problem_documentation
 from sigcat.api.answers.serializers import plain, plain_text
 from sigcat.api.requests.dependencies import TheCatalogue, TheSettings
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.limits import PARAMETER_CHARACTERS
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"])
 
@@ -38,9 +39,12 @@ def get_viss_metadata(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
-    path: Annotated[str, Path(description="Path of a node, with slashes.", examples=["Vehicle/Speed"])],
+    path: Annotated[
+        str,
+        Path(description="Path of a node, with slashes.", examples=["Vehicle/Speed"], max_length=PARAMETER_CHARACTERS),
+    ],
     filter: Annotated[  # noqa: A002 - the name that VISS gives it
-        str, Query(description="The filter of VISS, as JSON.", examples=[_EXAMPLE], max_length=1000)
+        str, Query(description="The filter of VISS, as JSON.", examples=[_EXAMPLE], max_length=PARAMETER_CHARACTERS)
     ] = "",
 ) -> Response:
     """Metadata of a node and of all below it, in the form of VISS."""

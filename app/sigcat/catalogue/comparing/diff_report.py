@@ -72,8 +72,8 @@ def diff_data(changes: Sequence[Change]) -> dict[str, Any]:
     counts = _counts(changes)
     return {
         "summary": {
-            "class": worst(change.compatibility for change in changes) if changes else None,
-            "changes": len(changes),
+            "worst": worst(change.compatibility for change in changes) if changes else None,
+            "total": len(changes),
             **counts,
         },
         "changes": [_change_data(change) for change in changes],
@@ -210,19 +210,19 @@ def _shown(value: Any) -> str:
 def _change_data(change: Change) -> dict[str, Any]:
     return {
         "kind": change.kind,
-        "class": change.compatibility,
+        "compatibility": change.compatibility,
         "rule": change.rule,
         "path": change.path,
         "former": change.former or None,
         "type": change.type,
         "paths": list(change.paths),
-        "formerPaths": list(change.former_paths),
+        "former_paths": list(change.former_paths),
         "leaves": change.leaves,
         "evidence": change.evidence or None,
-        "isGuess": change.is_guess,
-        "attributes": [_attribute_data(attribute) for attribute in change.attributes],
-        "instancesCame": list(change.came),
-        "instancesWent": list(change.went),
+        "is_guess": change.is_guess,
+        "attribute_changes": [_attribute_data(attribute) for attribute in change.attributes],
+        "instances_came": list(change.came),
+        "instances_went": list(change.went),
         "note": change.note or None,
     }
 
@@ -230,9 +230,9 @@ def _change_data(change: Change) -> dict[str, Any]:
 def _attribute_data(attribute: AttributeChange) -> dict[str, Any]:
     return {
         "name": attribute.name,
-        "old": plain(attribute.old),
-        "new": plain(attribute.new),
-        "class": attribute.compatibility,
+        "old_value": plain(attribute.old),
+        "new_value": plain(attribute.new),
+        "compatibility": attribute.compatibility,
         "rule": attribute.rule,
     }
 

@@ -58,6 +58,8 @@ class Exporter(NamedTuple):
     """The command that writes the same bytes, such as `vspec export csv`."""
     needs_types: bool = False
     """Whether it exports struct types and nothing else."""
+    has_types_beside: bool = False
+    """Whether it writes struct types into files of their own, beside the main one."""
     output_also: tuple[str, ...] = ()
     """Other spellings of `--output` on the command line, with their dashes: those of vss-tools."""
 

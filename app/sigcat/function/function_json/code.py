@@ -13,11 +13,11 @@ DEFINED_BY = (
 MEMBERS = "Members of the struct in C, where their names are not those of the catalogue."
 
 
-class Definition(WireModel):
-    """A definition of the preprocessor that the sources are compiled with."""
+class Macro(WireModel):
+    """A macro of the preprocessor that the sources are compiled with."""
 
     name: str = described("Name", "Name of the macro.", source=OWN)
-    value: str | None = own("Value", "Its value; absent if it has none.")
+    value: str | None = own("Replacement", "Its value; absent if it has none.")
 
 
 class CodeObject(WireModel):
@@ -43,7 +43,7 @@ class CodeInterface(WireModel):
     include_folders: tuple[str, ...] | None = own(
         "IncludeFolders", "Folders in which headers are searched, relative to the declaration.", strict=False
     )
-    definitions: tuple[Definition, ...] | None = own("Definitions", "Definitions of the preprocessor.", strict=False)
+    definitions: tuple[Macro, ...] | None = own("Macros", "Macros of the preprocessor.", strict=False)
     class_name: str | None = own("ClassName", "Name of the C++ class, with its namespaces.")
     storage: str | None = own(
         "Storage", "Key-value storage of the parameters that name none; absent if it has the name of the function."
@@ -63,8 +63,8 @@ class Member(WireModel):
 class Checkpoint(WireModel):
     """A call in the graph of the logical supervision."""
 
-    initial: bool | None = own("Initial", "Whether a sequence begins with the call.")
-    final: bool | None = own("Final", "Whether a sequence may end with the call.")
+    initial: bool | None = own("BeginsSequence", "Whether a sequence begins with the call.")
+    final: bool | None = own("EndsSequence", "Whether a sequence may end with the call.")
     next: tuple[str, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
 
 

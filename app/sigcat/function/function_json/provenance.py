@@ -1,8 +1,15 @@
 """What a document was made from."""
 
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import Field
+from typing_extensions import TypeAliasType
 
 from sigcat.function.function_json.wire import OWN, WireModel, described
+
+VspecAttributes = TypeAliasType(
+    "VspecAttributes", Annotated[dict[str, Any], Field(description="Attributes by name, as in a vspec file.")]
+)
 
 
 class CatalogueLayer(WireModel):
@@ -16,7 +23,7 @@ class DefinedInterface(WireModel):
     """An interface that the declaration itself defines, as an overlay would have it."""
 
     path: str = described("Path", "Path of the interface in the catalogue.", source=OWN)
-    attributes: dict[str, Any] = described("Attributes", "Its attributes, as in a vspec file.", source=OWN)
+    attributes: VspecAttributes = described("Attributes", "Its attributes, as in a vspec file.", source=OWN)
 
 
 class Provenance(WireModel):

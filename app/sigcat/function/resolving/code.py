@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from sigcat.function.declaration.code_section import CheckpointItem, CodeSection, ObjectItem
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.code import Checkpoint, CodeInterface, CodeObject, Definition, Member
+from sigcat.function.function_json.code import Checkpoint, CodeInterface, CodeObject, Macro, Member
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.part import Part, listed, written
@@ -17,8 +17,7 @@ def code_interface(item: CodeSection, at: Pointer) -> Part[CodeInterface]:
         sources=tuple(item.sources) or None,
         headers=tuple(item.headers) or None,
         include_folders=tuple(item.include_folders) or None,
-        definitions=tuple(Definition(name=name, value=_text(value)) for name, value in item.definitions.items())
-        or None,
+        definitions=tuple(Macro(name=name, value=_text(value)) for name, value in item.definitions.items()) or None,
         class_name=item.class_name,
         storage=item.storage,
         objects=tuple(map(_object, item.objects)) or None,

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 _ATTRIBUTES = Option("attr", "texts", "attribute to show at each node; may be repeated")
 _JSON_SCHEMA = (
     EXPAND,
-    ALL_ATTRIBUTES,
     PRETTY,
+    ALL_ATTRIBUTES,
     Option("no-additional-properties", "flag", "allow no properties that the tree does not have"),
     Option("require-all-properties", "flag", "require every property of the tree"),
 )
@@ -118,8 +118,10 @@ def _exporter(name: str, text: str, suffix: str, media_type: str, options: tuple
     return Exporter(name, text, suffix, media_type, options, _run, same_as=f"vspec export {name}", **rest)
 
 
-def _file(name: str, text: str, suffix: str, media_type: str, *options: Option) -> Exporter:
-    return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS))
+def _file(
+    name: str, text: str, suffix: str, media_type: str, *options: Option, has_types_beside: bool = False
+) -> Exporter:
+    return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS), has_types_beside=has_types_beside)
 
 
 def _folder(
@@ -132,9 +134,9 @@ VSS_TOOLS = (
     _file("yaml", "YAML, one entry for each node", ".yaml", "application/yaml", EXPAND, TYPES_OUTPUT, ALL_ATTRIBUTES, KEEP_INSTANCES),
     _file("csv", "table of all nodes", ".csv", "text/csv", *_CSV),
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
-    _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID),
+    _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
     _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES),
-    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF),
+    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True),
     _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2")),
     _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file")),
     _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
