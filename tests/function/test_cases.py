@@ -46,10 +46,12 @@ def test_nothing_is_found_wrong_with_it_as_a_declaration_or_as_function_json(nam
 
 @pytest.mark.parametrize("platform", PLATFORMS)
 @pytest.mark.parametrize("name", FUNCTIONS.names)
-def test_each_field_that_it_has_goes_into_the_integration_or_the_report_says_why_not(name, platform):
+def test_each_field_goes_into_an_integration_of_the_published_form_or_the_report_says_why_not(name, platform):
     checked = checked_file(source(name), "function.yaml", interfaces())
     assert checked.function is not None
-    report = integrate(PLATFORMS[platform], [resolved(checked.function)]).report
+    made = integrate(PLATFORMS[platform], [resolved(checked.function)])
+    jsonschema.validate(json.loads(made.document), schema(platform.replace("-", "_")))
+    report = made.report
     assert [entry for entry in report if entry.target == NOT_CARRIED and not entry.note] == []
     assert "no field of Function JSON that sigcat knows" not in {entry.note for entry in report}
 

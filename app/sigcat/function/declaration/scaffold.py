@@ -99,11 +99,8 @@ components:
         parameters:
           - path: Vehicle.Function.__NAME__.Parameter.Gain
             variable: par.gain
-        errors:
-          - __NAME___SpeedTimeout_ErrorSts
-          - {interface: __NAME___AliveError_ErrorSts, reset: restart}
-        safetyReactions:
-          - {interface: __NAME__Invalid_SftyCondSts, variable: in.isInvalid}
+        errors: [__NAME___SpeedTimeout_ErrorSts, {interface: __NAME___AliveError_ErrorSts, reset: restart}]
+        safetyReactions: [{interface: __NAME__Invalid_SftyCondSts, variable: in.isInvalid}]
       - __NAME___Terminate
 
 modes:

@@ -61,11 +61,8 @@ def missing_in(parts: Iterable[Part[T]]) -> tuple[Subject, ...]:
 def written(item: DeclarationModel, at: Pointer) -> Mapping[str | int, Origin]:
     """Origins of the fields that the author wrote, by their names in Function JSON."""
     names = _names(type(item))
-    return {
-        wire: _written((*at, key), getattr(item, field))
-        for field, (key, wire) in names.items()
-        if field in item.model_fields_set
-    }
+    given = ((*names[field], getattr(item, field)) for field in item.model_fields_set)
+    return {wire: _written((*at, key), value) for key, wire, value in given}
 
 
 def listed(items: Sequence[DeclarationModel], at: Pointer) -> Origin:
@@ -75,9 +72,11 @@ def listed(items: Sequence[DeclarationModel], at: Pointer) -> Origin:
 
 def _written(at: Pointer, value: Any) -> Origin:
     """A field with its parts, but for lists of parts with resolvers of their own. A mapping is a list in Function JSON."""
+    if not isinstance(value, DeclarationModel | list | dict):
+        return Origin(at)
     if isinstance(value, DeclarationModel):
         return Origin(at, written(value, at))
-    keys = range(len(value)) if isinstance(value, list) else value if isinstance(value, dict) else ()
+    keys = range(len(value)) if isinstance(value, list) else value
     return Origin(at, {index: Origin((*at, key)) for index, key in enumerate(keys)})
 
 
