@@ -22,6 +22,15 @@ def test_no_compiler_warns(example, language, tmp_path):
     compiler = toolchain().c if language == "c99" else toolchain().cpp
     source = ROOT / "examples" / CORES[example]
     kind = "c" if language == "c99" else "c++"
-    command = [*compiler, f"-std={language}", *STRICT, f"-I{ROOT / 'examples' / example}", "-x", kind, "-c", str(source)]
+    command = [
+        *compiler,
+        f"-std={language}",
+        *STRICT,
+        f"-I{ROOT / 'examples' / example}",
+        "-x",
+        kind,
+        "-c",
+        str(source),
+    ]
     done = subprocess.run([*command, "-o", str(tmp_path / "core.o")], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
