@@ -17,9 +17,12 @@ from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.cli import main as sigcat
+from sigcat.errors import InputRefused
 from sigcat.function.code_files import is_on_disk
-from sigcat.function.function_file import checked_file
+from sigcat.function.declaration.scaffold import SCHEMA_FILE
+from sigcat.function.function_file import check_function, checked_file
 from sigcat.function.function_json.model import to_json
+from sigcat.function.importing.import_code import Imported, import_code
 from sigcat.function.sets.check_set import check_functions
 
 ROOT = Path(__file__).parents[1]
@@ -99,6 +102,39 @@ def findings_of_function() -> str:
     return lines(finding.line_of_text for finding in found)
 
 
+def function_of_code() -> str:
+    """The function.yaml of C code."""
+    return imported(Path.cwd()).text
+
+
+def findings_of_code() -> str:
+    """What is found in C code, what its author has to do, and what is then wrong with the function.yaml."""
+    made = imported(Path.cwd())
+    found = check_function(made.text.encode(), "function.yaml", _interfaces())
+    return lines([
+        *(finding.line_of_text for finding in made.findings),
+        f"{made.summary}",
+        *(f"To do: {line}" for line in made.to_do),
+        *(finding.line_of_text for finding in found),
+    ])  # fmt: skip
+
+
+def refusal_of_code() -> str:
+    """Why C code cannot be imported."""
+    try:
+        imported(Path.cwd())
+    except InputRefused as error:
+        return lines([*(finding.line_of_text for finding in error.findings), str(error)])
+    raise AssertionError("the code was imported")
+
+
+@cache
+def imported(case: Path) -> Imported:
+    """The code of a case, with the name of its function, and perhaps that of the model, in `options`."""
+    name, *model = shlex.split((case / "options").read_text(encoding="utf-8"))
+    return import_code(name, Path("code"), Path(), _interfaces(), SCHEMA_FILE, *model)
+
+
 @cache
 def _interfaces() -> Catalogue:
     """The shipped tree with the overlays of interfaces."""
@@ -111,7 +147,12 @@ OLDER_RELEASES = Cases("tests/catalogue/hosting/older", "expected.txt", findings
 CHANGES = Cases("tests/catalogue/comparing/cases", "expected.txt", changes)
 FUNCTIONS = Cases("tests/function/cases", "expected.json", function_json)
 BAD_FUNCTIONS = Cases("tests/function/bad", "expected.txt", findings_of_function)
-ALL = (LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES, FUNCTIONS, BAD_FUNCTIONS)
+CODE = Cases("tests/function/importing/cases", "expected.yaml", function_of_code)
+CODE_FINDINGS = Cases("tests/function/importing/cases", "expected.txt", findings_of_code)
+CODE_REFUSED = Cases("tests/function/importing/refused", "expected.txt", refusal_of_code)
+ALL = (
+    LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES, FUNCTIONS, BAD_FUNCTIONS, CODE, CODE_FINDINGS, CODE_REFUSED,
+)  # fmt: skip
 
 
 def files() -> Mapping[str, str]:

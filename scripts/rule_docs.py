@@ -20,6 +20,7 @@ _CATEGORIES: Mapping[str, str] = {
     "scheduling": "Scheduling interfaces",
     "function": "Function files",
     "code": "C code of functions",
+    "read_code": "Import of C code",
     "portable_names": "Portable names",
     "integration": "Integration with a platform",
     "adapter": "Adapters",

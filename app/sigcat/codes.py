@@ -193,6 +193,19 @@ CONFIGURATION_UNUSABLE = RuleCode("L012", "error")
 GLOB_MATCHES_NOTHING = RuleCode("O001", "warning")
 TOO_MANY_WILDCARDS = RuleCode("O002", "error")
 
+# read_code
+CODE_UNREADABLE = RuleCode("S001", "warning")
+CODE_MISSING = RuleCode("S002", "error")
+CODE_UNPARSED = RuleCode("S003", "error")
+CALLS_NOT_FOUND = RuleCode("S004", "error")
+CALLS_OF_SEVERAL_MODELS = RuleCode("S005", "error")
+INCLUDE_NOT_FOUND = RuleCode("S006", "warning")
+CODE_INVALID = RuleCode("S007", "warning")
+WORD_SIZES_CHECKED = RuleCode("S008", "info")
+CALL_NOT_EXPRESSIBLE = RuleCode("S009", "warning")
+DIRECTION_UNKNOWN = RuleCode("S010", "warning")
+VALUE_LEFT_OUT = RuleCode("S011", "warning")
+
 # reading
 NOT_YAML = RuleCode("R001", "error")
 NOT_UTF_8 = RuleCode("R002", "error")

@@ -100,6 +100,26 @@ FUNCTION_PROBLEMS = 1_000
 EXPRESSION_CHARACTERS = 1_000
 """Characters of a C expression that a value is held in (`variable`)."""
 
+# -- C code that is imported -------------------------------------------------------------------------------------------
+
+CODE_FILES = 2_000
+"""Files of C code in a folder; a generated model has some dozen."""
+
+CODE_FILE_BYTES = 16 * 1024 * 1024
+"""Bytes of one file of C code; a larger one is left out."""
+
+CODE_BYTES = 64 * 1024 * 1024
+"""Bytes of C code that are read of a folder."""
+
+CODE_SECONDS = 60
+"""Seconds in which a folder of C code has to be parsed, whatever its macros expand to."""
+
+CODE_MEGABYTES = 2_048
+"""Megabytes of memory that the parser of C code may take."""
+
+CODE_VALUES = 2_000
+"""Inputs, outputs and parameters that are imported of one model; elements of an array count once."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

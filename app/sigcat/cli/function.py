@@ -33,13 +33,26 @@ def _add_new(actions: Actions) -> None:
     starting = actions.add_parser(
         "new",
         help="a function.yaml to start from",
-        description="Write a function.yaml that builds, and the JSON Schema that it names, by which editors complete it.",
+        description=(
+            "Write a function.yaml that builds, and the JSON Schema that it names, by which editors complete it. With "
+            "--from-c, it is made from C or C++ code, such as Simulink Coder generates: calls, inputs, outputs, parameters, "
+            "and paths of the catalogue where they are certain."
+        ),
     )
     starting.add_argument("name", metavar="NAME", help="name of the function, CamelCase")
-    add_output(starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME)")
+    add_output(
+        starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME, or that of --from-c)"
+    )
+    starting.add_argument(
+        "--from-c", type=Path, metavar="FOLDER", help="read the code in this folder (needs the package libclang)"
+    )
+    starting.add_argument(
+        "--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models"
+    )
     starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
     )
+    add_tree_options(starting)
     starting.set_defaults(run=new)
 
 
@@ -101,20 +114,38 @@ def build(arguments: argparse.Namespace) -> int:
 
 
 def new(arguments: argparse.Namespace) -> int:
-    """Write the scaffold; a file that is there already is never written over."""
+    """Write the scaffold, or what is made from code; a file that is there already is never written over."""
     from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
 
-    text = scaffold(arguments.name, arguments.schema or SCHEMA_FILE)
-    folder = arguments.output or Path(arguments.name)
+    schema = arguments.schema or SCHEMA_FILE
+    folder = arguments.output or arguments.from_c or Path(arguments.name)
     file = folder / "function.yaml"
     if file.exists():
         raise UsageError(f"{file} is there already")
+    text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
     folder.mkdir(parents=True, exist_ok=True)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     write_text(text, file)
-    print(f"{file}: build it with `sigcat function build {file}`", file=sys.stderr)
+    advice = (
+        f"check it with `sigcat lint {folder}`" if arguments.from_c else f"build it with `sigcat function build {file}`"
+    )
+    print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
+    """The text that is made from code; what was found goes to standard error. Raises InputRefused."""
+    from sigcat.function.importing.import_code import import_code
+
+    catalogue = read_tree(arguments)
+    made = import_code(arguments.name, arguments.from_c, folder, catalogue, schema, arguments.model or "")
+    for finding in made.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    print(f"{arguments.from_c}: {made.summary}", file=sys.stderr)
+    for line in made.to_do:
+        print(f"To do: {line}", file=sys.stderr)
+    return made.text
 
 
 def overlay(arguments: argparse.Namespace) -> int:

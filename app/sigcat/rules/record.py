@@ -20,7 +20,9 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding, Severity, in_order
 from sigcat.rules.record_faults import REQUIRED, Scope, faults_of
 
-MAKERS = frozenset(("adapter", "composition", "configuration", "export", "function", "integration", "lint", "request"))
+MAKERS = frozenset((
+    "adapter", "composition", "configuration", "export", "function", "import", "integration", "lint", "request",
+))  # fmt: skip
 """Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""
 
 

@@ -36,7 +36,10 @@ def _complete(function: FunctionJson) -> Problems:
     for i, component in enumerate(function.components):
         subject = Subject("component", component.name)
         names = [runnable.name for runnable in component.runnables]
-        lacking = [call for call in _COMPLETE if not any(name.endswith(call) for name in names)]
+        needed = (
+            _COMPLETE if function.code is None else ("Step",)
+        )  # code without init or terminate says so by their absence
+        lacking = [call for call in needed if not any(name.endswith(call) for name in names)]
         if lacking:
             message = f"Component {component.name!r} must have an Init, a Step and a Terminate call; it has no {either(lacking)}."
             yield Problem(codes.CALLS_INCOMPLETE, ("ComponentList", i), message, "", subject, cause=subject)

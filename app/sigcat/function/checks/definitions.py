@@ -32,7 +32,9 @@ def _is_entry(node: DefinedNode) -> bool:
 
 
 def used_by(function: FunctionJson) -> Iterator[str]:
-    """Paths and names of everything that a function refers to."""
+    """Paths and names of everything that a function refers to. Code may have no init and no terminate."""
+    if function.code is not None:
+        yield from (f"{function.info.function_name}_{call}" for call in ("Init", "Terminate"))
     for located in (*data(function), *parameters(function), *errors(function), *safety_reactions(function)):
         yield located[2].vss_path or ""
         yield from _named(located[2])

@@ -119,13 +119,23 @@ modes:
 
 def scaffold(name: str, schema: str = SCHEMA_FILE) -> str:
     """The text for a function of this name; `schema` is the address of its JSON Schema. Raises UsageError."""
+    return _TEXT.replace("__SCHEMA__", checked_schema(schema)).replace(_MARK, checked_name(name))
+
+
+def checked_name(name: str) -> str:
+    """A name that a function may have. Raises UsageError."""
     if not _NAME.fullmatch(name):
         better = camel_case(name)
         hint = f": {better!r}, for example" if _NAME.fullmatch(better) else ""
         raise UsageError(f"The name of a function must be CamelCase, not {name!r}{hint}")
+    return name
+
+
+def checked_schema(schema: str) -> str:
+    """An address that the first line of the file may have. Raises UsageError."""
     if not _ADDRESS.fullmatch(schema):
         raise UsageError(f"The address of a schema must be printable ASCII without spaces, not {schema!r}")
-    return _TEXT.replace("__SCHEMA__", schema).replace(_MARK, name)
+    return schema
 
 
 def schema_text() -> str:

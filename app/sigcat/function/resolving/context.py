@@ -12,6 +12,7 @@ from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.function.function_json.type_list import TypeList
+from sigcat.function.resolving.meant_signals import MeantSignals
 from sigcat.names import last_name
 
 T = TypeVar("T")
@@ -42,6 +43,11 @@ class Context:
     hint: Hints = field(default_factory=Hints)
     signals: Mapping[str, str] = field(default_factory=dict)
     """Names of the signals that the function consumes, by their paths."""
+
+    @cached_property
+    def meant(self) -> MeantSignals:
+        """Proposals for paths that the catalogue does not have."""
+        return MeantSignals(self.catalogue)
 
     @cached_property
     def types(self) -> TypeList:

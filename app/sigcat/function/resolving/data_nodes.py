@@ -6,6 +6,7 @@ from sigcat.catalogue.model.interfaces import category_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.meant_signals import is_to_be_chosen
 from sigcat.names import last_name
 
 
@@ -32,9 +33,15 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
         message, fix = f"{path!r} must name an instance.", f"Name one, such as {instance!r}."
     else:
         message = f"The catalogue has no signal {path!r}."
-        fix = _defined(path, context) or context.hint(path, context.catalogue.nodes)
-        fix = fix or context.hint(path, context.own_parameters) or "Define it under `define`, or in an overlay."
+        fix = _defined(path, context) or context.meant(path) or _spelled_alike(path, context)
+        fix = fix or "Define it under `define`, or in an overlay."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
+
+
+def _spelled_alike(path: str, context: Context) -> str:
+    if is_to_be_chosen(path):
+        return ""
+    return context.hint(path, context.catalogue.nodes) or context.hint(path, context.own_parameters)
 
 
 def _defined(name: str, context: Context) -> str:

@@ -1,0 +1,62 @@
+"""Code in a C++ class: inputs, outputs and parameters are its members, which have to be public."""
+
+from collections.abc import Iterator
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.function.c_project.calls import Group
+from sigcat.function.c_project.declarations import CClass, CFunction, Member
+from sigcat.function.c_project.project import Interface
+from sigcat.function.c_project.roles import Role, role_of
+from sigcat.function.c_project.values import Code, Value, values_of
+
+
+def class_interface(group: Group, code: Code) -> Interface:
+    """The interface in the members of the class."""
+    owner = group.owner
+    assert owner is not None
+    found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
+    findings = list(_with_arguments(group.functions))
+    for member in owner.members:
+        role = _role(member, code)
+        if role in found:
+            getter = _getter(owner, member) if not member.public and role == "output" else ""
+            found[role] += _values(getter or member.name, member, owner, code)
+            if not member.public and not getter:
+                findings.append(_private(member, role))
+    return Interface(tuple(found["input"]), tuple(found["output"]), tuple(found["parameter"]), findings=tuple(findings))
+
+
+def _role(member: Member, code: Code) -> Role:
+    return role_of(member.name, member.type.name, code.heading(member.place)) if member.type.kind == "record" else ""
+
+
+def _values(expression: str, member: Member, owner: CClass, code: Code) -> Iterator[Value]:
+    start = next(
+        (each.value for each in code.declarations.variables if each.name == f"{owner.name}::{member.name}"), None
+    )
+    return values_of(expression, member.type, member.place, code, start)
+
+
+def _getter(owner: CClass, member: Member) -> str:
+    """A call of the public method that returns the struct: `getExternalOutputs()`."""
+    for method in owner.methods:
+        if method.public and not method.parameters and method.result.target.key == member.type.key:
+            return f"{method.name}()" if method.result.kind in ("record", "pointer") else ""
+    return ""
+
+
+def _private(member: Member, role: Role) -> Finding:
+    message = f"{member.name!r} must be public: the adapter cannot reach an {role} that is private."
+    message = message.replace("an parameter", "a parameter")
+    fix = "Generate the class with public data members (Code Mappings, Data)."
+    return codes.CALL_NOT_EXPRESSIBLE.finding(message, *member.place, fix=fix)
+
+
+def _with_arguments(functions: tuple[CFunction, ...]) -> Iterator[Finding]:
+    for function in functions:
+        if function.parameters:
+            names = ", ".join(repr(each.name) for each in function.parameters)
+            message = f"{function.name!r} must take nothing, as a member of a class; it takes {names}."
+            fix = "Generate the class with data members for inputs and outputs, or write a function around it."
+            yield codes.CALL_NOT_EXPRESSIBLE.finding(message, *function.place, fix=fix)

@@ -1,0 +1,225 @@
+"""What C and C++ code declares: functions, variables, classes and types, each with its place."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+
+class Place(NamedTuple):
+    """A line of a file of the project."""
+
+    file: str = ""
+    line: int = 0
+
+
+class CType(NamedTuple):
+    """A type, with the names that it goes by: the one that is written first, those that it stands for behind it."""
+
+    kind: str
+    """number, enumeration, record, array, pointer, void, or other."""
+    names: tuple[str, ...] = ()
+    key: str = ""
+    """Of a record or an enumeration."""
+    sort: str = ""
+    """Of a number: floating, signed, unsigned or boolean."""
+    bits: int = 0
+    length: int = 0
+    """Elements of an array."""
+    of: "CType | None" = None
+    """What an array holds, or a pointer points to."""
+    const: bool = False
+    """Whether a pointer only reads."""
+
+    @property
+    def name(self) -> str:
+        """The name that is written."""
+        return self.names[0] if self.names else self.of.name if self.of else ""
+
+    @property
+    def target(self) -> "CType":
+        """What a pointer points to; any other type itself."""
+        return self.of if self.kind == "pointer" and self.of else self
+
+
+class Member(NamedTuple):
+    """A member of a struct or a class, or a parameter of a function."""
+
+    name: str
+    type: CType
+    place: Place = Place()
+    width: int | None = None
+    """Bits of a bit field."""
+    public: bool = True
+    key: str = ""
+    """What functions name it by that use it."""
+    is_const: bool = False
+
+
+class Record(NamedTuple):
+    """A struct or a union."""
+
+    name: str
+    members: tuple[Member, ...]
+    place: Place
+    is_union: bool = False
+    is_complete: bool = True
+
+
+class Constant(NamedTuple):
+    """A name of an enumeration, and its number."""
+
+    name: str
+    value: int
+
+
+class CFunction(NamedTuple):
+    """A function that is declared or defined."""
+
+    name: str
+    result: CType
+    parameters: tuple[Member, ...]
+    place: Place
+    is_defined: bool = False
+    is_static: bool = False
+    uses: frozenset[str] = frozenset()
+    """Names of functions and variables, and keys of members."""
+    writes: frozenset[str] = frozenset()
+    public: bool = True
+
+
+class Variable(NamedTuple):
+    """A variable that is declared or defined outside of functions."""
+
+    name: str
+    type: CType
+    place: Place
+    is_const: bool = False
+    is_static: bool = False
+    is_defined: bool = False
+    value: Any = None
+    uses: frozenset[str] = frozenset()
+
+
+class CClass(NamedTuple):
+    """A class of C++."""
+
+    name: str
+    members: tuple[Member, ...]
+    methods: tuple[CFunction, ...]
+    place: Place
+
+
+class CompilerError(NamedTuple):
+    """What the compiler found wrong."""
+
+    message: str
+    place: Place
+    column: int = 0
+    is_own: bool = False
+    """Whether the code itself says so, by `#error`."""
+
+
+class Declarations(NamedTuple):
+    """Everything that a project declares."""
+
+    functions: tuple[CFunction, ...] = ()
+    variables: tuple[Variable, ...] = ()
+    classes: tuple[CClass, ...] = ()
+    records: Mapping[str, Record] = {}
+    enumerations: Mapping[str, tuple[Constant, ...]] = {}
+    errors: tuple[CompilerError, ...] = ()
+    included: Mapping[str, tuple[str, ...]] = {}
+    """Files by the file that includes them."""
+
+    @property
+    def named(self) -> "tuple[CFunction | Variable, ...]":
+        """Functions and variables."""
+        return (*self.functions, *self.variables)
+
+    def all_included(self, path: str) -> frozenset[str]:
+        """The files that a file includes, with those that these include."""
+        found: set[str] = set()
+        left = [path]
+        while left:
+            new = set(self.included.get(left.pop(), ())) - found
+            found |= new
+            left.extend(new)
+        return frozenset(found)
+
+
+def declarations_from(answer: Mapping[str, Any]) -> Declarations:
+    """The declarations in an answer of the worker."""
+    return Declarations(
+        functions=tuple(map(_function, answer["functions"])),
+        variables=tuple(map(_variable, answer["variables"])),
+        classes=tuple(map(_class, answer["classes"])),
+        records={key: _record(each) for key, each in answer["records"].items() if each},
+        enumerations={
+            key: tuple(Constant(one["name"], one["value"]) for one in each["constants"])
+            for key, each in answer["enumerations"].items()
+        },
+        errors=tuple(
+            CompilerError(each["message"], _place(each), each["column"], each["own"]) for each in answer["errors"]
+        ),
+        included={file: tuple(each) for file, each in answer["included"].items()},
+    )
+
+
+def _place(each: Mapping[str, Any]) -> Place:
+    return Place(each["file"], each["line"])
+
+
+def _type(each: Mapping[str, Any]) -> CType:
+    inner = each.get("of") or each.get("to")
+    return CType(
+        kind=each["kind"],
+        names=tuple(each.get("names", ())),
+        key=each.get("key", ""),
+        sort=each.get("sort", ""),
+        bits=each.get("bits", 0),
+        length=each.get("count", 0),
+        of=_type(inner) if inner else None,
+        const=each.get("const", False),
+    )
+
+
+def _member(each: Mapping[str, Any]) -> Member:
+    place = _place(each) if "file" in each else Place()
+    width, is_public, key = each.get("width"), each.get("public", True), each.get("key", "")
+    return Member(each["name"], _type(each["type"]), place, width, is_public, key, each.get("const", False))
+
+
+def _record(each: Mapping[str, Any]) -> Record:
+    members = tuple(map(_member, each["members"]))
+    return Record(each["name"], members, _place(each), each["union"], each["complete"])
+
+
+def _function(each: Mapping[str, Any]) -> CFunction:
+    return CFunction(
+        name=each["name"],
+        result=_type(each["result"]),
+        parameters=tuple(map(_member, each["parameters"])),
+        place=_place(each),
+        is_defined=each["defined"],
+        is_static=each["static"],
+        uses=frozenset(each.get("uses", ())),
+        writes=frozenset(each.get("writes", ())),
+        public=each.get("public", True),
+    )
+
+
+def _variable(each: Mapping[str, Any]) -> Variable:
+    return Variable(
+        name=each["name"],
+        type=_type(each["type"]),
+        place=_place(each),
+        is_const=each["const"],
+        is_static=each["static"],
+        is_defined=each["defined"],
+        value=each["value"],
+        uses=frozenset(each.get("uses", ())),
+    )
+
+
+def _class(each: Mapping[str, Any]) -> CClass:
+    members, methods = tuple(map(_member, each["members"])), tuple(map(_function, each["methods"]))
+    return CClass(each["name"], members, methods, _place(each))

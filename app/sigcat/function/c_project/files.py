@@ -1,0 +1,107 @@
+"""The files of a folder that are read: C and C++, within limits; nothing outside of the folder."""
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.limits import CODE_BYTES, CODE_FILE_BYTES, CODE_FILES
+
+HEADERS = frozenset((".h", ".hh", ".hpp", ".hxx"))
+SOURCES = frozenset((".c", ".cc", ".cpp", ".cxx"))
+_OUTSIDE = re.compile(
+    r"^(?P<before>[ \t]*(?:#|%:|\?\?=)[ \t]*(?:include|include_next|import|embed)\b[ \t]*[\"<][ \t]*)"
+    r"(?P<path>[/\\][^\"<>\n]*|[A-Za-z]:[^\"<>\n]*)",
+    re.MULTILINE,
+)
+
+
+class CodeFiles(NamedTuple):
+    """Texts by path within the folder, and what was found wrong with files."""
+
+    texts: Mapping[str, str]
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The files that are compiled."""
+        return tuple(path for path in self.texts if Path(path).suffix.lower() in SOURCES)
+
+    @property
+    def folders(self) -> tuple[str, ...]:
+        """The folders in which headers are."""
+        headers = (path for path in self.texts if Path(path).suffix.lower() in HEADERS)
+        return tuple(dict.fromkeys(Path(path).parent.as_posix() for path in headers))
+
+
+def read_folder(folder: Path) -> CodeFiles:
+    """Read the code below a folder. Links that lead out of it are not followed."""
+    findings: list[Finding] = []
+    texts: dict[str, str] = {}
+    left = CODE_BYTES
+    for path in _code_below(folder, findings):
+        text = _text(folder, path, left, findings)
+        if text is not None:
+            left -= len(text)
+            texts[path] = _without_outside(text, path, findings)
+    return CodeFiles(texts, tuple(findings))
+
+
+def _code_below(folder: Path, findings: list[Finding]) -> list[str]:
+    """Paths of the files, in the order of the alphabet; of too many, the first ones."""
+    found: list[str] = []
+    for path in _walk(folder):
+        if path.suffix.lower() not in HEADERS | SOURCES:
+            continue
+        if len(found) == CODE_FILES:
+            message = f"The folder must have at most {CODE_FILES:,} files of C; those after {found[-1]} are not read."
+            findings.append(codes.CODE_UNREADABLE.finding(message, str(folder), fix="Name the folder of one model."))
+            break
+        found.append(path.relative_to(folder).as_posix())
+    return found
+
+
+def _walk(folder: Path) -> Iterator[Path]:
+    """Files in the order of their names, with those of a folder before those of the folders in it."""
+    for parent, folders, files in os.walk(folder):
+        folders.sort()
+        yield from (Path(parent) / name for name in sorted(files))
+
+
+def _text(folder: Path, path: str, left: int, findings: list[Finding]) -> str | None:
+    """The text of a file; None, with a finding, if it cannot be read."""
+    data, reason = _bytes(folder / path, folder, left)
+    if data is None or b"\0" in data:
+        message = f"The file cannot be read: it {reason or 'has null bytes, so that it is not C'}."
+        findings.append(codes.CODE_UNREADABLE.finding(message, path))
+        return None
+    return data.decode("utf-8-sig", "replace")
+
+
+def _bytes(file: Path, folder: Path, left: int) -> tuple[bytes | None, str]:
+    """What a file holds, or why it is not read."""
+    try:
+        if not file.resolve().is_relative_to(folder.resolve()):
+            return None, "is a link that leads out of the folder"
+        if not file.is_file():
+            return None, "is no regular file"
+        size = file.stat().st_size
+        if size > CODE_FILE_BYTES:
+            return None, f"has more than {CODE_FILE_BYTES:,} bytes"
+        if size > left:
+            return None, f"is beyond the {CODE_BYTES:,} bytes that are read of a folder"
+        return file.read_bytes(), ""
+    except OSError as error:
+        return None, f"gives an error: {error.strerror}"
+
+
+def _without_outside(text: str, path: str, findings: list[Finding]) -> str:
+    """The text with includes of files elsewhere on the machine left empty; lines stay where they are."""
+    for match in _OUTSIDE.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        message = f"The include must be within the folder, not {match['path']!r}; it is left out."
+        findings.append(codes.INCLUDE_NOT_FOUND.finding(message, path, line))
+    return _OUTSIDE.sub(lambda match: f"{match['before']}left-out", text)

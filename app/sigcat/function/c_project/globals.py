@@ -1,0 +1,101 @@
+"""Code whose calls take nothing: inputs, outputs and parameters are global variables."""
+
+import re
+from collections.abc import Iterator
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.function.c_project.calls import Group, Use, use_of
+from sigcat.function.c_project.declarations import Declarations, Variable
+from sigcat.function.c_project.project import Interface
+from sigcat.function.c_project.roles import Role, is_of_the_generator, role_of
+from sigcat.function.c_project.values import Code, Value, values_of
+
+_PARAMETER = re.compile(
+    r"Referenced by:|\b(?:Variable|Computed Parameter|Expression|Simulink\.Parameter)\b", re.IGNORECASE
+)
+_IMPORTED = re.compile(r"\bimport", re.IGNORECASE)
+
+
+def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interface:
+    """The interface in global variables. `linked` are the files that are compiled."""
+    declarations = code.declarations
+    use = use_of((step.name for step in group.steps), declarations)
+    found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
+    findings: list[Finding] = []
+    for variable in _shared(declarations, linked):
+        defined_by = "function" if not linked or _is_defined(variable, declarations, linked) else "adapter"
+        for role, value in _with_roles(variable, code, use):
+            if role in found:
+                found[role].append(value._replace(defined_by=defined_by, is_const=value.is_const or variable.is_const))
+            elif not role:
+                findings.append(_direction_unknown(value))
+    return Interface(tuple(found["input"]), tuple(found["output"]), tuple(found["parameter"]), findings=tuple(findings))
+
+
+def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Variable]:
+    """Variables that other files can see: those that headers declare, else those that the sources define; once each."""
+    first: dict[str, Variable] = {}
+    for variable in declarations.variables:
+        if variable.is_static or "::" in variable.name:
+            continue
+        is_declared = not variable.is_defined or variable.place.file not in linked
+        known = first.get(variable.name)
+        if known is None:
+            first[variable.name] = variable
+        elif variable.value is not None and known.value is None:
+            first[variable.name] = known._replace(value=variable.value)
+        elif is_declared and known.place.file in linked:
+            first[variable.name] = variable._replace(value=known.value)
+    declared = {each.name for each in declarations.variables if not each.is_defined}
+    yield from (each for each in first.values() if each.name in declared or not declared)
+
+
+def _is_defined(variable: Variable, declarations: Declarations, linked: frozenset[str]) -> bool:
+    return any(
+        each.name == variable.name and each.is_defined and each.place.file in linked for each in declarations.variables
+    )
+
+
+def _with_roles(variable: Variable, code: Code, use: Use) -> Iterator[tuple[Role, Value]]:
+    """The values of a variable with their roles: of the variable, or of each value by what the steps do with it."""
+    heading = code.heading(variable.place)
+    role = _told(variable, heading, use)
+    if role in ("internal", "model"):
+        return
+    for value in values_of(variable.name, variable.type, variable.place, code, variable.value):
+        yield role or _role(variable, value, use, heading, code), value
+
+
+def _told(variable: Variable, heading: str, use: Use) -> Role:
+    """The role that names and comments tell; internal for what is no part of the interface."""
+    kind = variable.type.kind
+    if is_of_the_generator(variable.name) or kind in ("pointer", "other") or (variable.is_const and kind != "record"):
+        return "internal"
+    if kind == "record" or role_of("", "", heading):
+        told = role_of(variable.name, variable.type.name, heading)
+        if told:
+            return told
+    return "internal" if use.is_known and variable.name not in use.used else ""
+
+
+def _role(variable: Variable, value: Value, use: Use, heading: str, code: Code) -> Role:
+    """What is written is an output; what is only read is an input, or a parameter if it has a value of its own."""
+    comments = code.comments.get(value.place.file)
+    comment = comments.beside(value.place.line) if comments else ""
+    is_written = value.key in use.written or (variable.name in use.written and value.key == variable.name)
+    if _PARAMETER.search(comment) and not is_written:
+        return "parameter"
+    if not use.is_known:
+        return "input" if _IMPORTED.search(heading) and "<Root>/" in comment else ""
+    if is_written:
+        return "output"
+    if value.key not in use.used:
+        return "internal"
+    return "parameter" if variable.value is not None and "<Root>/" not in comment else "input"
+
+
+def _direction_unknown(value: Value) -> Finding:
+    message = f"{value.expression!r} must be known to be an input or an output; it is left out."
+    fix = "Import the folder with the sources too, or add it to the function.yaml."
+    return codes.DIRECTION_UNKNOWN.finding(message, *value.place, fix=fix)

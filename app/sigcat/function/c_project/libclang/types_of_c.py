@@ -1,0 +1,116 @@
+"""Types: numbers, arrays, pointers, structs and enumerations, each with the names that it goes by."""
+
+from typing import Any
+
+from clang.cindex import Cursor, CursorKind, TypeKind
+
+from sigcat.function.c_project.libclang.answer import Answer, Json, place_of, qualified
+
+_DEEPEST = 12
+_FLOATING = (TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE)
+_UNSIGNED = (
+    TypeKind.CHAR_U, TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG,
+)  # fmt: skip
+_SIGNED = (TypeKind.CHAR_S, TypeKind.SCHAR, TypeKind.SHORT, TypeKind.INT, TypeKind.LONG, TypeKind.LONGLONG)
+_SORTS = {
+    **dict.fromkeys(_FLOATING, "floating"),
+    **dict.fromkeys(_UNSIGNED, "unsigned"),
+    **dict.fromkeys(_SIGNED, "signed"),
+    TypeKind.BOOL: "boolean",
+}
+
+
+def type_of(kind: Any, answer: Answer, depth: int = 0) -> Json:
+    """A type with the names that it goes by, the one that is written first."""
+    canonical = kind.get_canonical()
+    names = _names(kind)
+    if depth > _DEEPEST:
+        return {"kind": "other", "names": names}
+    if canonical.kind in (TypeKind.CONSTANTARRAY, TypeKind.INCOMPLETEARRAY):
+        return _array(kind, canonical, answer, depth)
+    if canonical.kind in (TypeKind.POINTER, TypeKind.LVALUEREFERENCE):
+        to = _inner(kind.get_pointee(), canonical.get_pointee())
+        return {"kind": "pointer", "const": to.is_const_qualified(), "to": type_of(to, answer, depth + 1)}
+    if canonical.kind == TypeKind.RECORD:
+        return {"kind": "record", "names": names, "key": _record(canonical.get_declaration(), answer, depth)}
+    if canonical.kind == TypeKind.ENUM:
+        return {"kind": "enumeration", "names": names, "key": _enumeration(canonical.get_declaration(), answer)}
+    return _number(canonical, names)
+
+
+def _number(canonical: Any, names: list[str]) -> Json:
+    if canonical.kind in _SORTS:
+        return {"kind": "number", "names": names, "sort": _SORTS[canonical.kind], "bits": canonical.get_size() * 8}
+    return {"kind": "void" if canonical.kind == TypeKind.VOID else "other", "names": names}
+
+
+def _array(kind: Any, canonical: Any, answer: Answer, depth: int) -> Json:
+    """An array; one without a length is a pointer to its elements."""
+    element = _inner(kind.get_array_element_type(), canonical.get_array_element_type())
+    of = type_of(element, answer, depth + 1)
+    if canonical.kind == TypeKind.CONSTANTARRAY:
+        return {"kind": "array", "count": canonical.get_array_size(), "of": of}
+    return {"kind": "pointer", "const": element.is_const_qualified(), "to": of}
+
+
+def _inner(written: Any, canonical: Any) -> Any:
+    """A type within another one, by the name that is written where there is one."""
+    return written if written.kind != TypeKind.INVALID else canonical
+
+
+def _names(kind: Any) -> list[str]:
+    """The name that is written, and those of the types that it stands for."""
+    names: list[str] = []
+    while len(names) < _DEEPEST:
+        declaration = kind.get_declaration()
+        if declaration.kind not in (CursorKind.TYPEDEF_DECL, CursorKind.TYPE_ALIAS_DECL):
+            break
+        names.append(qualified(declaration))
+        kind = declaration.underlying_typedef_type
+    spelled = _unqualified(kind.spelling)
+    return names if "(" in spelled else [*names, spelled]
+
+
+def _unqualified(name: str) -> str:
+    words = [word for word in name.split() if word not in ("const", "volatile", "enum")]
+    return " ".join(words)
+
+
+def _record(cursor: Cursor, answer: Answer, depth: int) -> str:
+    key = str(cursor.get_usr())
+    if key not in answer.records:
+        answer.records[key] = {}  # a struct that points to itself finds it
+        definition = cursor.get_definition()
+        members = list(definition.get_children()) if definition is not None else []
+        answer.records[key] = {
+            "name": "" if cursor.is_anonymous() or "(" in cursor.spelling else qualified(cursor),
+            "union": cursor.kind == CursorKind.UNION_DECL,
+            "complete": definition is not None,
+            "members": [member_of(each, answer, depth) for each in members if each.kind == CursorKind.FIELD_DECL],
+            **place_of(definition or cursor),
+        }
+    return key
+
+
+def member_of(cursor: Cursor, answer: Answer, depth: int = 0) -> Json:
+    width = cursor.get_bitfield_width() if cursor.is_bitfield() else None
+    kind = type_of(cursor.type, answer, depth + 1)
+    return {
+        "name": cursor.spelling,
+        "key": cursor.get_usr(),
+        "type": kind,
+        "width": width,
+        "const": cursor.type.is_const_qualified(),
+        **place_of(cursor),
+    }
+
+
+def _enumeration(cursor: Cursor, answer: Answer) -> str:
+    key = str(cursor.get_usr())
+    if key not in answer.enumerations:
+        constants = [each for each in cursor.get_children() if each.kind == CursorKind.ENUM_CONSTANT_DECL]
+        answer.enumerations[key] = {
+            "constants": [{"name": each.spelling, "value": each.enum_value} for each in constants],
+            **place_of(cursor),
+        }
+    return key

@@ -1,0 +1,86 @@
+"""Parses C and C++ with libclang in a process of its own: a request and its answer are JSON.
+
+The request, on standard input, has `texts` (by path; nothing else is read), `units` (paths to parse, each with its
+language), `folders` (in which headers are searched), `target` (of clang), `megabytes` (of memory), `seconds` and `declarations`,
+which is false if only errors are asked for. The answer, on standard output, has `functions`, `variables`, `classes`,
+`records` and `enumerations`, each with its file and line, `errors` of the compiler, and `included` by file.
+
+`python -P -m sigcat.function.c_project.libclang.worker`; nothing else imports this room, as libclang may not be installed.
+"""
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any
+
+from clang import cindex
+
+from sigcat.function.c_project.libclang import uses, values_of_c
+from sigcat.function.c_project.libclang.answer import ROOT, Answer, Json, inside
+from sigcat.function.c_project.libclang.read_declarations import read_declarations
+from sigcat.function.c_project.libclang.system_headers import SYSTEM_HEADERS
+
+_SYSTEM = "/sigcat-system/"
+_KEEP_GOING = 0x200
+_ERROR = 3
+_MOST_ERRORS = 200
+
+
+def main() -> None:
+    """Answer the request."""
+    request = json.load(sys.stdin)
+    _bound(request["megabytes"], request["seconds"])
+    values_of_c.declare_calls()
+    uses.declare_calls()
+    answer, seen = Answer(), set[str]()
+    index = cindex.Index.create()
+    for path, language in request["units"]:
+        unit = _parse(index, path, language, request)
+        _note_includes(unit, answer)
+        answer.errors += _errors(unit)
+        if request["declarations"]:
+            seen |= read_declarations(unit.cursor, seen, answer)
+    json.dump(vars(answer), sys.stdout)
+
+
+def _bound(megabytes: int, seconds: int) -> None:
+    """Bound memory, and the time too: whoever asked may have been killed."""
+    with suppress(ImportError, ValueError, OSError):  # not every system has it
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+
+
+def _parse(index: Any, path: str, language: str, request: Json) -> Any:
+    folders = [f"-I{ROOT}{folder}" for folder in request["folders"]]
+    options = ["-nostdinc", "-w", "-ferror-limit=0", f"--target={request['target']}", "-isystem", _SYSTEM]
+    options += ["-ftemplate-depth=64", "-fconstexpr-depth=64", "-fbracket-depth=256"]
+    texts = [(ROOT + name, text) for name, text in request["texts"].items()]
+    texts += [(_SYSTEM + name, text) for name, text in SYSTEM_HEADERS.items()]
+    return index.parse(ROOT + path, ["-x", language, *options, *folders], texts, _KEEP_GOING)
+
+
+def _errors(unit: Any) -> Iterator[Json]:
+    errors = (each for each in unit.diagnostics if each.severity >= _ERROR)
+    for each, _ in zip(errors, range(_MOST_ERRORS), strict=False):
+        file = each.location.file.name if each.location.file else ""
+        yield {
+            "message": each.spelling,
+            "file": inside(file),
+            "line": each.location.line,
+            "column": each.location.column,
+            "own": each.category_name == "User-Defined Issue",
+        }
+
+
+def _note_includes(unit: Any, answer: Answer) -> None:
+    for each in unit.get_includes():
+        included = answer.included.setdefault(inside(each.source.name), [])
+        if (path := inside(each.include.name)) and path not in included:
+            included.append(path)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+"""Reentrant code, whose calls take pointers: to a model with pointers in it, or to inputs and outputs themselves."""
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.function.c_project.calls import Group
+from sigcat.function.c_project.declarations import CFunction, CType, Member, Variable
+from sigcat.function.c_project.project import CodeObject, Interface
+from sigcat.function.c_project.roles import Role, role_of, role_of_words
+from sigcat.function.c_project.values import Code, Value, values_of
+
+_MEMBERS: dict[str, tuple[Role, str]] = {
+    "inputs": ("input", "U"),
+    "outputs": ("output", "Y"),
+    "defaultParam": ("parameter", "P"),
+    "dwork": ("internal", "DW"),
+    "blockIO": ("internal", "B"),
+    "contStates": ("internal", "X"),
+    "prevZCSigState": ("internal", "PrevZCX"),
+}
+"""Members of the model of Simulink that point to other objects, with the end of the names of these."""
+_INTERNAL_MEMBERS = frozenset(
+    ("errorStatus", "derivs", "contStateDisabled", "solverInfo", "rtwLogInfo", "childSfunctions")
+)
+
+
+class _Found(NamedTuple):
+    """An object with its role, and where its values are."""
+
+    object: CodeObject
+    role: Role
+    type: CType
+
+
+def pointer_interface(group: Group, code: Code) -> Interface:
+    """The interface in the objects that calls take."""
+    passed = list(_passed(group, code))
+    first = passed[0] if passed else None
+    wired = list(_wired(first, code)) if first else []
+    objects = [*passed, *wired]
+    values = [(found.role, list(_values(found, code))) for found in objects]
+    values += [(role, list(each)) for role, each in _nested(passed, code)]
+    return Interface(
+        inputs=_of("input", values),
+        outputs=_of("output", values),
+        parameters=_of("parameter", values),
+        objects=tuple(found.object for found in objects),
+        arguments={function.name: tuple(_arguments(function, passed)) for function in group.functions},
+        findings=tuple(_by_value(group.functions)),
+    )
+
+
+def takes_pointers(group: Group) -> bool:
+    """Whether a call takes anything."""
+    return any(function.parameters for function in group.functions)
+
+
+def _of(role: Role, values: Iterable[tuple[Role, list[Value]]]) -> tuple[Value, ...]:
+    return tuple(value for of, found in values if of == role for value in found)
+
+
+def _passed(group: Group, code: Code) -> Iterator[_Found]:
+    """An object for each parameter, of the steps first."""
+    names: set[str] = set()
+    for function in (*group.steps, *group.functions):
+        for parameter in function.parameters:
+            kind = parameter.type
+            if not _is_object(kind):
+                continue
+            name = _object_name(parameter, code)
+            if name not in names:
+                names.add(name)
+                yield _Found(CodeObject(name, kind.target.name, function.place), _role(parameter), kind.target)
+
+
+def _object_name(parameter: Member, code: Code) -> str:
+    """The name in the example program if it has one object of the type, else that of the parameter."""
+    return parameter.name or _named_after(parameter.type.target, code) or "instance"
+
+
+def _named_after(kind: CType, code: Code) -> str:
+    found = _variables_of(kind, code)
+    return found[0].name if len(found) == 1 else ""
+
+
+def _variables_of(kind: CType, code: Code) -> list[Variable]:
+    variables = {each.name: each for each in code.declarations.variables if _is_same(each.type, kind)}
+    return [each for each in variables.values() if not each.is_const]
+
+
+def _is_same(one: CType, other: CType) -> bool:
+    return one.kind == "record" == other.kind and one.key == other.key
+
+
+def _role(parameter: Member) -> Role:
+    """By the names of Simulink, then by `const`, then by words."""
+    target = parameter.type.target
+    if target.kind == "record":
+        told = role_of(parameter.name, target.name)
+        return told or ("input" if parameter.type.const else "")
+    if parameter.type.const:
+        return "input"
+    return "input" if re.search(r"_U_|^rtu_", parameter.name) else "output"
+
+
+# -- objects that the model points to -----------------------------------------------------------------------------
+
+
+def _wired(first: _Found, code: Code) -> Iterator[_Found]:
+    """Objects that members of the first one have to point to."""
+    record = code.declarations.records.get(first.type.key)
+    if record is None or first.role not in ("model", ""):
+        return
+    for member in record.members:
+        kind = member.type
+        if kind.kind != "pointer" or kind.target.kind != "record" or member.name in _INTERNAL_MEMBERS:
+            continue
+        told, end = _MEMBERS.get(member.name, (role_of(member.name, kind.target.name), member.name))
+        role = role_of("", kind.target.name) or told
+        name = _named_after(kind.target, code) or _beside(first.object.name, end)
+        yield _Found(CodeObject(name, kind.target.name, member.place, member.name), role, kind.target)
+
+
+def _beside(model: str, end: str) -> str:
+    """The name of an object as Simulink gives it: `X_U` beside `X_M`, `rtU` beside `rtM`."""
+    return f"{model[:-1]}{end}" if model.endswith("M") else f"{model}_{end}"
+
+
+# -- values -------------------------------------------------------------------------------------------------------
+
+
+def _values(found: _Found, code: Code) -> Iterator[Value]:
+    if found.role not in ("input", "output", "parameter"):
+        return
+    start = next((each.value for each in _variables_of(found.type, code) if each.value is not None), None)
+    yield from values_of(found.object.name, found.type, found.object.place, code, start)
+
+
+def _nested(passed: list[_Found], code: Code) -> Iterator[tuple[Role, Iterator[Value]]]:
+    """Inputs and outputs that are members of the one object: `self->in.speed`."""
+    if any(found.role in ("input", "output") for found in passed):
+        return
+    for found in passed[:1]:
+        record = code.declarations.records.get(found.type.key)
+        for member in record.members if record else ():
+            role = role_of_words(member.name)
+            if member.type.kind == "record" and role in ("input", "output", "parameter"):
+                yield role, values_of(f"{found.object.name}.{member.name}", member.type, member.place, code)
+
+
+def _arguments(function: CFunction, passed: list[_Found]) -> Iterator[str]:
+    """The objects that a call takes, in order: by the name of the parameter, or else by its type."""
+    names = {found.object.name for found in passed}
+    for parameter in function.parameters:
+        if not _is_object(parameter.type):
+            continue
+        same = [found.object.name for found in passed if found.type.key and found.type.key == parameter.type.target.key]
+        if parameter.name in names:
+            yield parameter.name
+        elif same:
+            yield same[0]
+
+
+def _by_value(functions: Iterable[CFunction]) -> Iterator[Finding]:
+    for function in functions:
+        wrong = [each for each in function.parameters if not _is_object(each.type)]
+        if wrong:
+            names = ", ".join(repr(each.name) for each in wrong[:3]) + (", ..." if len(wrong) > 3 else "")
+            message = f"{function.name!r} must take pointers to objects; it takes {len(wrong)} by value: {names}."
+            yield codes.CALL_NOT_EXPRESSIBLE.finding(message, *function.place, fix=_FIX)
+
+
+_FIX = (
+    "Generate the code with root-level inputs and outputs as a structure reference or as part of the model data structure, "
+    "or write a function around it."
+)
+
+
+def _is_object(kind: CType) -> bool:
+    return kind.kind == "pointer" and kind.target.kind in ("record", "number", "enumeration", "array")

@@ -1,0 +1,69 @@
+"""A project of C code, from its folder to its description."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from sigcat.findings import Finding
+from sigcat.function.c_project.calls import CallKind, Use
+from sigcat.function.c_project.declarations import Place
+from sigcat.function.c_project.values import Value
+
+Signature = Literal["globals", "pointers", "class"]
+
+
+class Call(NamedTuple):
+    """A function that is called: at the start, in every cycle, or at the end."""
+
+    kind: CallKind
+    symbol: str
+    place: Place
+    arguments: tuple[str, ...] = ()
+    """Objects that it takes pointers to."""
+    cycle_time: float | int | None = None
+    """In ms."""
+    returns: bool = False
+    """Whether it returns an integer."""
+    use: Use = Use(is_known=False)
+
+
+class CodeObject(NamedTuple):
+    """An object that calls take a pointer to, or that another object points to."""
+
+    name: str
+    type: str
+    place: Place
+    member: str = ""
+    """Member of the first object that points to it."""
+    defined_by: str = "adapter"
+
+
+class Interface(NamedTuple):
+    """What calls read and write, and which objects they take."""
+
+    inputs: tuple[Value, ...] = ()
+    outputs: tuple[Value, ...] = ()
+    parameters: tuple[Value, ...] = ()
+    objects: tuple[CodeObject, ...] = ()
+    arguments: Mapping[str, tuple[str, ...]] = {}
+    """Names of objects by the name of the call."""
+    findings: tuple[Finding, ...] = ()
+
+
+class CodeProject(NamedTuple):
+    """What the code of one model has to be called with."""
+
+    model: str
+    signature: Signature
+    calls: tuple[Call, ...]
+    interface: Interface
+    class_name: str = ""
+    sources: tuple[str, ...] = ()
+    headers: tuple[str, ...] = ()
+    include_folders: tuple[str, ...] = ()
+    machine: str = ""
+    """In words, where the code refuses one of 64 bit with a long of 64 bit."""
+    title: Mapping[str, str] = {}
+    """What the head of the generated header says: `model`, `version`, `tool`."""
+    findings: tuple[Finding, ...] = ()
+    folder: Path = Path()

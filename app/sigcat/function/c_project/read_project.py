@@ -1,0 +1,189 @@
+"""Read a folder of C or C++ code to the description of one model."""
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from sigcat import codes
+from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import Finding, in_order
+from sigcat.function.c_project.calls import CallKind, Group, find_calls, main_files, reachable, use_of
+from sigcat.function.c_project.classes import class_interface
+from sigcat.function.c_project.comments import Comments
+from sigcat.function.c_project.declarations import CFunction, Declarations, Place, Variable
+from sigcat.function.c_project.files import HEADERS, CodeFiles, read_folder
+from sigcat.function.c_project.globals import global_interface
+from sigcat.function.c_project.parsing import missing_includes, parse
+from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
+from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
+from sigcat.function.c_project.remarks import cycle_time_of
+from sigcat.function.c_project.usable import usable
+from sigcat.function.c_project.values import Code
+
+_STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
+_TITLE: Mapping[str, str] = {
+    "model": r"Code generat(?:ed for Simulink|ion for) model\s*[\"']?(?P<text>[^\"'\n.]+)",
+    "version": r"Model version\s*:\s*(?P<text>[^\n]+)",
+    "tool": r"Simulink Coder version\s*:\s*(?P<text>[^\n]+)",
+}
+
+
+def read_project(folder: Path, function: str, model: str = "") -> CodeProject:
+    """The description of the model in a folder; of several, the one that is named. Raises UsageError, InputRefused."""
+    if not folder.is_dir():
+        raise UsageError(
+            f"{folder} must be a folder with C code" if folder.exists() else f"{folder}: there is no such folder"
+        )
+    files = read_folder(folder)
+    if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
+        message = "The folder must have headers of C or C++ (.h, .hpp)."
+        finding = codes.CODE_MISSING.finding(
+            message, str(folder), fix="Name the folder that the code was generated into."
+        )
+        raise InputRefused("the code cannot be imported", (*files.findings, finding))
+    parsed = parse(files)
+    code = Code(parsed.declarations, {path: Comments(text) for path, text in files.texts.items()})
+    group = find_calls(parsed.declarations, model, function, str(folder), code.heading)
+    return _project(files, code, group, parsed.machine)._replace(folder=folder)
+
+
+def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodeProject:
+    declarations = code.declarations
+    linked = _linked(group, declarations, files)
+    signature, whole = _interface(group, code, frozenset(linked))
+    interface, left_out = usable(whole, declarations)
+    header = group.steps[0].place.file
+    needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
+    missing = [each for each in missing_includes(declarations) if each.file in needed]
+    findings = [*files.findings, *missing, *interface.findings, *left_out]
+    return CodeProject(
+        model=group.name,
+        signature=signature,
+        calls=tuple(_calls(group, interface, code, files)),
+        interface=interface,
+        class_name=group.owner.name if group.owner else "",
+        sources=tuple(linked),
+        headers=tuple(_headers(group, interface, declarations)),
+        include_folders=tuple(_include_folders(linked, header, declarations)),
+        machine=machine,
+        title=_title(files.texts.get(header, "")),
+        findings=in_order([*findings, *_word_size(machine, declarations)]),
+    )
+
+
+def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signature, Interface]:
+    if group.owner:
+        return "class", class_interface(group, code)
+    if takes_pointers(group):
+        found = pointer_interface(group, code)
+        return ("pointers" if found.objects else "globals"), found
+    return "globals", global_interface(group, code, linked)
+
+
+# -- calls --------------------------------------------------------------------------------------------------------
+
+
+def _calls(group: Group, interface: Interface, code: Code, files: CodeFiles) -> Iterator[Call]:
+    kinds: list[tuple[CallKind, CFunction]] = [("step", step) for step in group.steps]
+    if group.init:
+        kinds.insert(0, ("init", group.init))
+    if group.terminate:
+        kinds.append(("terminate", group.terminate))
+    is_only = len(group.steps) == 1
+    for kind, function in kinds:
+        time = _cycle_time(function, code, files, is_only=is_only) if kind == "step" else None
+        arguments = interface.arguments.get(function.name, ())
+        returns = function.result.kind in ("number", "enumeration")
+        use = use_of([_full_name(function, group)], code.declarations)
+        yield Call(kind, function.name, function.place, arguments, time, returns, use)
+
+
+def _cycle_time(function: CFunction, code: Code, files: CodeFiles, *, is_only: bool) -> float | int | None:
+    """As comments at the function say it, its name, or the code that initializes the model."""
+    for place in dict.fromkeys((function.place, *_places(function, code.declarations))):
+        comments = code.comments[place.file]
+        for comment in (comments.beside(place.line), comments.above(place.line)):
+            if (found := cycle_time_of(comment)) is not None:
+                return found
+    named = re.search(r"_(\d+)(ms|us|s)$", function.name)
+    if named:
+        return cycle_time_of(f"every {named[1]} {named[2]}")
+    return _step_size(files) if is_only else None
+
+
+def _places(function: CFunction, declarations: Declarations) -> Iterator[Place]:
+    yield from (each.place for each in declarations.functions if each.name == function.name and each.place.file)
+
+
+def _step_size(files: CodeFiles) -> float | int | None:
+    found = {match["time"] for text in files.texts.values() for match in _STEP_SIZE.finditer(text)}
+    return cycle_time_of(f"Sample time: {found.pop()}") if len(found) == 1 else None
+
+
+# -- files --------------------------------------------------------------------------------------------------------
+
+
+def _linked(group: Group, declarations: Declarations, files: CodeFiles) -> list[str]:
+    """The sources that the calls need: those that define what they use. Of copies, that beside the header."""
+    names = reachable((_full_name(each, group) for each in group.functions), declarations)
+    home = Path(group.steps[0].place.file).parent.as_posix()
+    examples = main_files(declarations)
+    defining: dict[str, str] = {}
+    for each in declarations.named:
+        file = each.place.file
+        if each.is_defined and not each.is_static and each.name in names and file not in examples:
+            defining[each.name] = min(file, defining.get(each.name, file), key=lambda path: _distance(path, home))
+    return [path for path in files.sources if path in defining.values()]
+
+
+def _distance(path: str, home: str) -> tuple[bool, int, str]:
+    folder = Path(path).parent.as_posix()
+    return (folder != home, path.count("/"), path)
+
+
+def _full_name(function: CFunction, group: Group) -> str:
+    return f"{group.owner.name}::{function.name}" if group.owner else function.name
+
+
+def _headers(group: Group, interface: Interface, declarations: Declarations) -> Iterator[str]:
+    """Headers that declare the calls and the values, without those that these include."""
+    places = [each.place.file for each in group.functions]
+    if not group.owner and not interface.objects:
+        places += [each.place.file for each in _declared_values(interface, declarations)]
+    wanted = [path for path in dict.fromkeys(places) if Path(path).suffix.lower() in HEADERS]
+    within = {each for path in wanted for each in declarations.all_included(path) if each != path}
+    yield from (path for path in wanted if path not in within)
+
+
+def _declared_values(interface: Interface, declarations: Declarations) -> list[Variable]:
+    names = {
+        re.split(r"[.\[]", each.expression)[0]
+        for each in (*interface.inputs, *interface.outputs, *interface.parameters)
+    }
+    return [each for each in declarations.variables if each.name in names and not each.is_defined]
+
+
+def _include_folders(linked: list[str], header: str, declarations: Declarations) -> Iterator[str]:
+    """Folders of headers that the sources include."""
+    included = {each for path in linked for each in declarations.all_included(path)}
+    yield from dict.fromkeys(Path(each).parent.as_posix() for each in (header, *sorted(included)))
+
+
+def _title(text: str) -> dict[str, str]:
+    head = text[:4000]
+    found = {name: re.search(pattern, head) for name, pattern in _TITLE.items()}
+    return {name: match["text"].strip() for name, match in found.items() if match}
+
+
+# -- findings -----------------------------------------------------------------------------------------------------
+
+
+def _word_size(machine: str, declarations: Declarations) -> Iterator[Finding]:
+    refusals = [error for error in declarations.errors if error.is_own]
+    if machine:
+        message = f"The code checks the sizes of words and refuses a machine with a long of 64 bit; it was read as of {machine}."
+        fix = "Compile it so (-m32), or generate it with portable word sizes."
+        yield codes.WORD_SIZES_CHECKED.finding(message, fix=fix)
+    for error in refusals[:1]:
+        message = f"The code must suit a machine, but refuses each: {error.message[:200]}"
+        yield codes.CODE_INVALID.finding(message, *error.place, error.column)

@@ -1,0 +1,61 @@
+"""The values of an interface that a declaration can have; a finding for each of the others."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.findings import Finding
+from sigcat.function.c_project.declarations import CompilerError, Declarations, Place
+from sigcat.function.c_project.project import Interface
+from sigcat.function.c_project.values import Value
+from sigcat.limits import CODE_VALUES
+
+
+class _Kept(NamedTuple):
+    values: tuple[Value, ...]
+    findings: tuple[Finding, ...]
+
+
+def usable(interface: Interface, declarations: Declarations) -> tuple[Interface, tuple[Finding, ...]]:
+    """The interface without values that VSS cannot hold, that the compiler does not understand, or that are too many."""
+    wrong = {error.place: error for error in declarations.errors if not error.is_own}
+    inputs = _kept(interface.inputs, wrong, CODE_VALUES)
+    outputs = _kept(interface.outputs, wrong, CODE_VALUES - len(inputs.values))
+    parameters = _kept(interface.parameters, wrong, CODE_VALUES - len(inputs.values) - len(outputs.values))
+    made = interface._replace(inputs=inputs.values, outputs=outputs.values, parameters=parameters.values)
+    return made, (*inputs.findings, *outputs.findings, *parameters.findings)
+
+
+def _kept(values: tuple[Value, ...], wrong: Mapping[Place, CompilerError], most: int) -> _Kept:
+    good = tuple(value for value in values if value.place not in wrong and not value.problem)
+    return _Kept(good[:most], (*_left_out(values, wrong), *_too_many(good, most)))
+
+
+def _left_out(values: tuple[Value, ...], wrong: Mapping[Place, CompilerError]) -> Iterator[Finding]:
+    """A finding for each reason, at the first value that has it."""
+    by_reason: dict[str, list[Value]] = {}
+    for value in values:
+        error = wrong.get(value.place)
+        if error is not None:
+            by_reason.setdefault(f"clang: {error.message}", []).append(value)
+        elif value.problem:
+            by_reason.setdefault(f"it {value.problem}", []).append(value)
+    for reason, found in by_reason.items():
+        first = found[0]
+        more = f" and {len(found) - 1:,} more" if len(found) > 1 else ""
+        if first.place in wrong:
+            message = f"{first.expression!r}{more} must be understood to be imported; {reason}."
+            yield codes.CODE_INVALID.finding(message, *first.place, wrong[first.place].column)
+        else:
+            message = f"{first.expression!r}{more} must hold a value of VSS to be imported; {reason}."
+            fix = "Hand it over in a function before or after the call."
+            yield codes.VALUE_LEFT_OUT.finding(message, *first.place, fix=fix)
+
+
+def _too_many(values: tuple[Value, ...], most: int) -> Iterator[Finding]:
+    if len(values) > most:
+        first = values[most]
+        message = (
+            f"{len(values) - most:,} values from {first.expression!r} on are left out: there may be {CODE_VALUES:,}."
+        )
+        yield codes.VALUE_LEFT_OUT.finding(message, *first.place, fix="Import a model with fewer of them.")

@@ -1,0 +1,241 @@
+"""The text of a function.yaml: every entry with the line of the code that it comes from."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.near_signals import PLACEHOLDER
+from sigcat.function.c_project.calls import CallKind
+from sigcat.function.c_project.declarations import Place
+from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.importing.parameters import ParameterEntry
+from sigcat.function.importing.signals import Signal
+from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
+from sigcat.names import camel_case
+
+ASSUMED_CYCLE = 10
+"""Cycle time in ms of a step whose code tells none."""
+
+
+class Draft(NamedTuple):
+    """What goes into a function.yaml."""
+
+    function: str
+    project: CodeProject
+    signals: tuple[Signal, ...]
+    parameters: tuple[ParameterEntry, ...]
+    folder: str
+    """The folder of the code, as seen from the file."""
+    schema: str
+
+
+def function_text(draft: Draft) -> str:
+    """The whole file."""
+    parts = (_head(draft), _code(draft), _define(draft), _components(draft))
+    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+
+
+# -- head and code ------------------------------------------------------------------------------------------------
+
+
+def _head(draft: Draft) -> Iterator[str]:
+    project = draft.project
+    title = project.title
+    made_by = f", version {title['version']}" if "version" in title else ""
+    tool = f", Simulink Coder {title['tool']}" if "tool" in title else ""
+    yield f"# yaml-language-server: $schema={draft.schema}"
+    yield "#"
+    yield comment(
+        0, f"Imported from the C code of {title.get('model', project.model) or draft.function}{made_by}{tool}."
+    )
+    yield comment(0, "Comments name the line of the code that an entry comes from.")
+    for line in to_do(draft):
+        yield comment(0, f"To do: {line}")
+    yield ""
+    yield entry(0, "function", draft.function)
+    yield entry(0, "description", "Says in one sentence what the function does.")
+    yield entry(0, "responsible", "Name of a team")
+    yield entry(0, "version", "0.1.0")
+
+
+def to_do(draft: Draft) -> Iterator[str]:
+    """What the code does not tell, and the author has to."""
+    unchosen = sum(not signal.is_chosen for signal in draft.signals)
+    if unchosen:
+        yield f"choose {unchosen} path{'s' if unchosen > 1 else ''} (those with {PLACEHOLDER})."
+    for call in draft.project.calls:
+        if call.kind == "step" and cycle_time(call) is None:
+            told = (
+                f"must be whole milliseconds, not {call.cycle_time:g} ms"
+                if call.cycle_time
+                else "the code does not tell"
+            )
+            yield f"give the cycle time of {call_name(call, draft)}, which {told}; {ASSUMED_CYCLE} ms is assumed."
+    without_unit = sum(bool(signal.catalogue_unit and not signal.unit) for signal in draft.signals)
+    if without_unit:
+        yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
+    if any(call.returns and call.kind == "init" for call in draft.project.calls):
+        yield "check that 0 is what init returns for success."
+    yield "describe the function, and give each entry its ASIL: QM is assumed."
+
+
+def cycle_time(call: Call) -> int | None:
+    """Time in whole milliseconds from one call to the next; None if the code tells no such time."""
+    time = call.cycle_time
+    return int(time) if time and time == int(time) else None
+
+
+def _code(draft: Draft) -> Iterator[str]:
+    project = draft.project
+    yield "code:"
+    yield entry(2, "signature", project.signature)
+    if project.class_name:
+        yield entry(2, "class", project.class_name)
+    if project.sources:
+        yield entry(2, "sources", [_below(draft.folder, path) for path in project.sources])
+    if project.headers:
+        yield entry(2, "headers", [Path(path).name for path in project.headers])
+    folders = [_below(draft.folder, path) for path in _include_folders(project)]
+    if folders != ["."]:  # there headers are found without
+        yield entry(2, "includeFolders", folders)
+    if project.machine:
+        yield comment(
+            2, f"The code checks the sizes of words: compile it for a machine of {project.machine}, such as by -m32."
+        )
+    if project.interface.objects:
+        yield "  objects:"
+    for each in project.interface.objects:
+        keys = {"name": each.name, "type": each.type, "member": each.member or None}
+        yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
+
+
+def _include_folders(project: CodeProject) -> list[str]:
+    """Those of the headers first."""
+    return list(dict.fromkeys([*(Path(path).parent.as_posix() for path in project.headers), *project.include_folders]))
+
+
+def _below(folder: str, path: str) -> str:
+    return Path(folder, path).as_posix()
+
+
+def _from(place: Place, draft: Draft) -> str:
+    return f"  # {_at(place, draft)}" if place.file else ""
+
+
+def _at(place: Place, draft: Draft) -> str:
+    return f"{_below(draft.folder, place.file)}:{place.line}"
+
+
+# -- what the function defines ------------------------------------------------------------------------------------
+
+
+def _define(draft: Draft) -> Iterator[str]:
+    yield "define:"
+    if draft.parameters:
+        yield "  parameters:"
+    for parameter in draft.parameters:
+        yield f"    {scalar(parameter.name)}:{_from(parameter.value.place, draft)} {parameter.value.type_name}"
+        yield from (entry(6, key, value) for key, value in parameter.definition.items())
+    yield "  scheduling:"
+    for name, kind, call in _interfaces(draft.project):
+        yield f"    {name}:{'' if call else '  # the code has none'}"
+        yield from (entry(6, key, value) for key, value in _schedule(kind, call).items())
+
+
+def _interfaces(project: CodeProject) -> Iterator[tuple[str, CallKind, Call | None]]:
+    """The catalogue wants Init and Terminate of every function, also of one whose code has nothing to do there."""
+    kinds = {call.kind for call in project.calls}
+    if "init" not in kinds:
+        yield "Init", "init", None
+    yield from ((_last_name(call, project), call.kind, call) for call in project.calls)
+    if "terminate" not in kinds:
+        yield "Terminate", "terminate", None
+
+
+def _schedule(kind: CallKind, call: Call | None) -> dict[str, Any]:
+    texts = {"init": "Initializes the function.", "step": "Computes the outputs.", "terminate": "Ends the function."}
+    is_step = call is not None and kind == "step"
+    schedule = {
+        "cycleTime": (cycle_time(call) or ASSUMED_CYCLE) if call and is_step else None,
+        "priority": {"init": 20, "step": 10, "terminate": 30}[kind],
+        "scheduling": "Preemptive" if is_step else "NonPreemptive",
+        "asil": "QM",
+        "description": texts[kind],
+    }
+    return {key: value for key, value in schedule.items() if value is not None}
+
+
+def _last_name(call: Call, project: CodeProject) -> str:
+    """Init, Step, Terminate; of several steps, what tells them apart before `Step`."""
+    steps = [each for each in project.calls if each.kind == "step"]
+    if call.kind != "step" or len(steps) == 1:
+        return call.kind.capitalize()
+    own = camel_case(call.symbol.removeprefix(project.model))
+    rest = own[len("step") :] if own.lower().startswith("step") else own
+    first = "Task" if rest[:1].isdigit() else "" if rest else "Base"
+    return f"{first}{rest}Step"
+
+
+def call_name(call: Call, draft: Draft) -> str:
+    """Name of the interface of a call."""
+    return f"{draft.function}_{_last_name(call, draft.project)}"
+
+
+# -- calls --------------------------------------------------------------------------------------------------------
+
+
+def _components(draft: Draft) -> Iterator[str]:
+    yield "components:"
+    yield f"  - name: {draft.function}"
+    yield "    runnables:"
+    steps = [call for call in draft.project.calls if call.kind == "step"]
+    for call in draft.project.calls:
+        yield f"      - interface: {call_name(call, draft)}"
+        yield f"        symbol: {scalar(call.symbol)}{_from(call.place, draft)}"
+        if call.arguments:
+            yield entry(8, "arguments", list(call.arguments))
+        if call.returns and call.kind == "init":
+            yield f"{entry(8, 'success', 0)}  # assumed"
+        if call.kind == "step":
+            yield from _data([each for each in draft.signals if _is_of(each.value.key, call, steps)], draft)
+            yield from _parameters([each for each in draft.parameters if _is_of(each.value.key, call, steps)])
+
+
+def _is_of(key: str, call: Call, steps: Sequence[Call]) -> bool:
+    """Whether a step uses a value; the first one has what none of several is known to use."""
+    using = [step for step in steps if key in step.use.used or key in step.use.written]
+    return call in using[:1] if using else call is steps[0]
+
+
+def _data(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
+    if signals:
+        yield "        data:"
+    for signal in signals:
+        yield from (comment(10, line) for line in _said_of(signal, draft))
+        yield f"          - path: {scalar(signal.path)}"
+        yield from (entry(12, key, value) for key, value in signal.keys.items())
+
+
+def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
+    value, remark = signal.value, signal.value.remark
+    count = f"[{value.length}]" if value.length else ""
+    said = f" {remark.text}" if remark.text else ""
+    yield f"{_at(value.place, draft)} {value.type_name}{count}{said}"
+    if signal.near:
+        yield f"Near: {', '.join(signal.near)}"
+    if signal.why:
+        yield f"Not chosen: {signal.why}"
+    if signal.catalogue_unit and not signal.unit:
+        yield f"The code tells no unit: {signal.catalogue_unit}, as in the catalogue."
+    if remark.units and not signal.unit:
+        yield f"No unit of the catalogue: {', '.join(remark.units[:2])}"
+
+
+def _parameters(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
+    listed = list(parameters)
+    if listed:
+        yield "        parameters:"
+    for parameter in listed:
+        first, *others = parameter.keys.items()
+        yield f"          - {first[0]}: {scalar(first[1])}"
+        yield from (entry(12, key, value) for key, value in others)

@@ -1,0 +1,91 @@
+"""A folder of C code to a function.yaml that is checked."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.errors import UsageError
+from sigcat.findings import Finding, has_errors
+from sigcat.function.c_project.project import CodeProject
+from sigcat.function.c_project.read_project import read_project
+from sigcat.function.c_project.values import Value
+from sigcat.function.declaration.scaffold import checked_name, checked_schema
+from sigcat.function.function_file import check_function
+from sigcat.function.importing.function_text import Draft, function_text, to_do
+from sigcat.function.importing.parameters import parameters_of
+from sigcat.function.importing.signals import Role, Signal, signals_of
+
+_MOST_TRIES = 4
+
+
+class Imported(NamedTuple):
+    """The text of a function.yaml, with what was found while the code was read."""
+
+    text: str
+    summary: str
+    to_do: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+
+def import_code(name: str, folder: Path, target: Path, catalogue: Catalogue, schema: str, model: str = "") -> Imported:
+    """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused."""
+    checked_name(name)
+    checked_schema(schema)
+    project = read_project(folder, name, model)
+    signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model))
+    parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary))
+    draft = Draft(name, project, signals, parameters, _below(folder, target), schema)
+    draft = _checked(draft, catalogue)
+    return Imported(function_text(draft), _summary(draft), tuple(to_do(draft)), _shown(project, folder))
+
+
+def _values(project: CodeProject) -> Iterator[tuple[Role, Value]]:
+    yield from (("consumed", value) for value in project.interface.inputs)
+    yield from (("provided", value) for value in project.interface.outputs)
+
+
+def _below(folder: Path, target: Path) -> str:
+    """The folder of the code as seen from the file: the code moves with its declaration."""
+    try:
+        return folder.resolve().relative_to(target.resolve()).as_posix()
+    except ValueError:
+        raise UsageError(
+            f"the code in {folder} must be in {target}, or below it: name another folder to write into"
+        ) from None
+
+
+def _checked(draft: Draft, catalogue: Catalogue) -> Draft:
+    """Without paths that fit by their words but not by what the code holds, such as a range that would be lost."""
+    for _ in range(_MOST_TRIES):
+        chosen = {signal.path for signal in draft.signals if signal.is_chosen}
+        findings = check_function(function_text(draft).encode(), "function.yaml", catalogue)
+        wrong = {each.path: each.message for each in findings if each.path in chosen}
+        if not wrong:
+            return draft
+        draft = draft._replace(signals=tuple(_without(signal, wrong) for signal in draft.signals))
+    return draft
+
+
+def _without(signal: Signal, wrong: Mapping[str, str]) -> Signal:
+    return signal.unchosen(wrong[signal.path]) if signal.is_chosen and signal.path in wrong else signal
+
+
+def _summary(draft: Draft) -> str:
+    interface = draft.project.interface
+    counts = (
+        (len(interface.inputs), "input"),
+        (len(interface.outputs), "output"),
+        (len(draft.parameters), "parameter"),
+    )
+    listed = ", ".join(f"{count} {noun}{'' if count == 1 else 's'}" for count, noun in counts)
+    return f"{listed} of {draft.project.model or 'the code'}"
+
+
+def _shown(project: CodeProject, folder: Path) -> tuple[Finding, ...]:
+    """Findings with paths as they are seen from here."""
+    assert not has_errors(project.findings)
+    return tuple(
+        each._replace(file=str(folder / each.file)) if each.file and each.file != str(folder) else each
+        for each in project.findings
+    )

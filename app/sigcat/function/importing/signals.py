@@ -1,0 +1,163 @@
+"""The signal of the catalogue that each input and output is; a path to be chosen where that is not certain."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.datatypes import element_of, is_array
+from sigcat.catalogue.near_signals import PLACEHOLDER, Near, NearSignals
+from sigcat.function.c_project.values import Value
+from sigcat.function.function_json.conversion import between
+from sigcat.function.importing.unique_names import unique_names
+from sigcat.function.importing.units import unit_of
+from sigcat.names import camel_case, words
+
+Role = Literal["consumed", "provided"]
+
+
+_COMPARED, _SHOWN = 10, 3
+"""Signals that are held against each other, and those of them that are proposed."""
+
+
+class Signal(NamedTuple):
+    """An input or an output, with the path that it has or may have."""
+
+    value: Value
+    role: Role
+    name: str
+    """Unique in the function."""
+    path: str
+    near: tuple[str, ...] = ()
+    """Paths that may be meant, if it is not certain which."""
+    unit: str = ""
+    """Key of the unit that the code tells."""
+    catalogue_unit: str = ""
+    """Of the signal that was chosen."""
+    values: Mapping[str, int] = {}
+    """Numbers of an enumeration by the catalogue's names, or those of the code."""
+    why: str = ""
+    """Why the nearest signal was not chosen, although it has the name."""
+
+    @property
+    def is_chosen(self) -> bool:
+        """Whether the path is one of the catalogue."""
+        return not self.near and f".{PLACEHOLDER}." not in self.path
+
+    @property
+    def keys(self) -> dict[str, Any]:
+        """What the entry has beside its path."""
+        value, remark = self.value, self.value.remark
+        is_scaled = value.datatype not in ("float", "double", "boolean")
+        keys = {
+            "role": self.role,
+            "name": self.name,
+            "variable": value.expression,
+            "definedBy": "adapter" if value.defined_by == "adapter" else None,
+            "datatype": f"{value.datatype}{'[]' if value.length else ''}",
+            "unit": self.unit,
+            "factor": remark.factor if is_scaled else None,
+            "offset": remark.offset if is_scaled else None,
+            "min": remark.min,
+            "max": remark.max,
+            "values": dict(self.values),
+            "asil": "QM",
+        }
+        return {key: each for key, each in keys.items() if each not in (None, "", {})}
+
+    def unchosen(self, why: str) -> "Signal":
+        """The same with a path to be chosen; that which it had is near."""
+        root = self.path.partition(".")[0]
+        codes = {each.name: each.value for each in self.value.constants}
+        near = tuple(dict.fromkeys((self.path, *self.near)))
+        return self._replace(path=placeholder(root, self.name), near=near, catalogue_unit="", values=codes, why=why)
+
+
+def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str) -> Iterator[Signal]:
+    """A signal for each value, in order."""
+    known = NearSignals(catalogue)
+    root = catalogue.roots[0].path if catalogue.roots else "Vehicle"
+    used: set[str] = set()
+    names = unique_names([value for _, value in values])
+    for (role, value), name in zip(values, names, strict=True):
+        unit = unit_of(value.remark.units, catalogue.vocabulary)
+        near = known.near(_meant(value, model), _COMPARED)
+        node = near[0].node if _is_certain(near) else None
+        numbers = _values(value, node)
+        if node is not None and node.path not in used and _fits(value, role, unit, node, numbers):
+            used.add(node.path)
+            own = str(node.values.get("unit") or "")
+            yield Signal(value, role, name, node.path, (), unit, own, numbers or {})
+        else:
+            path = _free(placeholder(root, _meant(value, model)), placeholder(root, name), used)
+            numbers = {each.name: each.value for each in value.constants}
+            yield Signal(value, role, name, path, tuple(one.node.path for one in near[:_SHOWN]), unit, "", numbers)
+
+
+def _free(path: str, other: str, used: set[str]) -> str:
+    """The path, or the other one where the path is used already."""
+    found = other if path in used else path
+    used.add(found)
+    return found
+
+
+def placeholder(root: str, name: str) -> str:
+    """A path that no tree has."""
+    return f"{root}.{PLACEHOLDER}.{camel_case(name) if _ODD.search(name) else name}"
+
+
+_ODD = re.compile(r"[^A-Za-z0-9_]")
+
+
+def _meant(value: Value, model: str) -> str:
+    """The name of the port, or that of the member, without what all names of the model begin with."""
+    name = value.remark.port or value.name
+    for prefix in (f"{model}_U_", f"{model}_Y_", f"{model}_", "rtu_", "rty_"):
+        name = name.removeprefix(prefix)
+    return name
+
+
+def _is_certain(near: tuple[Near, ...]) -> bool:
+    """Whether only one signal can be meant: it has all words of a name of two or more, and no other one has them too.
+
+    One that has more words in its last name says more than the name; one without any other words says just that.
+    """
+    if not near or near[0].wanted < 2 or not near[0].has_all or near[0].beyond_last:
+        return False
+    rivals = [one for one in near[1:] if one.has_all and not one.beyond_last]
+    return not rivals or (near[0].beyond == 0 and rivals[0].beyond > 0)
+
+
+def _values(value: Value, node: Node | None) -> Mapping[str, int] | None:
+    """Numbers of the code by the names that the catalogue allows; None if these are not the same names."""
+    allowed = node.values.get("allowed") if node else None
+    if not isinstance(allowed, list) or not value.constants:
+        return None
+    by_words = {_plain(each.name): each.value for each in value.constants}
+    found = {
+        str(name): next((by_words[key] for key in by_words if key.endswith(_plain(str(name)))), None)
+        for name in allowed
+    }
+    numbers = {name: number for name, number in found.items() if number is not None}
+    return numbers if len(numbers) == len(allowed) == len(set(numbers.values())) else None
+
+
+def _plain(name: str) -> str:
+    return "".join(words(name)).lower()
+
+
+def _fits(value: Value, role: Role, unit: str, node: Node, values: Mapping[str, int] | None) -> bool:
+    """Whether the code holds what the signal is: the same kind of value, in a unit that can be converted."""
+    datatype, own = str(node.values["datatype"]), node.values.get("unit")
+    size = node.values.get("arraysize", value.length) if value.length else 0
+    if (
+        is_array(datatype) != bool(value.length)
+        or size != value.length
+        or (role == "provided" and node.type == "attribute")
+    ):
+        return False
+    if node.values.get("allowed") or value.constants:
+        return values is not None
+    if (element_of(datatype) == "boolean") != (value.datatype == "boolean") or element_of(datatype) == "string":
+        return False
+    return not unit or (isinstance(own, str) and between(own, unit) is not None)

@@ -1,0 +1,34 @@
+"""Proposals of signals that a name in code means, as many as anybody reads."""
+
+from functools import cached_property
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.near_signals import PLACEHOLDER, NearSignals
+from sigcat.limits import PROPOSALS
+from sigcat.names import either, last_name, parent_path
+
+
+class MeantSignals:
+    """The first hundred unknown paths get a proposal: words are looked up in the whole catalogue."""
+
+    def __init__(self, catalogue: Catalogue) -> None:
+        self._catalogue = catalogue
+        self._left = PROPOSALS
+
+    def __call__(self, path: str) -> str:
+        """A sentence that proposes the signals with the words of the last name; of a path to be chosen, the nearest."""
+        self._left -= 1
+        near = self._near.near(last_name(path)) if self._left >= 0 else ()
+        meant = [
+            one.node.path for one in near if is_to_be_chosen(path) or (one.has_all and one.wanted > 1 and one.whole > 1)
+        ]
+        return f"Did you mean {either(map(repr, meant))}?" if meant else ""
+
+    @cached_property
+    def _near(self) -> NearSignals:
+        return NearSignals(self._catalogue)
+
+
+def is_to_be_chosen(path: str) -> bool:
+    """Whether a path only holds the place of one that is to be chosen."""
+    return last_name(parent_path(path)) == PLACEHOLDER

@@ -1,0 +1,3 @@
+#pragma once
+void a_init(void);
+void a_step(void);

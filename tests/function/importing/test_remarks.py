@@ -1,0 +1,77 @@
+"""What a comment says: port, unit, range, scale and cycle time, in the styles that code has."""
+
+import pytest
+
+from sigcat.function.c_project.remarks import Remark, cycle_time_of, remark_of
+from sigcat.function.importing.units import unit_of
+from tests.function.shipped import interfaces
+
+
+@pytest.mark.parametrize(
+    ("comment", "remark"),
+    [
+        ("'<Root>/EngSpd'", Remark(port="EngSpd")),
+        ("'<Root>/b_hallA '", Remark(port="b_hallA")),
+        ("'<S13>/Counter'", Remark()),
+        ("Variable: Kp\nReferenced by: '<S2>/Kp'", Remark()),
+        ("Expression: [0, 1]\nReferenced by:\n  '<S2>/a'\n  '<S3>/b'", Remark()),
+        ("'<Root>/p'\nRaw value of rail pressure", Remark(port="p", text="Raw value of rail pressure")),
+        ("Unit: km/h  Range: 0..250", Remark(units=("km/h",), min=0, max=250)),
+        ("Units: [1/min]", Remark(units=("1/min",))),
+        ("[0,100]", Remark(min=0, max=100)),
+        ("[-1.5, 1e3]", Remark(min=-1.5, max=1000.0)),
+        ("range -40 to 150", Remark(min=-40, max=150)),
+        ("(0 .. 4)", Remark(min=0, max=4)),
+        ("min: -5, max: 5", Remark(min=-5, max=5)),
+        ("minimum 2", Remark(min=2)),
+        ("'<Root>/ax' m/s^2", Remark("ax", ("m/s^2",))),
+        ("Vehicle speed [km/h] [0,250]", Remark("", ("km/h",), 0, 250, text="Vehicle speed [km/h]")),
+        ("Range: 5..1", Remark()),
+        ("(1, 2)", Remark()),
+        ("sfix16_En8", Remark(factor=0.00390625)),
+        ("ufix8_E2", Remark(factor=4)),
+        ("fixdt(1,16,4)", Remark(factor=0.0625)),
+        ("fixdt(0,16,0.01,-40)", Remark(factor=0.01, offset=-40)),
+        ("fixdt(0,16,2^-3,0)", Remark(factor=0.125, offset=0)),
+        ("scaling 2^-8", Remark(factor=0.00390625)),
+        ("LSB = 1/256", Remark(factor=0.00390625)),
+        ("slope 0.1, bias -40", Remark(factor=0.1, offset=-40)),
+        ("factor: 2^-200", Remark(factor=1)),
+        ("scale 1/0", Remark(factor=1)),
+        ("", Remark()),
+        ("*" * 5_000, Remark()),
+        ("[" * 5_000, Remark()),
+        ("1" * 5_000, Remark()),
+    ],
+)
+def test_a_comment_says(comment, remark):
+    assert remark_of(comment) == remark
+
+
+@pytest.mark.parametrize(
+    ("comment", "milliseconds"),
+    [
+        ("Sample time: [0.0005s, 0.0s]", 0.5),
+        ("Sample time: [0.02s, 0.0s]", 20),
+        ("Step: 0.05 s", 50),
+        ("called every 10 ms", 10),
+        ("cycle time 20ms", 20),
+        ("Cycle: 500 us", 0.5),
+        ("Sample time: [-1s, 0.0s]", None),
+        ("Sample time: [0.0s, 0.0s]", None),
+        ("every 0 ms", None),
+        ("every 5 minutes", None),
+        ("Model step function", None),
+    ],
+)
+def test_a_comment_says_how_often_a_call_is_made(comment, milliseconds):
+    assert cycle_time_of(comment) == milliseconds
+
+
+@pytest.mark.parametrize(
+    ("text", "key"),
+    [("kph", "km/h"), ("KM/H", "km/h"), ("m/s2", "m/s^2"), ("%", "percent"), ("degC", "Celsius"), ("°", "degrees"),
+     ("U/min", "rpm"), ("N.m", "Nm"), ("-", ""), ("furlong", ""), ("", "")],
+)  # fmt: skip
+def test_a_unit_is_spelled_in_many_ways(text, key):
+    assert unit_of([text], interfaces().vocabulary) == key
