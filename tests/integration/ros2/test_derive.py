@@ -465,13 +465,16 @@ def test_what_a_graph_and_a_signal_say_is_not_in_words():
         "ResetCondition": "A restart.",
     }  # fmt: skip
     watchdog = {"AliveSupervision": None, "DeadlineSupervision": None, "LogicalSupervision": "After init."}
-    told, graph = {"Watchdog": watchdog}, {"Checkpoint": {"Initial": True}}
+    told, graph = {"Watchdog": watchdog}, {"Checkpoint": {"BeginsSequence": True}}
     in_words = function(call=told, contract={"ErrorList": [error]})
     assert {("N205", "Acc_Step"), ("N206", "Acc_Order_ErrorSts")} <= set(rules([in_words]))
     drawn = function(call=told | graph, contract={"ErrorList": [error | {"Reset": "Restart"}]})
     assert not {"N205", "N206"} & {rule for rule, _ in rules([drawn])}
     (step,) = document([drawn])["ComponentList"][0]["functionList"]
-    assert (step["Checkpoint"], step["funcContractList"][0]["ErrorList"][0]["Reset"]) == ({"Initial": True}, "Restart")
+    assert (step["Checkpoint"], step["funcContractList"][0]["ErrorList"][0]["Reset"]) == (
+        {"BeginsSequence": True},
+        "Restart",
+    )
 
 
 def test_each_function_keeps_how_its_code_is_called():

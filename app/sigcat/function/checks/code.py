@@ -83,7 +83,7 @@ def _class(code: CodeInterface) -> Problems:
 
 def _macros(code: CodeInterface) -> Problems:
     for index, each in enumerate(code.definitions or ()):
-        at: Pointer = ("Code", "Definitions", index)
+        at: Pointer = ("Code", "Macros", index)
         if not is_identifier(each.name):
             yield _no_name(each.name, "A definition of the preprocessor", at)
         if each.value is not None and not each.value.isprintable():

@@ -19,6 +19,7 @@ _ON_THE_WIRE = {
     "init": "InitValue", "unit": "Units", "path": "VssPath", "provider": "ExternalProvider",
     "kind": "Interfacetype", "runnables": "RunnablesList", "success": "SuccessValue", "before": "PreProcessing",
     "after": "PostProcessing", "unknown": "UnknownAction", "events": "EventList",
+    "definitions": "Macros",
 }  # fmt: skip
 """Fields of Function JSON that are not simply those of the declaration in CamelCase."""
 
