@@ -2,6 +2,7 @@
 
 SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
+├── NoRoom              there is no room for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
 └── UsageError          a command or request asks for something that cannot be done
 """
@@ -22,6 +23,10 @@ class InputRefused(SigcatError):
     def __init__(self, message: str, findings: tuple[Finding, ...] = ()) -> None:
         super().__init__(message)
         self.findings = findings
+
+
+class NoRoom(SigcatError):
+    """There is no room for temporary files."""
 
 
 class NotFound(SigcatError):

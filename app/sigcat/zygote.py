@@ -22,6 +22,8 @@ IS_POSSIBLE = hasattr(os, "fork")
 """Whether this system has zygotes."""
 LENGTH = struct.Struct("!Q")
 """What stands before each message."""
+_NICE = 5
+"""Whoever asks for work by a child goes on before it."""
 _REQUEST = struct.Struct("!?31s")
 
 
@@ -129,6 +131,7 @@ def _live(child: Child, connection: socket.socket) -> None:
     status = 1
     try:
         gc.enable()
+        os.nice(_NICE)
         child.serve(connection)
         status = 0
     except ConnectionError:

@@ -6,7 +6,7 @@ import resource
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
@@ -38,8 +38,9 @@ class Service(NamedTuple):
 
 
 @contextmanager
-def served(tree: Path, **variables: str) -> Iterator[Service]:
-    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
+def served(tree: Path, before: Sequence[str] = (), **variables: str) -> Iterator[Service]:
+    """A service over a tree; what stands `before` its command is to replace itself with it."""
+    command = [*before, sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
     environment = {**os.environ, **variables}
     with (
         tempfile.NamedTemporaryFile("w") as log,

@@ -32,6 +32,7 @@ from sigcat.api.routes.shortcuts import SHORTCUTS
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.queue import WorkQueue
+from sigcat.api.work.worker import EXPORTS
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.hosting import FunctionLibrary
@@ -73,7 +74,7 @@ def create_app(
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.modules_of_work = [*_MODULES_OF_WORK]
     app.state.work_queue = _queue(settings.heavy_requests, settings)
-    app.state.export_queue = _queue(settings.exports, settings)
+    app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
@@ -88,13 +89,14 @@ def create_app(
     return app
 
 
-def _queue(at_once: int, settings: Settings) -> WorkQueue:
+def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
     return WorkQueue(
         at_once,
         settings.heavy_waiting,
         seconds=settings.heavy_seconds,
         memory=settings.heavy_bytes,
         share=settings.client_share,
+        kind=kind,
     )
 
 

@@ -15,7 +15,7 @@ from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.serializers import listed_findings, plain_text
 from sigcat.api.validation import reason_of
-from sigcat.errors import InputRefused, NotFound, SigcatError
+from sigcat.errors import InputRefused, NoRoom, NotFound, SigcatError
 from sigcat.findings import Finding
 
 MEDIA_TYPE = "application/problem+json"
@@ -37,6 +37,7 @@ KINDS: dict[int, tuple[str, str]] = {
     431: ("head-too-large", "Headers too large"),
     500: ("internal-error", "Internal error"),
     503: ("busy", "Service busy"),
+    507: ("no-room", "No room for temporary files"),
 }
 """Name in the problem's `type` and its title, by status."""
 
@@ -71,7 +72,7 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, InputRefused):
         return problem_of(422, str(error), error.findings)
     if isinstance(error, SigcatError):
-        return problem_of(400, str(error))
+        return problem_of(507 if isinstance(error, NoRoom) else 400, str(error))
     if isinstance(error, RequestValidationError):
         findings = [_invalid(each) for each in error.errors()]
         return problem_of(422, " ".join(finding.message for finding in findings), findings)
@@ -112,6 +113,8 @@ async def answer_problem(request: Request, error: Exception) -> Response:
 def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
     if problem.status == HTTPStatus.INTERNAL_SERVER_ERROR:
         _LOG.error("%s %s failed [%s]", request.method, request.scope["path"], problem.request_id, exc_info=error)
+    if problem.status == HTTPStatus.INSUFFICIENT_STORAGE:
+        _LOG.error("%s [%s]", problem.detail, problem.request_id)
 
 
 def _invalid(error: dict[str, Any]) -> Finding:

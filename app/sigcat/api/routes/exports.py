@@ -50,7 +50,7 @@ def _add_exporter(exporter: Exporter) -> None:
         name=f"export_{exporter.name}",
         description=f"The catalogue as {exporter.text}, byte for byte as `{exporter.same_as}` writes it.",
         response_class=Response,
-        responses={200: _documentation(exporter), **problem_documentation(400, 404, 422, 503)},
+        responses={200: _documentation(exporter), **problem_documentation(400, 404, 422, 503, 507)},
     )(export_catalogue)
 
 
@@ -97,7 +97,8 @@ async def _export(
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
     key = (catalogue, exporter.name, repr(sorted(options.items())))
-    export = await queue.run_once(key, _exported, catalogue, exporter.name, options, settings.heavy_seconds)
+    bounds = settings.heavy_seconds, settings.heavy_bytes
+    export = await queue.run_once(key, _exported, catalogue, exporter.name, options, *bounds)
     count = {"Sigcat-Warnings": str(export.warnings)}
     return _sent(request, _blocks(export.data), export.name, export.media_type, count)
 
@@ -111,8 +112,10 @@ class _OneFile(NamedTuple):
     warnings: int
 
 
-def _exported(catalogue: Catalogue, format_name: str, options: Mapping[str, Any], seconds: float) -> _OneFile:
-    files, findings = exported(catalogue, format_name, options, timeout=seconds)
+def _exported(
+    catalogue: Catalogue, format_name: str, options: Mapping[str, Any], seconds: float, memory: int
+) -> _OneFile:
+    files, findings = exported(catalogue, format_name, options, timeout=seconds, memory=memory)
     exporter = exporter_named(format_name)
     if exporter.is_folder or len(files) > 1:
         name = f"{catalogue.roots[0].name}-{exporter.name}.zip"

@@ -18,13 +18,20 @@ class WorkQueue:
     """Compositions, lints, diffs, exports: the event loop stays free while they are done."""
 
     def __init__(
-        self, at_once: int, waiting: int, *, seconds: float, memory: int = 256 * _MEBIBYTE, share: float = 1.0
+        self,
+        at_once: int,
+        waiting: int,
+        *,
+        seconds: float,
+        memory: int = 256 * _MEBIBYTE,
+        share: float = 1.0,
+        kind: str = "",
     ) -> None:
         self._at_once = at_once
         self._seconds = seconds
         self._memory = memory
         self._turns = Turns(at_once, waiting, share)
-        self._workers = Workers(memory)
+        self._workers = Workers(memory, kind)
         self._shared: dict[Hashable, asyncio.Task[Any]] = {}
 
     @property

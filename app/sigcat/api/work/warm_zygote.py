@@ -43,9 +43,9 @@ class WarmZygote:
         """What a worker knows that is forked now."""
         return frozenset(self._known)
 
-    def child(self) -> socket.socket:
+    def child(self, kind: str) -> socket.socket:
         """A connection to a new worker."""
-        return self._started().child()
+        return self._started().child(kind)
 
     async def ready(self, work: Work) -> ReadyWork:
         """Work that can be done. What nobody needed before is told to the zygote; the event loop does not wait for that."""

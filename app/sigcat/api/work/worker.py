@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat.api.work.references import unpickled
+from sigcat.catalogue.exporting.vss_tools.processes import keep_warm
 from sigcat.errors import SigcatError
 from sigcat.limits import COMPARED_NAMES
 from sigcat.names import bounded_proposals
@@ -24,12 +25,13 @@ from sigcat.zygote import read_message, write_message
 
 _kept: dict[int, Any] = {}
 """Catalogues and rules by number."""
+EXPORTS = "exports"
+"""The kind of workers that export."""
 _GROWTH = 32 * 1024 * 1024
 """Bytes of memory that a worker may keep from work that is done; one with more is replaced."""
 _STATUS = Path("/proc/self/status")
 _FIRST_TO_END = "1000"
 """To the system: where memory runs out, end this process before any other."""
-_NICE = 5
 
 
 class Told(NamedTuple):
@@ -72,12 +74,13 @@ def keep(data: bytes) -> None:
 
 
 def prepare(kind: str) -> None:
-    """Nothing is to be done before a worker is forked."""
+    """Get ready for a worker of this kind."""
+    if kind == EXPORTS:
+        keep_warm()
 
 
 def serve(connection: socket.socket) -> None:
     """Do what comes over the connection."""
-    os.nice(_NICE)  # answers to others go first
     with suppress(OSError):
         Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_END)
     warm = _memory()

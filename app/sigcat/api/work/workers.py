@@ -17,8 +17,9 @@ from sigcat.zygote import LENGTH
 class Workers:
     """As many as work at once. Of one event loop at a time."""
 
-    def __init__(self, memory: int) -> None:
+    def __init__(self, memory: int, kind: str = "") -> None:
         self._memory = memory
+        self._kind = kind
         self._zygote: WarmZygote = zygote_of_this_process()
         self._idle: list[_Worker] = []
         weakref.finalize(self, _close, self._idle)
@@ -59,7 +60,7 @@ class Workers:
         return None
 
     def _forked(self) -> "_Worker":
-        return _Worker(self._zygote.child(), self._zygote.known)
+        return _Worker(self._zygote.child(self._kind), self._zygote.known)
 
 
 class _Worker:

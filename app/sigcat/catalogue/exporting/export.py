@@ -33,6 +33,7 @@ def exported(
     *,
     output_name: str = "",
     timeout: float = TIMEOUT,
+    memory: int = 0,
 ) -> Export:
     """The files of a catalogue, as an exporter writes them, and the exporter's warnings.
 
@@ -45,7 +46,7 @@ def exported(
     checked = checked_options(exporter, options or {})
     refuse_unfit(catalogue, exporter)
     name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
-    return exporter.run(Job(exporter, catalogue, checked, name, timeout))
+    return exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
 
 
 def refuse_unfit(catalogue: Catalogue, exporter: Exporter) -> None:

@@ -79,6 +79,8 @@ class Job(NamedTuple):
     """Name of the file or folder."""
     timeout: float
     """Seconds."""
+    memory: int = 0
+    """Bytes that vss-tools may take; 0: as many as there are."""
 
 
 TIMEOUT = 600.0

@@ -21,7 +21,7 @@ _STATISTICS = Option("stats-radial", "output", "write counts for a radial chart 
 _OPTIONS = (EXPAND, TYPES_OUTPUT, PRETTY, ALL_ATTRIBUTES, KEEP_INSTANCES, _STATISTICS, *STRICTNESS)
 _ONLY_VSS_TOOLS = ("stats-radial", "strict", "aborts", "strict-exceptions")
 """Options with which vss-tools writes the JSON: the statistics and the checks are its own."""
-_STREAMED = frozenset(("pretty", "expand", "extended-attributes", "extend-all-attributes", "keep-instances"))
+_STREAMED = frozenset(("expand", "extended-attributes", "extend-all-attributes", "keep-instances"))
 
 
 def _run(job: Job) -> "Export":
@@ -35,7 +35,7 @@ def _run(job: Job) -> "Export":
 
 
 def _stream(catalogue: "Catalogue", options: Mapping[str, Any]) -> Iterator[bytes] | None:
-    if not set(options) <= _STREAMED or not options.get("expand", True):
+    if not set(options) <= _STREAMED or not options.get("expand", True) or len(catalogue.roots) > 1:
         return None
     from sigcat.catalogue.exporting.json_stream import json_parts
 

@@ -1,11 +1,9 @@
 """Run an exporter of vss-tools on a catalogue, in a process of its own and a temporary folder."""
 
+import errno
 import json
 import os
 import re
-import subprocess
-import sys
-import tempfile
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -17,12 +15,13 @@ from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.shared_options import KEEP_INSTANCES
 from sigcat.catalogue.exporting.vss_tools.calls import call_of
+from sigcat.catalogue.exporting.vss_tools.processes import ExportEnded, ExportProcess, export_process, temporary_folder
+from sigcat.catalogue.exporting.vss_tools.worker import FULL, NO_MEMORY, NO_SPACE, REFUSED
 from sigcat.catalogue.exporting.vss_tools.written_catalogue import Files, refused_attributes, write_catalogue
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, NoRoom
 from sigcat.findings import Finding, RuleCode
 
-_WORKER = Path(__file__).with_name("worker.py")
 _LEVELS: Mapping[str, RuleCode] = {
     "WARNING": codes.EXPORTER_WARNS,
     "ERROR": codes.EXPORTER_REFUSES,
@@ -54,16 +53,26 @@ class _Folders(NamedTuple):
 
 
 def run(job: Job) -> Export:
-    """Run the exporter of vss-tools. Raises InputRefused with what it reported."""
-    with tempfile.TemporaryDirectory(prefix="sigcat-export-") as temporary:
-        folders = _Folders(*(Path(temporary) / part for part in ("source", "output", "beside")))
+    """Run the exporter of vss-tools. Raises InputRefused with what it reported, and NoRoom."""
+    try:
+        return _run(job)
+    except OSError as error:
+        if error.errno not in FULL:
+            raise
+        message = f"The export needs more room for temporary files than there is: {error.strerror}."
+        raise NoRoom(f"{message} Free some, or let TMPDIR name another folder.") from error
+
+
+def _run(job: Job) -> Export:
+    with temporary_folder() as temporary, export_process(job.exporter.name, temporary) as process:
+        folders = _Folders(*(temporary / part for part in ("source", "output", "beside")))
         output = folders.output / job.output_name
         for folder in (*folders, *([output] if call_of(job.exporter.name).output_exists else [])):
             folder.mkdir()
         log = folders.source / "log"
         log.touch()
-        failure = _run_worker({**_request(job, output, folders), "log": str(log)}, folders, job)
-        reports = tuple(_reports(log, Path(temporary)))
+        failure = _failure(process, {**_request(job, output, folders), "log": str(log)}, job)
+        reports = tuple(_reports(log, temporary))
         news = [report for report in reports if not _EXPECTED.search(report.text)]
         if failure:
             raise InputRefused(failure, _findings(reports if _is_strict(job) else news, job.catalogue))
@@ -89,28 +98,26 @@ def _request(job: Job, output: Path, folders: _Folders) -> dict[str, Any]:
             f"--{call.output}={output}",
         ],
         "instances": kept_instances(job.catalogue) if job.options.get(KEEP_INSTANCES.name) else {},
+        "place": str(folders.beside),
+        "seconds": job.timeout,
+        "memory": job.memory,
     }
 
 
-def _run_worker(request: Mapping[str, Any], folders: _Folders, job: Job) -> str:
-    """Run the worker; why it failed, or nothing. `-P`: no file in the current folder can pass for a module."""
+def _failure(process: ExportProcess, request: Mapping[str, Any], job: Job) -> str:
+    """Why the export failed, or nothing. Raises OSError where there is no room for files, and MemoryError."""
     name = job.exporter.name
-    file = folders.source / "request"
-    file.write_text(json.dumps(request), encoding="utf-8")
-    command = [sys.executable, "-P", "-X", "utf8", str(_WORKER), str(file)]
-    alive, held = os.pipe()  # the worker ends when `held` is closed, as it is when this process is killed
     try:
-        worker = subprocess.run(  # noqa: S603 - our own script, with a file of our own as its argument
-            command, cwd=folders.beside, stdin=alive, capture_output=True, timeout=job.timeout, check=False
-        )
-    except subprocess.TimeoutExpired:
+        status = process.status(request)
+    except TimeoutError:
         return f"vss-tools took longer than {job.timeout:g} s to export {name}; it was stopped."
-    finally:
-        os.close(alive)
-        os.close(held)
-    if worker.returncode not in (0, 1):
-        return f"vss-tools crashed while it exported {name} (exit status {worker.returncode})."
-    return f"vss-tools could not export {name}." if worker.returncode else ""
+    except ExportEnded as error:
+        return f"vss-tools crashed while it exported {name} ({error})."
+    if status == NO_SPACE:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    if status == NO_MEMORY:
+        raise MemoryError
+    return f"vss-tools could not export {name}." if status == REFUSED else ""
 
 
 # -- what vss-tools is asked for ----------------------------------------------------------------------------------

@@ -1,28 +1,39 @@
-"""Runs one exporter of vss-tools in a process of its own: `python -P worker.py REQUEST`.
+"""Runs one exporter of vss-tools in a process of its own: `python -P worker.py`, or a child of a zygote.
 
-REQUEST is a JSON file with `format`, `arguments` (of `vspec export FORMAT`), `log` (a file to write) and `instances`
-(by path; put back at the branches after the expansion). Each line of the log is a JSON list of level and message.
-Exit status: 0 exported, 1 refused; the log says why. Standard input stays open as long as somebody wants the export:
-when it ends, the folder that contains REQUEST is removed with all beside it, and the process ends.
+Two lines arrive on standard input, or on the connection of the child: the folder that holds all files of the export, and a
+JSON object with `format`, `arguments` (of `vspec export FORMAT`), `instances` (by path; put back at the branches after the
+expansion), `log` (a file to write, each line a JSON list of level and message), `place` (the current folder), `seconds`
+and `memory` (bytes, or 0). The status is that of the process; a child sends it as a line.
 
-This script imports nothing of ours, so that it runs wherever vss-tools is installed.
+What they arrive on stays open as long as somebody wants the export: when it ends, the folder is removed, and the process
+ends. This file imports nothing of ours, so that it runs wherever vss-tools is installed.
 """
 
+import errno
 import importlib
 import json
 import logging
 import os
 import shutil
+import signal
+import socket
 import sys
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, TextIO
 
 import yaml
 
+DONE, REFUSED, NO_SPACE, NO_MEMORY = 0, 1, 3, 4
+"""Statuses. The log says why an export is refused."""
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""Errors of a folder in which nothing more can be written."""
 _TRIES = 100
 """How often the folder is removed until it stays away."""
+_GRACE = 5.0
+"""Seconds that a child has for ending by itself."""
 
 
 class _Log(logging.Handler):
@@ -41,30 +52,57 @@ class _Log(logging.Handler):
         self._file.flush()
 
 
-def main(request_file: str) -> int:
-    """Run the exporter that a request asks for."""
-    request: dict[str, Any] = json.loads(Path(request_file).read_text(encoding="utf-8"))
-    with Path(request["log"]).open("w", encoding="utf-8") as file:
-        log = _Log(file)
-        try:
-            _export(request, log)
-        except SystemExit as error:
-            return 1 if error.code else 0
-        except Exception as error:  # noqa: BLE001 - whatever an exporter raises goes to the log, never to a user as a traceback
-            message = getattr(error, "message", "") or str(error)
-            log.write("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
-            return 1
-    return 0
+# -- the export ---------------------------------------------------------------------------------------------------
+
+
+def export(request: dict[str, Any]) -> int:
+    """Run the exporter that a request asks for; the status."""
+    try:
+        with Path(request["log"]).open("w", encoding="utf-8") as file:
+            return _logged_export(request, _Log(file))
+    except OSError as error:
+        if error.errno in FULL:
+            return NO_SPACE
+        raise
+
+
+def _logged_export(request: dict[str, Any], log: _Log) -> int:
+    try:
+        _export(request, log)
+    except MemoryError:
+        return NO_MEMORY
+    except SystemExit as error:
+        return NO_SPACE if _is_full(error) else REFUSED if error.code else DONE
+    except Exception as error:  # noqa: BLE001 - whatever an exporter raises goes to the log, never to a user as a traceback
+        if _is_full(error):
+            return NO_SPACE
+        message = getattr(error, "message", "") or str(error)
+        log.write("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
+        return REFUSED
+    return DONE
+
+
+def _is_full(error: BaseException | None) -> bool:
+    """Whether an error comes of a folder in which nothing more can be written."""
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in FULL:
+            return True
+        error = error.__cause__ or error.__context__
+    return False
 
 
 def _export(request: dict[str, Any], log: _Log) -> None:
-    if hasattr(yaml, "CSafeLoader"):
-        vars(yaml)["SafeLoader"] = yaml.CSafeLoader  # the same values, many times faster
-    exporter = importlib.import_module(f"vss_tools.exporters.{request['format']}")
+    exporter = _exporter(request["format"])
     logging.getLogger().handlers = [log]
     if request["instances"]:
         _keep_instances(exporter, request["instances"])
     exporter.cli.main(request["arguments"], prog_name=request["format"], standalone_mode=False)
+
+
+def _exporter(name: str) -> Any:
+    if hasattr(yaml, "CSafeLoader"):
+        vars(yaml)["SafeLoader"] = yaml.CSafeLoader  # the same values, many times faster
+    return importlib.import_module(f"vss_tools.exporters.{name}")
 
 
 def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
@@ -81,25 +119,82 @@ def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
     exporter.get_trees = with_instances
 
 
-def _end_with_parent(folder: Path, ended: threading.Event) -> None:
-    """Wait for the end of standard input: the process that asked was killed, and nothing else would clean up."""
-    os.read(sys.stdin.fileno(), 1)  # not through `sys.stdin`: its lock would still be held when the export is done
-    ended.set()
+# -- the process --------------------------------------------------------------------------------------------------
+
+
+class _Asker(threading.Thread):
+    """Waits until nobody wants the export any more, removes its folder, and ends the process."""
+
+    def __init__(self, descriptor: int, folder: Path) -> None:
+        super().__init__(daemon=True)
+        self._descriptor = descriptor
+        self._folder = folder
+        self.has_left = threading.Event()
+
+    def run(self) -> None:
+        os.read(self._descriptor, 1)  # not through `sys.stdin`: its lock would still be held when the export is done
+        self.has_left.set()
+        _remove(self._folder)
+        os._exit(REFUSED)
+
+
+def _bound(seconds: float, memory: int) -> None:
+    """Let the system end this process if it does not end in time, and refuse it more memory than that, if it is bounded."""
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, seconds + _GRACE)
+    status = Path("/proc/self/status")
+    if memory and status.is_file():
+        import resource
+
+        (held,) = (int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmData:"))
+        resource.setrlimit(resource.RLIMIT_DATA, (held * 1024 + memory,) * 2)
+
+
+def _remove(folder: Path) -> None:
     for _ in range(_TRIES):  # the export may still write into it
         shutil.rmtree(folder, ignore_errors=True)
         if not folder.exists():
-            break
+            return
         time.sleep(0.05)
-    os._exit(1)
+
+
+def asked_for(descriptor: int) -> tuple[int, _Asker]:
+    """Read the two lines, and export; the status, and who asked."""
+    with open(descriptor, encoding="utf-8", closefd=False) as lines:
+        folder, text = Path(lines.readline().rstrip("\n")), lines.readline()
+    if not text:  # given up before it began
+        _remove(folder)
+        os._exit(REFUSED)
+    asker = _Asker(descriptor, folder)
+    asker.start()
+    request = json.loads(text)
+    _bound(request["seconds"], request["memory"])
+    os.chdir(request["place"])
+    status = export(request)
+    if asker.has_left.is_set():  # an export that misses its files must not end the process before they are all removed
+        asker.join()
+    return status, asker
+
+
+# -- as the child of a zygote -------------------------------------------------------------------------------------
+
+
+def keep(_: bytes) -> None:
+    """Nothing is kept."""
+
+
+def prepare(kind: str) -> None:
+    """Import the exporter of which the next child is one."""
+    with suppress(Exception):  # the child finds the same, and tells of it
+        _exporter(kind)
+
+
+def serve(connection: socket.socket) -> None:
+    """One export."""
+    status, asker = asked_for(connection.fileno())
+    connection.sendall(f"{status}\n".encode())
+    asker.join()
 
 
 if __name__ == "__main__":
-    ended = threading.Event()
-    cleaner = threading.Thread(target=_end_with_parent, args=(Path(sys.argv[1]).parent.parent, ended), daemon=True)
-    cleaner.start()
-    try:
-        status = main(sys.argv[1])
-    finally:
-        if ended.is_set():  # an export that misses its files must not end the process before they are all removed
-            cleaner.join()
-    sys.exit(status)
+    sys.exit(asked_for(sys.stdin.fileno())[0])
