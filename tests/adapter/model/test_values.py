@@ -95,3 +95,27 @@ def test_outputs_are_sent_with_every_call():
     assert run.published() == {"A"}
     run.steps(10)
     assert run.published() == {"A"}
+
+
+def given(run, t, *values):
+    """What is sent of values that a call gives."""
+    run.variables.update(a=(*values[:3], *[0] * (3 - len(values))), n=len(values))
+    run.steps(t)
+    return run.adapter.out["A"], "A" in run.published()
+
+
+def test_of_a_provided_queue_as_many_values_are_sent_as_the_call_says_but_no_more_than_there_is_room_for():
+    document = function(step(queue("A", 3, role="Provider", CountVariable="n", OverflowError="Lost"), WATCHED))
+    run = Driven(document).start()
+    assert given(run, 0, 5) == ((5,), True)
+    assert given(run, 10) == ((), False)
+    assert given(run, 20, 1, 2, 3, 4) == ((1, 2, 3), True)
+    assert run.adapter.out["Lost"] == 1
+    assert given(run, 30, 1, 2, 3) == ((1, 2, 3), True)
+    assert run.adapter.out["Lost"] == 0
+
+
+def test_without_a_count_each_call_gives_one_value_of_a_queue():
+    run = Driven(function(step(queue("A", 3, role="Provider"))), F_Step=lambda variables: variables.update(a=7)).start()
+    run.steps(0)
+    assert run.adapter.out["A"] == (7,)

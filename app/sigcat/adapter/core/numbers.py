@@ -79,9 +79,9 @@ Number = int | float
 
 def brought_to(number: Fraction, wanted: NumberType) -> Number:
     """A number as a type holds it: rounded once, ties to even, and saturated."""
-    number = min(max(number, wanted.smallest), wanted.largest)
     if wanted.is_boolean:
         return int(number != 0)
+    number = min(max(number, wanted.smallest), wanted.largest)
     if wanted.is_integer:
         return round(number)
     return nearest_float(number) if wanted.name == "float" else float(number)

@@ -1,6 +1,6 @@
 """A value between the catalogue and the code: its leaves, with their limits and conversions (sections 4 and 5)."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -34,14 +34,19 @@ class Part(NamedTuple):
     """Where it is in the catalogue's value: ``, `.x`, `[i]`."""
     code: str
     """Where it is in the variable."""
-    keys: tuple[str, ...]
-    """Members that lead to it."""
+    path: tuple[str | None, ...]
+    """Members that lead to it, and None for the elements of an array."""
     length: int | None
     type: NumberType
     symbols: tuple[EnumerationValue, ...] | None
     least: Fraction | None = None
     """Limits of a member, which has its own."""
     greatest: Fraction | None = None
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Members that lead to it."""
+        return tuple(key for key in self.path if key is not None)
 
 
 class Side(NamedTuple):
@@ -110,7 +115,7 @@ _DEEPEST = 16
 
 
 def _parts(
-    reference: str, wire: str, code: str, keys: tuple[str, ...], length: int | None, members: Mapping[str, str],
+    reference: str, wire: str, code: str, path: tuple[str | None, ...], length: int | None, members: Mapping[str, str],
     context: Context, depth: int,
 ) -> Iterator[Part]:  # fmt: skip
     datatype = context.datatypes.get(reference)
@@ -118,17 +123,17 @@ def _parts(
         raise _NotCarried(f"the datatype {reference} is not known" if datatype is None else "its structs are too deep")
     if datatype.kind == "struct":
         for field in datatype.fields or ():
-            path = ".".join((*keys, field.name))
-            ends = f"{wire}.{identifier(field.name)}", f"{code}.{members.get(path, field.name)}"
-            deeper = _parts(field.datatype, *ends, (*keys, field.name), length, members, context, depth + 1)
+            name = ".".join((*(key for key in path if key is not None), field.name))
+            ends = f"{wire}.{identifier(field.name)}", f"{code}.{members.get(name, field.name)}"
+            deeper = _parts(field.datatype, *ends, (*path, field.name), length, members, context, depth + 1)
             yield from (_limited(part, field.min, field.max) for part in deeper)
     elif datatype.kind == "array":
         if length is not None or datatype.length is None:
             raise _NotCarried("arrays within arrays are not carried" if length else "the length of its array is open")
         ends = f"{wire}[i]", f"{code}[i]"
-        yield from _parts(datatype.element or "", *ends, keys, datatype.length, members, context, depth + 1)
+        yield from _parts(datatype.element or "", *ends, (*path, None), datatype.length, members, context, depth + 1)
     else:
-        yield Part(wire, code, keys, length, _number_type(datatype), datatype.symbols)
+        yield Part(wire, code, path, length, _number_type(datatype), datatype.symbols)
 
 
 def _limited(part: Part, least: float | None, greatest: float | None) -> Part:
@@ -183,7 +188,7 @@ def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
 
 def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
     if is_struct or item.vss_datatype is None:
-        return Side(part.type, part.symbols, IDENTITY)
+        return _code_side(item, part, is_struct=is_struct)
     numbers = item.vss_symbols or part.symbols
     name = item.vss_datatype.removesuffix("[]")
     known = number_type(name)
@@ -235,22 +240,29 @@ def _given(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | Non
     if isinstance(item, ParameterInterface) and name == "default":
         text = item.default_text
     given = elements(text)
-    for key in part.keys:
-        given = given.get(key) if isinstance(given, Mapping) else None
+    if given is None and _is_only_default(item, name, part):
+        return None
     if given is None and not part.keys:
         given = getattr(item, "init_value" if name == "init" else "default")
-    numbers = _listed(given, part)
-    return tuple(numbers) if numbers else None
+    found = [_element(_at(given, part.path, index), part) for index in range(part.length or 1)]
+    numbers = [number for number in found if number is not None]
+    return tuple(numbers) if len(numbers) == len(found) else None
 
 
-def _listed(given: Any, part: Part) -> list[Fraction]:
-    count = part.length or 1
-    each = given if isinstance(given, list) else [given] * count
-    numbers = [_element(number, part) for number in each][:count]
-    if not numbers or any(number is None for number in numbers):
-        return []
-    known = [number for number in numbers if number is not None]
-    return [*known, *[known[-1]] * (count - len(known))]
+def _is_only_default(item: Interface, name: str, part: Part) -> bool:
+    """Whether the start value of an array is no more than what Function JSON requires, and its elements are the default."""
+    is_array = isinstance(item, ParameterInterface) and part.length is not None
+    return is_array and name == "init" and getattr(item, "default_text", None) is not None
+
+
+def _at(given: Any, path: Iterable[str | None], index: int) -> Any:
+    """What is given for an element. A list that is too short goes on with its last value; one value stands for all."""
+    for key in path:
+        if isinstance(given, list) and key is None:
+            given = given[min(index, len(given) - 1)] if given else None
+        elif key is not None:
+            given = given.get(key) if isinstance(given, Mapping) else None
+    return given
 
 
 def _element(given: Any, part: Part) -> Fraction | None:

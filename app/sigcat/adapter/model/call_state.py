@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from sigcat.adapter.model.function import Call
+from sigcat.adapter.model.outputs import OutputState
 from sigcat.adapter.model.parts.inputs import InputState
 from sigcat.adapter.model.parts.schedule import Activations
 from sigcat.adapter.model.parts.supervision import Alive, Deadline
@@ -18,8 +19,7 @@ class CallState:
     """Whether the mode excludes it."""
     has_ended: bool = False
     """Whether it has ended once since the first Start."""
-    outside: dict[str, bool] = field(default_factory=dict)
-    """Whether what it gave was outside of its limits, by outputs."""
+    outputs: dict[str, OutputState] = field(default_factory=dict)
     inputs: tuple[InputState, ...] = ()
     activations: Activations = field(init=False)
     alive: Alive | None = None
@@ -27,6 +27,7 @@ class CallState:
 
     def __post_init__(self) -> None:
         self.inputs = tuple(InputState(each) for each in self.call.inputs)
+        self.outputs = {each.name: OutputState(each) for each in self.call.outputs}
         self.activations = Activations(self.call.timing)
         self.alive = Alive(self.call.alive) if self.call.alive else None
         self.deadline = Deadline(self.call.deadline) if self.call.deadline else None

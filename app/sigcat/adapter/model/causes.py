@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from sigcat.adapter.model.call_state import CallState
-from sigcat.adapter.model.function import Output
+from sigcat.adapter.model.outputs import OutputState
 from sigcat.adapter.model.parts.inputs import InputState
 from sigcat.adapter.model.parts.modes import Mode
 from sigcat.adapter.model.parts.parameters import ParameterState
@@ -33,8 +33,8 @@ def causes_of_call(state: CallState) -> Iterator[Cause]:
     yield Cause(state.call.overrun_error, lambda: state.activations.overrun, name)
     for each in state.inputs:
         yield from _causes_of_input(each, name)
-    for output in state.call.outputs:
-        yield _cause_of_output(output, state)
+    for output in state.outputs.values():
+        yield from _causes_of_output(output, name)
     if alive:
         yield Cause(alive.limits.error, alive.judge, name, is_late=True, is_supervised=True)
     if deadline:
@@ -48,8 +48,10 @@ def _causes_of_input(state: InputState, call: str) -> Iterator[Cause]:
         yield Cause(state.input.queue.overflow_error, lambda: state.overflow, call)
 
 
-def _cause_of_output(output: Output, state: CallState) -> Cause:
-    return Cause(output.range_error, lambda: state.outside.get(output.name), state.call.name, is_late=True)
+def _causes_of_output(state: OutputState, call: str) -> Iterator[Cause]:
+    yield Cause(state.output.range_error, lambda: state.is_outside, call, is_late=True)
+    if state.output.queue:
+        yield Cause(state.output.queue.overflow_error, lambda: state.overflow, call, is_late=True)
 
 
 def causes_of_mode(mode: Mode) -> Iterator[Cause]:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sigcat.adapter.model.parts.errors import Error
-from sigcat.adapter.model.parts.inputs import Input
+from sigcat.adapter.model.parts.inputs import Input, Queue
 from sigcat.adapter.model.parts.methods import Method
 from sigcat.adapter.model.parts.modes import ModeIn, ModeOut
 from sigcat.adapter.model.parts.parameters import Parameter
@@ -16,12 +16,18 @@ from sigcat.adapter.model.values.transfer import Transfer
 
 @dataclass(frozen=True)
 class Output:
-    """A signal that a call provides."""
+    """A signal or queue that a call provides."""
 
     name: str
     variable: str
     transfer: Transfer
     range_error: str | None = None
+    queue: Queue | None = None
+
+    @property
+    def places(self) -> int:
+        """How many values the variable has room for."""
+        return self.queue.length if self.queue and self.queue.count_variable else 1
 
 
 @dataclass(frozen=True)

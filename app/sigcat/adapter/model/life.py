@@ -5,7 +5,6 @@ from sigcat.adapter.model.function import Call
 from sigcat.adapter.model.mode_out import read_mode_out
 from sigcat.adapter.model.parts.errors import in_new_cycle
 from sigcat.adapter.model.running import Running, Stored
-from sigcat.adapter.model.values.value import value_of
 from sigcat.adapter.model.writing import (
     write_errors,
     write_input,
@@ -45,8 +44,8 @@ def init(running: Running) -> bool:
 
 def _fill(running: Running) -> None:
     """What is sent has a value from the beginning."""
-    for output in (output for step in running.function.steps for output in step.outputs):
-        running.out[output.name] = value_of(output.transfer.init, is_single=output.transfer.is_single)
+    for call in running.steps:
+        running.out.update({name: output.sent for name, output in call.outputs.items()})
     for error in running.function.errors:
         running.out[error.name] = error.passed
 
@@ -59,6 +58,7 @@ def _write_all(running: Running) -> None:
     for reaction in running.diagnosis.reactions.values():
         write_reaction(running, reaction)
     for slot in running.slots.values():
+        running.write(slot.method.request_variable, 0)
         write_status(running, slot)
     write_mode(running)
 

@@ -12,7 +12,7 @@ from sigcat.adapter.model.parts.methods import Slot
 from sigcat.adapter.model.parts.modes import Mode
 from sigcat.adapter.model.parts.parameters import ParameterState
 from sigcat.adapter.model.parts.supervision import Graph
-from sigcat.adapter.model.values.value import Value, numbers_of
+from sigcat.adapter.model.values.value import Value
 
 Variables = MutableMapping[str, Value]
 """Variables of the code, by their expressions in C."""
@@ -115,4 +115,4 @@ class Running:
         calls = [*([self.calls[owner.name]] if owner else []), *self.steps]
         inputs = (each for call in calls for each in call.inputs if error.reset_input in each.input.names)
         found = next(inputs, None)
-        return found is not None and any(number != 0 for number in numbers_of(found.seen))
+        return found is not None and found.is_set

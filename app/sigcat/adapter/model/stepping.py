@@ -3,10 +3,11 @@
 from sigcat.adapter.model.call_state import CallState
 from sigcat.adapter.model.function import Call
 from sigcat.adapter.model.mode_out import read_mode_out
+from sigcat.adapter.model.outputs import OutputState
 from sigcat.adapter.model.parts.inputs import InputState
 from sigcat.adapter.model.parts.methods import Slot
 from sigcat.adapter.model.running import Running
-from sigcat.adapter.model.values.value import numbers_of, value_of
+from sigcat.adapter.model.values.value import numbers_of
 from sigcat.adapter.model.writing import (
     write_errors,
     write_input,
@@ -93,12 +94,19 @@ def get_output(running: Running, name: str, t: int) -> None:
 
 
 def _send(running: Running, call: CallState) -> None:
-    for output in call.call.outputs:
-        given, before = running.variables[output.variable], running.out[output.name]
-        taken = output.transfer.take(numbers_of(given), numbers_of(before))
-        call.outside[output.name] = taken.is_outside
-        running.out[output.name] = value_of(taken.numbers, is_single=output.transfer.is_single)
-        running.publish.add(output.name)
+    for name, state in call.outputs.items():
+        state.give(running.variables[state.output.variable], _count(running, state))
+        running.out[name] = state.sent
+        if state.count:
+            running.publish.add(name)
+        else:
+            running.publish.discard(name)
+
+
+def _count(running: Running, state: OutputState) -> int:
+    """How many values a call has given."""
+    variable = state.output.queue.count_variable if state.output.queue else None
+    return 1 if variable is None else int(numbers_of(running.variables[variable])[0]) % 2**32
 
 
 def _read_errors(running: Running, call: Call) -> None:

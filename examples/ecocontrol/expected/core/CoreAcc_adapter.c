@@ -859,6 +859,10 @@ static void CoreAcc_Adapter_SetInitialValues(CoreAcc_Adapter *self)
     self->out.ProposalTimeout = 0U;
     self->out.AliveError = 0U;
     self->out.AccReqInvalid = 0U;
+    self->error.BrakePressureTimeout.is_confirmed = (self->stored.BrakePressureTimeout.occurrences > 0U);
+    self->error.SteeringAngleTimeout.is_confirmed = (self->stored.SteeringAngleTimeout.occurrences > 0U);
+    self->error.ProposalTimeout.is_confirmed = (self->stored.ProposalTimeout.occurrences > 0U);
+    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     self->received.EnaGACC.value = false;
     self->received.ObjDst.value = 0.0F;
     self->mode.now = 0U;

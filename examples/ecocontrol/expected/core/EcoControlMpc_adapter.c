@@ -705,6 +705,9 @@ static void EcoControlMpc_Adapter_SetInitialValues(EcoControlMpc_Adapter *self)
     self->out.DeadlineError = 0U;
     self->out.NoSolutionError = 0U;
     self->out.AccPropInvalid = 0U;
+    self->error.HorizonTimeout.is_confirmed = (self->stored.HorizonTimeout.occurrences > 0U);
+    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
+    self->error.NoSolutionError.is_confirmed = (self->stored.NoSolutionError.occurrences > 0U);
     self->received.EnaMpc.value = false;
     self->mode.now = 0U;
     EcoControlMpc_Adapter_Load_VehM(self);

@@ -877,6 +877,11 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     self->out.DeadlineError = 0U;
     self->out.SequenceError = 0U;
     self->out.WhlSpdRLInvalid = 0U;
+    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences > 0U)
+        && (self->stored.RangeError.occurrences >= 3U);
+    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
+    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
+    self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
     self->mode.now = 1U;
     WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Load_TireDiaRear(self);

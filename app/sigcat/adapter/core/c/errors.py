@@ -118,11 +118,6 @@ def _sent(error: Error, scope: Scope) -> Lines:
     """What is sent: with the first verdict and on change."""
     p, c, name = scope.prefix, scope.constant, error.named.name
     place, out = f"self->error.{name}", f"self->out.{name}"
-    limits = [f"(self->stored.{name}.occurrences > 0U)"]
-    if error.occurrence_limit:
-        limits.append(f"(self->stored.{name}.occurrences >= {error.occurrence_limit}U)")
-    if error.ignition_limit:
-        limits.append(f"(self->stored.{name}.ignition_cycles >= {error.ignition_limit}U)")
     send = lines(f"""
         if (!{place}.is_sent || ({out} != status)) {{
             {out} = status;
@@ -132,8 +127,18 @@ def _sent(error: Error, scope: Scope) -> Lines:
     """)
     status = f"const {error.wire.c} status = {p}_HasFailed(&{place}) ? {error.failed}U : {error.passed}U;"
     is_known = f"({place}.state != {c('NOT_TESTED')}) && ({place}.state != {c('PREFAILED')})"
-    confirmed = f"{place}.is_confirmed = {' && '.join(limits)};"
-    return joined([lines(confirmed), block(f"if ({is_known})", [lines(status), send])])
+    return joined([confirmed(error), block(f"if ({is_known})", [lines(status), send])])
+
+
+def confirmed(error: Error) -> Lines:
+    """Whether an error has failed as often, and in as many ignition cycles, as it takes."""
+    name = error.named.name
+    limits = [f"(self->stored.{name}.occurrences > 0U)"]
+    if error.occurrence_limit:
+        limits.append(f"(self->stored.{name}.occurrences >= {error.occurrence_limit}U)")
+    if error.ignition_limit:
+        limits.append(f"(self->stored.{name}.ignition_cycles >= {error.ignition_limit}U)")
+    return lines(f"self->error.{name}.is_confirmed = {' && '.join(limits)};")
 
 
 def evaluated(errors: tuple[Error, ...], scope: Scope) -> Lines:

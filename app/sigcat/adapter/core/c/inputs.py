@@ -14,6 +14,7 @@ from sigcat.adapter.core.c.values import (
     known_values,
     looped,
     names_functions,
+    passing,
     stored,
     tables,
 )
@@ -250,7 +251,9 @@ def _kept(call: Call, item: Input, scope: Scope) -> Lines:
         stored(item.value.wire, _handed(item, received.source), f"{place}.kept[0]"),
         lines(f"{place}.origin[0] = {scope.constant('RECEIVED')};"),
     ])  # fmt: skip
-    return joined([check(item.value, received), _range(call, item, scope), block("if (is_within)", [good])])
+    return joined(
+        [check(item.value, received), _range(call, item, scope), block(f"if ({passing(item.value)})", [good])]
+    )
 
 
 def _handed(item: Input, source: str) -> str:
@@ -327,7 +330,7 @@ def _one_of_queue(call: Call, item: Input, scope: Scope) -> Lines:
         replaced = lines(f"{queue}.origin[{place}] = {scope.constant('REPLACEMENT')};")
         ways = {
             "REPLACEMENT": [("is_within", keep), ("", replaced)],
-            "KEPT": [("is_within", keep)],
+            "KEPT": [(passing(item.value), keep)],
             "RECEIVED": [("", keep)],
         }
         keep = joined([

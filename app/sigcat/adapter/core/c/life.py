@@ -134,6 +134,7 @@ def _set_all(scope: Scope) -> Lines:
         lines("uint32_t i;") if any(needs_index(output.value) for _, output in items) else (),
         *(outputs.initial(call, output, scope) for call, output in items),
         *(lines(text) for text in status),
+        *(errors.confirmed(error) for error in plan.errors),
         *(_received_init(port) for port in plan.ports if inputs.holds_init(port)),
         lines(f"self->mode.now = {plan.mode_in.initial.number}U;") if plan.mode_in else (),
         *(lines(f"{scope.prefix}_Load_{each.named.name}(self);") for each in plan.parameters),

@@ -46,12 +46,21 @@ def within(value: str, element: Element) -> str | None:
         least = literal(float(source.smallest) if element.least is None else element.least, source)
         greatest = literal(float(source.largest) if element.greatest is None else element.greatest, source)
         return f"({value} >= {least}) && ({value} <= {greatest})"
+    if _is_empty(element):
+        return "false"
     sides = [
         f"({value} {sign} {literal(limit, source)})"
         for sign, limit in ((">=", element.least), ("<=", element.greatest))
         if limit is not None
     ]
     return " && ".join(sides) or None
+
+
+def _is_empty(element: Element) -> bool:
+    """Whether the range has no number of the type."""
+    source = element.source
+    is_below = element.greatest is not None and element.greatest < source.smallest
+    return is_below or (element.least is not None and element.least > source.largest)
 
 
 def converted(value: str, element: Element, instead_of_nan: str, prefix: str) -> str:

@@ -4,8 +4,8 @@ from sigcat.adapter.core.c import modes
 from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.values import Ends, assigned, check, flag, index, known_values, names_functions
-from sigcat.adapter.core.plan import CLASS, Argument, Method
+from sigcat.adapter.core.c.values import Ends, assigned, check, flag, index, known_values, names_functions, needs_index
+from sigcat.adapter.core.plan import CLASS, Argument, Call, Method
 
 STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
 """What became of a request, as its status variable has it."""
@@ -78,10 +78,12 @@ def _offered(method: Method, scope: Scope) -> Lines:
     ready = "!self->is_ready || self->is_terminated" + ("" if runs == "true" else f" || !{runs}")
     ways = [(ready, lines(f"reply = {c('EXCLUDED')};"))]
     ways += [(" || ".join(unknown), lines(f"reply = {c('BAD_ARGUMENT')};"))] if unknown else []
-    needs_index = any(index(each.value) for each in (*method.arguments, *method.results) if not each.value.is_checked)
+    has_arrays = any(
+        needs_index(each.value) for each in (*method.arguments, *method.results) if not each.value.is_checked
+    )
     body = [
         lines(f"{scope.prefix}_Reply reply = {c('OK')};"),
-        lines("uint32_t i;") if needs_index else (),
+        lines("uint32_t i;") if has_arrays else (),
         choice([*ways, ("", done)]),
         lines("return reply;"),
     ]
@@ -141,10 +143,24 @@ def _answer(method: Method, scope: Scope) -> Lines:
     return function(answer_head(method, scope), body, method.named.comment)
 
 
-def taken(call: object, scope: Scope) -> Lines:
+def _of_call(call: Call, scope: Scope) -> list[Method]:
+    return [method for method in used(scope) if method.call == call.name]
+
+
+def takes_arrays(call: Call, scope: Scope) -> bool:
+    """Whether answers are taken element by element."""
+    results = [each.value for method in _of_call(call, scope) for each in method.results]
+    return any(needs_index(value) for value in results if not value.is_checked)
+
+
+def requests_arrays(call: Call, scope: Scope) -> bool:
+    """Whether arguments are taken element by element."""
+    return any(needs_index(each.value) for method in _of_call(call, scope) for each in method.arguments)
+
+
+def taken(call: Call, scope: Scope) -> Lines:
     """Answers, taken with the snapshot of a call."""
-    name = getattr(call, "name", "")
-    return joined(_taken(method, scope) for method in used(scope) if method.call == name)
+    return joined(_taken(method, scope) for method in _of_call(call, scope))
 
 
 def _taken(method: Method, scope: Scope) -> Lines:
@@ -183,10 +199,9 @@ def _answered(result: Argument, method: Method, scope: Scope) -> Lines:
     return assigned(result.value, ends, scope.prefix)
 
 
-def requested(call: object, scope: Scope) -> Lines:
+def requested(call: Call, scope: Scope) -> Lines:
     """Requests that a call has made."""
-    name = getattr(call, "name", "")
-    return joined(_requested(method, scope) for method in used(scope) if method.call == name)
+    return joined(_requested(method, scope) for method in _of_call(call, scope))
 
 
 def _requested(method: Method, scope: Scope) -> Lines:

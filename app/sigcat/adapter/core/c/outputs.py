@@ -11,6 +11,7 @@ from sigcat.adapter.core.c.values import (
     index,
     known_values,
     names_functions,
+    passing,
     tables,
 )
 from sigcat.adapter.core.plan import Call, Output
@@ -40,7 +41,13 @@ def given(call: Call, output: Output, scope: Scope) -> Lines:
 
 def published(call: Call) -> Lines:
     """What a call has given is to be sent. Flags stand side by side, so that a compiler sets several at once."""
-    return joined(lines(f"self->publish.{output.named.name} = true;") for output in call.outputs)
+    return joined(lines(f"self->publish.{output.named.name} = {_is_given(output)};") for output in call.outputs)
+
+
+def _is_given(output: Output) -> str:
+    """Whether there is anything to be sent: a call may give no value of a queue."""
+    may_be_none = output.queue is not None and output.queue.count_variable is not None
+    return f"self->out.{output.named.name}.count > 0U" if may_be_none else "true"
 
 
 def initial(call: Call, output: Output, scope: Scope) -> Lines:
@@ -128,5 +135,5 @@ def _one(output: Output, ends: Ends, scope: Scope) -> Lines:
     if output.value.is_replaced:
         put = choice([("is_within", put), ("", constant(output.value, "replacement", ends))])
     elif keeps:
-        put = choice([("is_within", put), ("", lines("/* what was sent before stays */"))])
+        put = choice([(passing(output.value), put), ("", lines("/* what was sent before stays */"))])
     return joined([check(output.value, ends), put])

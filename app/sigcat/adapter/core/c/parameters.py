@@ -29,11 +29,12 @@ def parameter_functions(scope: Scope) -> list[Lines]:
     found: list[Lines] = []
     for parameter in scope.plan.parameters:
         ends = ends_of(parameter, scope)
-        kinds = ("init", "replacement") if parameter.value.is_replaced else ("init",)
+        kinds = ("init", "default", "replacement") if parameter.value.is_replaced else ("init", "default")
         found += [*tables(parameter.value, ends.names, kinds), *names_functions(parameter.value, ends)]
         found += [_is_within(parameter, scope), _load(parameter, scope), _write(parameter, scope)]
         if parameter.learned:
             found += [
+                *tables(parameter.learned, _back(parameter, scope).names, ("default",)),
                 *names_functions(parameter.learned, _back(parameter, scope)),
                 _learn(parameter, parameter.learned, scope),
             ]

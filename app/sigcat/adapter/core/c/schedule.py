@@ -145,6 +145,7 @@ def _mark(point: int, call: Call, scope: Scope) -> Lines:
 def _set_input(call: Call, scope: Scope) -> Lines:
     p, plan = scope.prefix, scope.plan
     body = [
+        lines("uint32_t i;") if methods.takes_arrays(call, scope) else (),
         _mark(0, call, scope),
         lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
@@ -193,6 +194,7 @@ def _run(call: Call, scope: Scope) -> Lines:
 def _get_output(call: Call, scope: Scope) -> Lines:
     p, place, plan = scope.prefix, f"self->{call.name}", scope.plan
     body = [
+        lines("uint32_t i;") if methods.requests_arrays(call, scope) else (),
         lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
         supervision.ended(call, scope),

@@ -118,9 +118,9 @@ def _functions(scope: Scope) -> list[Lines]:
         *schedule.enter_functions(scope),
         *modes.mode_functions(scope),
         *schedule.due_functions(scope),
+        *methods.method_functions(scope),
         *(part for call in steps for part in schedule.call_functions(call, scope)),
         supervision.supervise_function(scope),
-        *methods.method_functions(scope),
         *life.life_functions(scope),
     ) if part]  # fmt: skip
 

@@ -63,11 +63,28 @@ def check(value: Value, ends: Ends) -> Lines:
     conditions = [(leaf, _condition(leaf, number, ends)) for number, leaf in enumerate(value.leaves)]
     if value.is_bare:
         return lines(f"const bool is_within = {conditions[0][1] or 'true'};", ends.pointer)
-    return joined(
-        looped(leaf, lines(f"is_within = is_within && {_grouped(condition)};", ends.pointer))
-        for leaf, condition in conditions
-        if condition
-    )
+    found = []
+    for leaf, condition in conditions:
+        if condition:
+            flag_name = passing(value) if leaf.element.names is not None else "is_within"
+            text = f"{flag_name} = {flag_name} && {_grouped(condition)};"
+            found.append(looped(leaf, lines(text, ends.pointer)))
+    return joined([*found, lines("is_within = is_within && is_named;") if _is_mixed(value) else ()])
+
+
+def passing(value: Value) -> str:
+    """The flag that says whether a value may pass where nothing replaces it: every enumeration has a name."""
+    return "is_named" if _is_mixed(value) else "is_within"
+
+
+def _is_mixed(value: Value) -> bool:
+    """Whether nothing replaces a value, and of its numbers some may pass out of range and others may not."""
+    has_names = {leaf.element.names is not None for leaf in value.leaves if _may_be_outside(leaf)}
+    return not value.is_replaced and len(has_names) > 1
+
+
+def _may_be_outside(leaf: Leaf) -> bool:
+    return leaf.element.names is not None or within("", leaf.element) is not None
 
 
 def _grouped(condition: str) -> str:
@@ -76,7 +93,8 @@ def _grouped(condition: str) -> str:
 
 def flag(value: Value) -> Lines:
     """The declaration of `is_within`, before several numbers are checked."""
-    return () if value.is_bare else lines("bool is_within = true;")
+    named = "\nbool is_named = true;" if _is_mixed(value) else ""
+    return () if value.is_bare else lines(f"bool is_within = true;{named}")
 
 
 def _condition(leaf: Leaf, number: int, ends: Ends) -> str | None:

@@ -54,6 +54,8 @@ class InputState:
     clock: Clock | None = None
     overflow: bool | None = None
     is_outside: bool | None = None
+    is_set: bool = False
+    """Whether a number that the call saw in its last snapshot is not 0."""
 
     def __post_init__(self) -> None:
         self.kept = [self.input.transfer.init] * self.input.places
@@ -93,6 +95,7 @@ class InputState:
         if taken:
             self.is_outside = any(each.is_outside for each in taken)
         self.count = 0 if self._is_substituted else len(taken)
+        self.is_set = any(number != 0 for number in numbers_of(self.seen))
 
     @property
     def _is_substituted(self) -> bool:

@@ -62,4 +62,5 @@ def _queue(item: DataQueue) -> Queue:
 
 def output_of(item: Data, table: Table) -> Output:
     """What a call provides."""
-    return Output(item.name, item.variable or item.name, to_catalogue(item, table), item.range_error)
+    queue = _queue(item) if isinstance(item, DataQueue) else None
+    return Output(item.name, item.variable or item.name, to_catalogue(item, table), item.range_error, queue)

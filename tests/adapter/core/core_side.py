@@ -1,0 +1,45 @@
+"""A script, done by a generated core: compiled with a driver, run, and what it printed."""
+
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.toolchain import EXACT, toolchain
+from tests.adapter.core.driver import HELPERS, header, program
+from tests.adapter.core.script import Script, written
+from tests.adapter.core.subject import Subject
+
+_LONGEST = 60
+"""Seconds that a run may take."""
+
+
+def write(subject: Subject, folder: Path) -> Path:
+    """Write the core, the function and the driver as one program."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = core_files(subject.plan)
+    for file in files.files:
+        (folder / file.name).write_bytes(file.data)
+    (folder / "f.h").write_text(header(subject))
+    (folder / HELPERS.name).write_text(HELPERS.read_text())
+    source = folder / "program.c"
+    source.write_text(program(subject, [files.source.name]))
+    return source
+
+
+def compiled(source: Path, command: Sequence[str] = (), flags: Sequence[str] = ("-std=c99", "-O0")) -> Path:
+    """Compile a program."""
+    result = source.with_suffix("")
+    line = [*(command or toolchain().c), *flags, *EXACT, source.name, "-o", result.name]
+    done = subprocess.run(line, cwd=source.parent, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{' '.join(line)}\n{done.stderr}"
+    return result
+
+
+def run(program_file: Path, script: Script) -> list[str]:
+    """What a script prints."""
+    done = subprocess.run(
+        [program_file], input=written(script), capture_output=True, text=True, timeout=_LONGEST, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()

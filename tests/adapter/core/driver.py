@@ -1,0 +1,388 @@
+"""The program that drives a generated core: it reads a script, and prints after each line all that can be seen."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from sigcat.adapter.core.c.scope import Scope
+from tests.adapter.core.subject import Item, Leaf, Method, Subject
+
+HELPERS = Path(__file__).with_name("driver.h")
+
+
+def header(subject: Subject) -> str:
+    """What the function declares: its variables and its calls."""
+    structs = "\n".join(subject.structs)
+    variables = "\n".join(f"extern {item.declared};" for item in subject.variables)
+    calls = "\n".join(f"{_result(subject, name)} {name}(void);" for name in subject.symbols)
+    return f"""#ifndef F_H
+#define F_H
+#include <stdbool.h>
+#include <stdint.h>
+#ifdef __cplusplus
+extern "C" {{
+#endif
+{structs}
+{variables}
+{calls}
+#ifdef __cplusplus
+}}
+#endif
+#endif
+"""
+
+
+def _result(subject: Subject, symbol: str) -> str:
+    has_result = any(call.symbol == symbol and call.success is not None for call in subject.function.calls)
+    return "int32_t" if has_result else "void"
+
+
+def code(subject: Subject) -> str:
+    """The function itself: each of its calls prints what it sees, and does what the script said before."""
+    variables = "\n".join(_definition(item) for item in subject.variables)
+    calls = "\n".join(_call(subject, name) for name in subject.symbols)
+    hooks = "\n".join(
+        f'void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n    work("{name}");\n}}\n'
+        for name in subject.hooks
+    )
+    return f"""{variables}
+
+static void print_variables(void)
+{{
+{_indented(_printed(item.name, item, item.c) for item in subject.variables)}
+}}
+
+static void assign(int variable, const char *text)
+{{
+    switch (variable) {{
+{_cases((_taken(item.leaves, item.c)) for item in subject.variables)}
+    default: break;
+    }}
+}}
+
+static void work(const char *symbol)
+{{
+    int index;
+    printf("code %s", symbol);
+    print_variables();
+    printf("\\n");
+    for (index = 0; index < pending_count; index++) {{
+        assign(pending_variables[index], pending_texts[index]);
+    }}
+    pending_count = 0;
+}}
+
+{calls}
+{hooks}
+"""
+
+
+def _definition(item: Item) -> str:
+    return f"{item.declared};"
+
+
+def _call(subject: Subject, name: str) -> str:
+    result = _result(subject, name)
+    end = "" if result == "void" else "    return (int32_t)pending_result;\n"
+    return f'{result} {name}(void)\n{{\n    work("{name}");\n{end}}}\n'
+
+
+# -- the program --------------------------------------------------------------------------------------------------
+
+
+def program(subject: Subject, sources: Iterable[str]) -> str:
+    """One translation unit with the core (its file names), the function and the driver."""
+    own = f"{subject.plan.type_name}"
+    return f"""{"".join(f'#include "{name}"{chr(10)}' for name in sources)}
+#include "driver.h"
+
+{code(subject)}
+static {own} adapter;
+static {own}_Stored kept;
+static {own} *const self = &adapter;
+static int stages[{max(len(subject.calls), 1)}];
+
+static int is_idle(void)
+{{
+    int index;
+    for (index = 0; index < {len(subject.calls)}; index++) {{
+        if (stages[index] != 0) {{
+            return 0;
+        }}
+    }}
+    return 1;
+}}
+
+{_state(subject, own)}
+{_receive(subject, own)}
+{_advance(subject, own)}
+{_methods(subject, own)}
+{_parameters(subject, own)}
+{_MAIN.replace("OWN", own).replace("CALLS", _answers(subject))}
+"""
+
+
+def _answers(subject: Subject) -> str:
+    scope = Scope(subject.plan)
+    return "\n".join(
+        f"        if (call == (int){scope.call(c)}) {{ stages[{index}] = 1; }}"
+        for index, (_, c) in enumerate(subject.calls)
+    )
+
+
+def _indented(lines: Iterable[str]) -> str:
+    return "\n".join(f"    {line}" for line in lines)
+
+
+def _cases(bodies: Iterable[str]) -> str:
+    return "\n".join(f"    case {index}: {body} break;" for index, body in enumerate(bodies))
+
+
+def _taken(leaves: Iterable[Leaf], name: str) -> str:
+    return " ".join(f"take(&text, &{name}{leaf.place}, sizeof({name}{leaf.place}));" for leaf in leaves)
+
+
+def _printed(label: str, item: Item, name: str, *, is_sent: bool = False) -> str:
+    """Print all numbers of a value; of what is sent, bit by bit."""
+    parts = [f'printf(" {label}=");']
+    for leaf in item.leaves:
+        place = f"{name}{leaf.place}"
+        is_floating = leaf.format.is_floating and not is_sent
+        put = f"put_{leaf.format.name}(&{place});" if is_floating else f"put(&{place}, sizeof({place}));"
+        parts.append(put)
+    return " ".join(parts)
+
+
+def _sent(item: Item) -> str:
+    """Print what is sent; of a queue, how many values and then all of them."""
+    if not item.length:
+        return _printed(f"out.{item.name}", item, f"self->out.{item.c}", is_sent=True)
+    place = f"self->out.{item.c}"
+    each = "".join(
+        f" put(&{place}.values[k]{leaf.place}, sizeof({place}.values[k]{leaf.place}));" for leaf in item.leaves
+    )
+    head = f'printf(" out.{item.name}=%u:", (unsigned){place}.count);'
+    return f"{head} {{ unsigned k; for (k = 0U; k < {place}.count; k++) {{{each} }} }}"
+
+
+def _state(subject: Subject, own: str) -> str:
+    """Print all that can be seen."""
+    lines = [f'printf("next=%llu", (unsigned long long){own}_NextTime(self));', "print_variables();"]
+    for item in subject.outs:
+        lines.append(_sent(item))
+        lines.append(f'if (self->publish.{item.c}) {{ printf("!"); }}')
+    for name, c in subject.errors:
+        lines.append(
+            f'printf(" {name}:%d,%u,%u,%d", (int)self->error.{c}.state, (unsigned)self->stored.{c}.occurrences, '
+            f"(unsigned)self->stored.{c}.ignition_cycles, (int)self->error.{c}.is_confirmed);"
+        )
+    steps = {call.name: call for call in subject.plan.steps}
+    for name, c in subject.calls:
+        missed = f"(unsigned)self->{c}.missed" if steps[c].cycle else "0U"
+        lines.append(f'printf(" {name}:%u,%u", {missed}, (unsigned)self->{c}.dropped);')
+    for item in subject.parameters:
+        there = f"self->stored.{item.c}"
+        lines.append(f"if ({there}.is_there) {{ {_printed('stored.' + item.name, item, there + '.value')} }}")
+    for method in subject.used:
+        lines.append(f'printf(" {method.name}:%u", (unsigned)self->method.{method.c}.number);')
+        lines += [
+            _printed(f"{method.name}.{item.name}", item, f"self->method.{method.c}.arguments.{item.c}", is_sent=True)
+            for item in method.arguments
+        ]
+        lines.append(f'if (self->publish.{method.c}) {{ printf("!"); }}')
+    return f'static void print_state(void)\n{{\n{_indented(lines)}\n    printf("\\n");\n}}\n'
+
+
+def _passed(item: Item) -> str:
+    return "&value" if item.leaves[0].place.startswith(".") else "value"
+
+
+def _receive(subject: Subject, own: str) -> str:
+    bodies = [
+        f"{{ {item.declared}; memset(&value, 0, sizeof(value)); {_taken(item.leaves, 'value')} "
+        f"{own}_Receive_{item.c}(self, {_passed(item)}, t); }}"
+        for item in subject.ports
+    ]
+    return f"""static void receive(int port, const char *text, uint64_t t)
+{{
+    (void)text;
+    (void)t;
+    switch (port) {{
+{_cases(bodies)}
+    default: break;
+    }}
+}}
+"""
+
+
+def _advance(subject: Subject, own: str) -> str:
+    bodies = [
+        f"""
+        switch (stages[{index}]) {{
+        case 1: {own}_SetInput_{c}(self, t); stages[{index}] = 2; break;
+        case 2: {own}_Begin_{c}(self, t); stages[{index}] = 3; break;
+        case 3: {own}_Run_{c}(self); stages[{index}] = 4; break;
+        case 4: {own}_GetOutput_{c}(self, t); stages[{index}] = 0; break;
+        default: break;
+        }}"""
+        for index, (_, c) in enumerate(subject.calls)
+    ]
+    return f"""static void advance(int call, uint64_t t)
+{{
+    switch (call) {{
+{_cases(bodies)}
+    default: break;
+    }}
+}}
+"""
+
+
+def _methods(subject: Subject, own: str) -> str:
+    """Requests and answers."""
+    offered = [_offered(method, own) for method in subject.offered]
+    answers = [
+        f"{{ {own}_{method.c}_Results results; memset(&results, 0, sizeof(results)); "
+        f"{_members(method.results, 'results')} {own}_Answer_{method.c}(self, number, is_ok != 0, &results, t); }}"
+        if method.results
+        else f"{own}_Answer_{method.c}(self, number, is_ok != 0, t);"
+        for method in subject.used
+    ]
+    return f"""static void request(int method, const char *text)
+{{
+    (void)text;
+    switch (method) {{
+{_cases(offered)}
+    default: break;
+    }}
+}}
+
+static void answer(int method, uint32_t number, int is_ok, const char *text, uint64_t t)
+{{
+    (void)number;
+    (void)is_ok;
+    (void)text;
+    (void)t;
+    switch (method) {{
+{_cases(answers)}
+    default: break;
+    }}
+}}
+"""
+
+
+def _members(items: Iterable[Item], name: str) -> str:
+    return " ".join(_taken(item.leaves, f"{name}.{item.c}") for item in items)
+
+
+def _offered(method: Method, own: str) -> str:
+    passed = ["self"]
+    parts = []
+    if method.arguments:
+        parts.append(f"{own}_{method.c}_Arguments arguments; memset(&arguments, 0, sizeof(arguments));")
+        parts.append(_members(method.arguments, "arguments"))
+        passed.append("&arguments")
+    if method.results:
+        parts.append(f"{own}_{method.c}_Results results; memset(&results, 0, sizeof(results));")
+        passed.append("&results")
+    results = " ".join(_printed(item.name, item, f"results.{item.c}", is_sent=True) for item in method.results)
+    call = f"{own}_Method_{method.c}({', '.join(passed)})"
+    return (
+        f'{{ {" ".join(parts)} {{ int reply = (int){call}; printf("reply=%d", reply); '
+        f'if (reply == 0) {{ {results} }} printf("\\n"); }} }}'
+    )
+
+
+def _parameters(subject: Subject, own: str) -> str:
+    stored = [
+        f"if (*text == '-') {{ kept.{item.c}.is_there = false; }} "
+        f"else {{ {_taken(item.leaves, f'kept.{item.c}.value')} kept.{item.c}.is_there = true; }}"
+        for item in subject.parameters
+    ]
+    settable = [item for item in subject.parameters if item.name in subject.settable]
+    body = (
+        f"{own}_Parameters parameters; memset(&parameters, 0, sizeof(parameters)); {_members(settable, 'parameters')} "
+        f'printf("set=%d\\n", (int){own}_SetParameters(self, &parameters));'
+        if settable
+        else ""
+    )
+    return f"""static void store(int parameter, const char *text)
+{{
+    (void)text;
+    switch (parameter) {{
+{_cases(stored)}
+    default: break;
+    }}
+}}
+
+static void set_parameters(const char *text)
+{{
+    (void)text;
+    {{ {body} }}
+}}
+"""
+
+
+_MAIN = """static void execute(const char *word)
+{
+    if (strcmp(word, "receive") == 0) {
+        const int port = (int)next_number();
+        const char *text = next_word();
+        receive(port, text, next_number());
+    } else if (strcmp(word, "next") == 0) {
+        const int call = (int)OWN_NextCall(self, next_number());
+        printf("call=%d\\n", call);
+CALLS
+    } else if (strcmp(word, "advance") == 0) {
+        const int call = (int)next_number();
+        advance(call, next_number());
+    } else if (strcmp(word, "set") == 0) {
+        const int variable = (int)next_number();
+        assign(variable, next_word());
+    } else if (strcmp(word, "then") == 0) {
+        pending_variables[pending_count] = (int)next_number();
+        (void)strcpy(pending_texts[pending_count], next_word());
+        pending_count++;
+    } else if (strcmp(word, "returns") == 0) {
+        pending_result = atoi(next_word());
+    } else if (strcmp(word, "supervise") == 0) {
+        OWN_Supervise(self, next_number());
+    } else if (strcmp(word, "published") == 0) {
+        OWN_Published(self);
+    } else if (strcmp(word, "start") == 0) {
+        OWN_Start(self, next_number());
+    } else if (strcmp(word, "keep") == 0) {
+        kept = self->stored;
+    } else if (strcmp(word, "store") == 0) {
+        const int parameter = (int)next_number();
+        store(parameter, next_word());
+    } else if (strcmp(word, "parameters") == 0) {
+        set_parameters(next_word());
+    } else if (strcmp(word, "answer") == 0) {
+        const int method = (int)next_number();
+        const uint32_t number = (uint32_t)next_number();
+        const int is_ok = (int)next_number();
+        const char *text = next_word();
+        answer(method, number, is_ok, text, next_number());
+    } else if (is_idle()) {
+        if (strcmp(word, "init") == 0) {
+            const int is_kept = (int)next_number();
+            const int is_good = (int)OWN_Init(self, is_kept ? &kept : NULL, (uint32_t)next_number());
+            printf("good=%d\\n", is_good);
+        } else if (strcmp(word, "terminate") == 0) {
+            OWN_Terminate(self, next_number());
+        } else if (strcmp(word, "request") == 0) {
+            const int method = (int)next_number();
+            request(method, next_word());
+        }
+    }
+}
+
+int main(void)
+{
+    static char line[65536];
+    while (fgets(line, (int)sizeof(line), stdin) != NULL) {
+        execute(strtok(line, " \\n"));
+        print_state();
+    }
+    return 0;
+}
+"""

@@ -1,0 +1,274 @@
+"""Traces: long scripts at random, with values at and beyond limits, and times on, before and after each bound."""
+
+import math
+import struct
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from random import Random
+
+from sigcat.adapter.model.values.number_format import Number, NumberFormat
+from sigcat.adapter.model.values.transfer import Element
+from tests.adapter.core.script import Line, Script, bits, size
+from tests.adapter.core.subject import Item, Leaf, Method, Subject
+
+MS = 10**6
+_BITS = {4: (0x7FC01234, 0xFFC00000, 0x80000000, 0x00000001, 0x7F7FFFFF, 0x7F800000, 0xFF800000, 0x807FFFFF),
+         8: (0x7FF8000000001234, 0xFFF8000000000000, 1 << 63, 1, 0x7FEFFFFFFFFFFFFF, 0x7FF0000000000000,
+             0xFFF0000000000000, 0x47EFFFFFF0000000)}  # fmt: skip
+"""NaN, −0.0, denormal, largest and infinite numbers, and what a float just does not hold."""
+_USUAL = (0, 1, -1, 0.5, 2.5, 3, 100, -99.995, 250, 1e9, 1e300)
+
+
+class Tracer:
+    """Makes the script of a function."""
+
+    def __init__(self, subject: Subject, seed: int) -> None:
+        self._subject, self._random = subject, Random(seed)
+        self._now = 0
+        self._recent = [0]
+        self._spans = sorted(_spans(subject))
+        self._free = [index for index, item in enumerate(subject.variables) if _is_given(item, subject)]
+
+    def script(self, lines: int) -> Script:
+        """A script of so many lines, or a few more."""
+        script = [*self._beginning(self._random.randrange(3))]
+        while len(script) < lines:
+            script += self._something()
+        return script
+
+    def _beginning(self, cycle: int) -> Iterator[Line]:
+        for _ in range(self._random.randrange(3)):
+            yield from self._store()
+        yield ("returns", self._random.choice((0, 0, 0, 3)))
+        yield from self._assignments("set")
+        yield ("init", self._random.randrange(2), cycle)
+        yield ("start", self._time())
+
+    def _something(self) -> list[Line]:
+        kinds = (
+            (30, self._step), (30, self._reception), (12, self._one_stage), (6, self._supervision), (5, self._offer),
+            (5, self._answer), (4, self._set), (6, self._publishing), (1, self._starting), (1, self._restart),
+        )  # fmt: skip
+        (made,) = self._random.choices([kind for _, kind in kinds], [weight for weight, _ in kinds])
+        return list(made())
+
+    # -- times ----------------------------------------------------------------------------------------------------
+
+    def _time(self) -> int:
+        """A time on a bound, beside it, or anywhere; sometimes one before the last, or one far away."""
+        kind = self._random.randrange(100)
+        if kind < 45:
+            base, span = self._random.choice(self._recent), self._random.choice(self._spans)
+            self._now = max(self._now, base + span + self._random.choice((-1, 0, 0, 1)))
+        elif kind < 75:
+            self._now += self._random.choice((0, 1, MS // 2, MS, 3 * MS, 10 * MS))
+        elif kind < 76:
+            self._now += 2**32 * 1000 + self._random.randrange(100 * MS)
+        elif kind < 80:
+            return max(self._now - self._random.choice((1, MS)), 0)
+        self._recent = [*self._recent[-5:], self._now]
+        return self._now
+
+    # -- calls ----------------------------------------------------------------------------------------------------
+
+    def _step(self) -> Iterator[Line]:
+        """What is due, from its answer to its end."""
+        yield ("next", self._time())
+        yield from self._assignments("then")
+        call = self._random.randrange(len(self._subject.calls))
+        for index in range(len(self._subject.calls)):
+            for _ in range(4):
+                yield ("advance", (call + index) % len(self._subject.calls), self._time())
+
+    def _one_stage(self) -> Iterator[Line]:
+        if self._random.random() < 0.4:
+            yield ("next", self._time())
+        yield ("advance", self._random.randrange(len(self._subject.calls)), self._time())
+
+    def _assignments(self, word: str) -> Iterator[Line]:
+        for index in self._free:
+            if self._random.random() < 0.6:
+                item = self._subject.variables[index]
+                yield (word, index, self._value(item, _sources(item, self._subject)))
+
+    def _supervision(self) -> Iterator[Line]:
+        yield ("supervise", self._time())
+
+    def _publishing(self) -> Iterator[Line]:
+        yield ("published",)
+
+    # -- from outside ---------------------------------------------------------------------------------------------
+
+    def _reception(self) -> Iterator[Line]:
+        if not self._subject.ports:
+            return
+        port = self._random.randrange(len(self._subject.ports))
+        for _ in range(self._random.choice((1, 1, 1, 2, 4))):
+            yield ("receive", port, self._port_value(self._subject.ports[port]), self._time())
+
+    def _port_value(self, item: Item) -> str:
+        mode = self._subject.function.mode_in
+        if mode and item.name == mode.name:
+            return bits(self._random.choice([*mode.numbers, *mode.numbers, *mode.numbers, 99]), item.leaves[0].format)
+        if item.transfer is None:
+            return bits(self._random.choice((0, 1, 0, 1, 2)), item.leaves[0].format)
+        return self._value(item, item.transfer.elements)
+
+    def _offer(self) -> Iterator[Line]:
+        if self._subject.offered:
+            index = self._random.randrange(len(self._subject.offered))
+            yield from self._assignments("then")
+            yield ("request", index, self._members(self._subject.offered[index].arguments) or "-")
+
+    def _answer(self) -> Iterator[Line]:
+        if self._subject.used:
+            index = self._random.randrange(len(self._subject.used))
+            given = self._members(self._subject.used[index].results) or "-"
+            for number in range(self._random.randrange(12)):
+                is_ok = int(self._random.random() < 0.8)
+                yield ("answer", index, number, is_ok, given, self._time())
+
+    def _members(self, items: Sequence[Item]) -> str:
+        return "".join(self._value(item, item.transfer.elements if item.transfer else ()) for item in items)
+
+    def _set(self) -> Iterator[Line]:
+        items = [item for item in self._subject.parameters if item.name in self._subject.settable]
+        if items:
+            yield ("parameters", self._members(items))
+
+    def _store(self) -> Iterator[Line]:
+        if self._subject.parameters:
+            index = self._random.randrange(len(self._subject.parameters))
+            item = self._subject.parameters[index]
+            given = self._value(item, item.transfer.elements if item.transfer else ())
+            yield ("store", index, "-" if self._random.random() < 0.2 else given)
+
+    # -- beginning anew -------------------------------------------------------------------------------------------
+
+    def _starting(self) -> Iterator[Line]:
+        yield ("start", self._time())
+
+    def _restart(self) -> Iterator[Line]:
+        """An end of calls that run, perhaps Terminate, perhaps storing, and Init."""
+        for index in range(len(self._subject.calls)):
+            for _ in range(4):
+                yield ("advance", index, self._time())
+        if self._random.random() < 0.7:
+            yield ("terminate", self._time())
+        if self._random.random() < 0.7:
+            yield ("keep",)
+        self._now, self._recent = self._random.choice(((self._now, self._recent), (0, [0])))
+        yield from self._beginning(self._random.randrange(3))
+
+    # -- values ---------------------------------------------------------------------------------------------------
+
+    def _value(self, item: Item, elements: Sequence[Element]) -> str:
+        """A value; all of its numbers are usual ones, or one is not."""
+        odd = self._random.randrange(len(item.leaves)) if self._random.random() < 0.6 else -1
+        known: Sequence[Element | None] = elements or [None] * len(item.leaves)
+        return "".join(
+            self._number(leaf, known[index % len(known)], is_odd=index == odd) for index, leaf in enumerate(item.leaves)
+        )
+
+    def _number(self, leaf: Leaf, element: Element | None, *, is_odd: bool) -> str:
+        format_ = leaf.format
+        if element is not None and element.names is not None:
+            names = list(element.names)
+            return bits(self._random.choice([*names, *([names[0] + 1, 77] if is_odd else [])]), format_)
+        if format_.is_floating and is_odd and self._random.random() < 0.5:
+            return f"{self._random.choice(_BITS[size(format_)]):0{2 * size(format_)}x}"
+        if is_odd and element is not None and self._random.random() < 0.7:
+            return bits(self._beside_limit(element, format_), format_)
+        return bits(self._usual(element, format_), format_)
+
+    def _beside_limit(self, element: Element, format_: NumberFormat) -> Number:
+        limits = [each for each in (element.least, element.greatest, *_ends(format_)) if each is not None]
+        limit = format_.nearest(self._random.choice(limits))
+        step = self._random.choice((-1, 0, 1))
+        if not format_.is_floating:
+            return _within(int(limit) + step, format_)
+        return _beside(float(limit), step, format_)
+
+    def _usual(self, element: Element | None, format_: NumberFormat) -> Number:
+        low = None if element is None else element.least
+        high = None if element is None else element.greatest
+        if low is not None and high is not None and self._random.random() < 0.7:
+            return format_.nearest(low + (high - low) * Fraction(self._random.randrange(1001), 1000))
+        if not format_.is_floating and self._random.random() < 0.3:
+            low, high = _ends(format_)
+            return self._random.randrange(int(low), int(high) + 1)
+        number = self._random.choice(_USUAL) * self._random.choice((1, 1, 0.1, self._random.random()))
+        return format_.nearest(Fraction(number))
+
+
+def _ends(format_: NumberFormat) -> tuple[Fraction, Fraction]:
+    return format_.ends
+
+
+def _within(number: int, format_: NumberFormat) -> int:
+    low, high = format_.ends
+    return min(max(number, int(low)), int(high))
+
+
+def _beside(number: float, step: int, format_: NumberFormat) -> float:
+    if step == 0 or not math.isfinite(number):
+        return number
+    if format_.name == "double":
+        return math.nextafter(number, math.inf * step)
+    (as_bits,) = struct.unpack("i", struct.pack("f", number))
+    if number == 0:
+        return math.copysign(1.401298464324817e-45, step)
+    towards = step if number > 0 else -step
+    return float(struct.unpack("f", struct.pack("i", as_bits + towards))[0])
+
+
+# -- what there is to try -----------------------------------------------------------------------------------------
+
+
+def _spans(subject: Subject) -> set[int]:
+    """All durations of a declaration."""
+    found = {0, MS}
+    for step in subject.function.steps:
+        found |= {step.timing.cycle or MS, step.timing.offset, step.timing.debounce}
+        found |= {each.time_out.longest for each in step.inputs if each.time_out}
+        found |= {step.alive.window} if step.alive else set()
+        found |= {step.deadline.least, step.deadline.most} if step.deadline else set()
+    found |= {span for error in subject.function.errors for span in (error.maturation, error.reset)}
+    found |= {reaction.time_out.longest for reaction in subject.function.reactions if reaction.time_out}
+    return found | {method.time_out for method in subject.function.methods if method.time_out is not None}
+
+
+def _is_given(item: Item, subject: Subject) -> bool:
+    """Whether the code writes a variable: nothing else of an adapter does, or it is learned."""
+    return item.name in _written(subject)
+
+
+def _written(subject: Subject) -> dict[str, Sequence[Element]]:
+    """Variables that the code writes, with what reads them."""
+    function = subject.function
+    found: dict[str, Sequence[Element]] = {}
+    for step in function.steps:
+        found |= {output.variable: output.transfer.elements for output in step.outputs}
+        queues = [output.queue for output in step.outputs if output.queue]
+        found |= {queue.count_variable: (_count(queue.length),) for queue in queues if queue.count_variable}
+    found |= {each.variable: each.outgoing.elements for each in function.parameters if each.is_learned}
+    found |= {error.variable: () for error in function.errors if error.variable}
+    found |= {function.mode_out.variable: ()} if function.mode_out else {}
+    for method in function.methods:
+        read = method.outputs if method.is_offered else method.inputs
+        found |= {argument.variable: argument.transfer.elements for argument in read}
+        found |= {method.request_variable: ()} if method.request_variable else {}
+    return found
+
+
+def _count(most: int) -> Element:
+    """How many values a call gives of a queue: sometimes too many."""
+    format_ = NumberFormat("uint32")
+    return Element(format_, format_, least=Fraction(0), greatest=Fraction(most))
+
+
+def _sources(item: Item, subject: Subject) -> Sequence[Element]:
+    return _written(subject)[item.name]
+
+
+__all__ = ["MS", "Method", "Tracer"]
