@@ -1,6 +1,7 @@
 """Calls, modes and parameters of a component."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TypeVar
 
 from sigcat import codes
@@ -133,35 +134,22 @@ def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.Pa
     )
 
 
+_STORAGES = ("Calibration", "Measurement", "PersistanceMemory")
+_ATTRIBUTES = ("NA", "Normal", "LearningParameter")
+
+
 def _parameter(
     name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, types: TypeTable, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
+    known = partial(_known, parameter=parameter, part=part, context=context)
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
         datatype=_parameter_type(parameter, part, types),
-        range_error_action=_known(
-            parameter.range_error_action or None,
-            ("Default", "Init"),
-            None,
-            "RangeErrorAction",
-            parameter,
-            part,
-            context,
-        ),
-        interface_type=_known(
-            stored,
-            ("Calibration", "Measurement", "PersistanceMemory"),
-            "Calibration",
-            "Interfacetype",
-            parameter,
-            part,
-            context,
-        ),
-        attribute=_known(
-            parameter.attribute, ("NA", "Normal", "LearningParameter"), "NA", "Attribute", parameter, part, context
-        ),
+        range_error_action=known(parameter.range_error_action or None, ("Default", "Init"), None, "RangeErrorAction"),
+        interface_type=known(stored, _STORAGES, _STORAGES[0], "Interfacetype"),
+        attribute=known(parameter.attribute, _ATTRIBUTES, _ATTRIBUTES[0], "Attribute"),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,

@@ -13,14 +13,9 @@ from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.file_kind import QUANTITY_NAMES, SHIPPED_ROOT, UNIT_NAMES, root_name
 from sigcat.findings import in_order
-from sigcat.rules.linting.discovery import (
-    Source,
-    default_tree,
-    first_bytes,
-    has_root,
-    tree_with_root,
-    types_beside,
-)
+from sigcat.rules.linting.discovery import Source
+from sigcat.rules.linting.includes import first_bytes
+from sigcat.rules.linting.nearby_trees import default_tree, has_root, tree_with_root, types_beside
 from sigcat.rules.linting.options import LintOptions, identity_of
 from sigcat.rules.tree import Tree
 

@@ -31,7 +31,9 @@ from sigcat.rules.linting.context import (
     units_of,
     with_instances,
 )
-from sigcat.rules.linting.discovery import Source, discover, first_bytes, overlay_beside_with
+from sigcat.rules.linting.discovery import Source, discover
+from sigcat.rules.linting.includes import first_bytes
+from sigcat.rules.linting.nearby_trees import overlay_beside_with
 from sigcat.rules.linting.options import LintOptions, LintResult, identity_of
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.linting.severity import Grading, matches
