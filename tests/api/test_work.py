@@ -3,6 +3,7 @@
 import asyncio
 import ctypes
 import gc
+import itertools
 import os
 import re
 import signal
@@ -106,20 +107,34 @@ def test_clients_take_turns() -> None:
     assert run(two()) == ["a", "a", "b", "c", "a", "b"]
 
 
-def test_who_goes_away_leaves_the_turn_to_others() -> None:
+@pytest.mark.parametrize("gone", list(itertools.permutations("abc")), ids="".join)
+def test_who_goes_away_leaves_the_turn_to_others(gone: tuple[str, ...]) -> None:
     async def impatient() -> tuple[list[str], int]:
         crowd = Crowd(Turns(at_once=1, waiting=9, share=1))
-        first, second, third, fourth = await crowd.come("a", "b", "c", "d")
-        second.cancel()
-        first.cancel()
+        tasks = dict(zip("abcd", await crowd.come(*"abcd"), strict=True))
+        for client in gone:
+            tasks[client].cancel()
         await asyncio.sleep(0)
-        third.cancel()  # at the moment at which it was given the turn
-        await asyncio.gather(first, second, third, return_exceptions=True)
         crowd.ending.set()
-        await fourth
+        await asyncio.gather(*tasks.values(), return_exceptions=True)
         return crowd.begun, crowd.turns.pending
 
     assert run(impatient()) == (["a", "d"], 0)
+
+
+def test_a_turn_that_was_given_to_somebody_who_goes_away_at_that_moment_is_passed_on() -> None:
+    async def impatient() -> tuple[list[str], int]:
+        crowd = Crowd(Turns(at_once=1, waiting=9, share=1))
+        first, second, third = await crowd.come("a", "b", "c")
+        first.cancel()
+        await asyncio.sleep(0)
+        second.cancel()
+        await asyncio.gather(first, second, return_exceptions=True)
+        crowd.ending.set()
+        await third
+        return crowd.begun, crowd.turns.pending
+
+    assert run(impatient()) == (["a", "c"], 0)
 
 
 SECRET, TOKEN = new_token("ci", ["read"])

@@ -1,7 +1,7 @@
 """Whose turn it is: a few pieces of work at once, a bounded number that waits, and a share of both for each client."""
 
 import asyncio
-from collections import Counter, OrderedDict, deque
+from collections import Counter, deque
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -19,7 +19,7 @@ class Turns:
         self._at_once_for_one = max(1, int(at_once * share))
         self._most_for_one = max(1, int(self._most * share))
         self._working: Counter[str] = Counter()
-        self._waiting: OrderedDict[str, _Waiting] = OrderedDict()
+        self._waiting: dict[str, _Waiting] = {}
         """By client; whose turn is next comes first."""
 
     @property
@@ -65,24 +65,28 @@ class Turns:
         if not turn.cancelled():
             self._end(client)
             return
-        self._waiting[client].remove(turn)
-        self._forget_if_idle(client)
+        waiting = self._waiting.get(client, deque())
+        if turn in waiting:
+            waiting.remove(turn)
+        if not waiting:
+            self._waiting.pop(client, None)
 
     def _end(self, client: str) -> None:
         self._working[client] -= 1
-        self._forget_if_idle(client)
-        following = next(filter(self._may_begin, self._waiting), None)
-        if following is not None:
-            self._give_turn(following)
-
-    def _give_turn(self, client: str) -> None:
-        self._working[client] += 1
-        self._waiting.move_to_end(client)
-        self._waiting[client].popleft().set_result(None)
-        self._forget_if_idle(client)
-
-    def _forget_if_idle(self, client: str) -> None:
-        if not self._waiting.get(client, True):
-            del self._waiting[client]
         if not self._working[client]:
             del self._working[client]
+        for following in tuple(self._waiting):
+            if self._may_begin(following) and (turn := self._next_of(following)):
+                self._working[following] += 1
+                turn.set_result(None)
+                return
+
+    def _next_of(self, client: str) -> "asyncio.Future[None] | None":
+        """The first turn that a client still waits for: who gave up may not have left yet."""
+        waiting = self._waiting.pop(client)
+        while waiting and waiting[0].cancelled():
+            waiting.popleft()
+        turn = waiting.popleft() if waiting else None
+        if waiting:
+            self._waiting[client] = waiting  # behind all others
+        return turn
