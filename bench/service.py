@@ -52,7 +52,10 @@ def _reading(floor: Server, service: Server, fresh: Sequence[str], count: int) -
     nodes = [f"{_VSS}/nodes/{path}" for path in paths]
     words = iter([f"{_VSS}/search?q={word}" for word in reversed(_words(paths))])
     tag = (("If-None-Match", _tag(service, nodes[0])),)
-    sent(service.place, [request(service.place, node) for node in nodes])
+    sent(
+        service.place,
+        [request(service.place, asked) for asked in (*nodes, *(_VSS.replace("vss", name) for name in fresh))],
+    )
     for work, least, headers, addresses in (
         ("node by path, kept", 0.6, (), [list(islice(cycle(nodes), count)) for _ in fresh]),
         ("node by path, never asked before", 0.25, (), [_moved(nodes, name) for name in fresh]),

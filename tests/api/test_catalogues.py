@@ -1,6 +1,13 @@
 """Reading catalogues over HTTP."""
 
-from tests.api.conftest import Ask
+import pytest
+
+from sigcat.api.answers import schemas
+from sigcat.api.answers.negotiation import json_bytes
+from sigcat.api.answers.serializers import node_data, node_detail
+from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.hosting.sources import shipped_sources
+from tests.api.conftest import SOURCES, Ask
 
 SMALL = "/api/v1/catalogues/small"
 
@@ -108,3 +115,13 @@ def test_an_unchanged_catalogue_is_not_sent_twice(ask: Ask) -> None:
     again = ask(f"{SMALL}/nodes/Vehicle.Speed", headers={"If-None-Match": first.headers["etag"]})
     assert (again.status_code, again.content) == (304, b"")
     assert ask(f"{SMALL}/units", headers={"If-None-Match": '"another"'}).status_code == 200
+
+
+@pytest.mark.parametrize("source", [*SOURCES, *shipped_sources()], ids=lambda source: source.id)
+def test_a_node_is_sent_unchecked_and_fits_its_schema(source: Source) -> None:
+    catalogue = load(source)
+    assert catalogue.nodes
+    for node in catalogue.nodes.values():
+        data = node_data(catalogue, node)
+        assert list(schemas.Node.model_validate(data, strict=True).model_dump().items()) == list(data.items())
+        assert json_bytes(data) == json_bytes(node_detail(catalogue, node))

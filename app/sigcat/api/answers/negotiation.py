@@ -13,6 +13,7 @@ import yaml
 from fastapi import Request
 from fastapi.responses import Response, StreamingResponse
 from pydantic import BaseModel
+from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
@@ -23,7 +24,11 @@ _QUALITY = re.compile(r"[01](\.\d{0,3})?")
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
-def answer(request: Request, model: BaseModel, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
+Data = BaseModel | Mapping[str, Any]
+"""What is sent: a model of `schemas.py`, or plain data as such a model would write it."""
+
+
+def answer(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
     """A model in the form that the client accepts; as CSV, its rows, if it has some."""
     headers = caching_headers(request)
     accepted = request.headers.get("accept", "*/*")
@@ -72,16 +77,19 @@ def caching_headers(request: Request) -> dict[str, str]:
     return {**caching, "Vary": "Accept"}
 
 
-def written(model: BaseModel, media_type: str) -> bytes:
+def written(model: Data, media_type: str) -> bytes:
     """A model as JSON or YAML."""
     if media_type == JSON:
         return json_bytes(model)
-    return yaml_text(model.model_dump(mode="json", by_alias=True)).encode("utf-8")
+    data = model.model_dump(mode="json", by_alias=True) if isinstance(model, BaseModel) else model
+    return yaml_text(data).encode("utf-8")
 
 
-def json_bytes(model: BaseModel) -> bytes:
+def json_bytes(model: Data) -> bytes:
     """A model as JSON; it was validated when it was made."""
-    return model.__pydantic_serializer__.to_json(model, by_alias=True)
+    if isinstance(model, BaseModel):
+        return model.__pydantic_serializer__.to_json(model, by_alias=True)
+    return to_json(model)
 
 
 def yaml_text(data: Any) -> str:

@@ -32,6 +32,8 @@ _SHIPPED = f"{VSPEC.parent}{os.sep}"
 
 def plain(value: Any) -> Any:
     """A YAML value as JSON has it: dates and whatever else JSON lacks become text."""
+    if isinstance(value, str):
+        return plain_text(value)
     if isinstance(value, Mapping):
         return {plain_text(str(key)): plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple | set | frozenset):
@@ -40,21 +42,22 @@ def plain(value: Any) -> Any:
         return str(value)
     if value is None or isinstance(value, bool | int | float):
         return value
-    if isinstance(value, dt.date | dt.time):
-        return value.isoformat()
-    return plain_text(str(value))
+    return plain_text(value.isoformat() if isinstance(value, dt.date | dt.time) else str(value))
 
 
 def plain_text(text: str) -> str:
     """Text that can be sent as UTF-8: half surrogate pairs are replaced."""
-    return text.encode("utf-8", "replace").decode()
+    return text if text.isascii() else text.encode("utf-8", "replace").decode()
 
 
 def origin_schema(origin: Origin) -> schemas.Place:
     """Where something was written."""
-    return schemas.Place(
-        file=shown_file(origin.file), line=origin.line, column=origin.column, overlay=overlay_name(origin.overlay)
-    )
+    return schemas.Place(**_place(origin))
+
+
+def _place(origin: Origin) -> dict[str, Any]:
+    file, overlay = shown_file(origin.file), overlay_name(origin.overlay)
+    return {"file": file, "line": origin.line, "column": origin.column, "overlay": overlay}
 
 
 @lru_cache(1024)
@@ -112,22 +115,27 @@ def search_hit(hit: Hit) -> schemas.SearchHit:
 
 def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
     """Everything about one node."""
+    return schemas.Node.model_validate(node_data(catalogue, node))
+
+
+def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
+    """The same as plain data, as it is sent: what comes from a catalogue fits the schema, and checking takes half of the time."""
     parent = catalogue.parent(node)
     siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
     position = siblings.index(node.path)
     unit = catalogue.unit(node)
-    return schemas.Node(
+    return {
         **_node_fields(node),
-        template=node.template,
-        interface_name=interface_name_of(node),
-        parent=parent.path if parent else None,
-        previous=siblings[position - 1] if position else None,
-        next=siblings[position + 1] if position + 1 < len(siblings) else None,
-        origin=origin_schema(catalogue.origin(node)),
-        unit_definition=unit_schema(unit) if unit else None,
-        attributes=attributes(node),
-        children=[node_summary(child) for child in node.children],
-    )
+        "template": node.template,
+        "interface_name": interface_name_of(node),
+        "parent": parent.path if parent else None,
+        "previous": siblings[position - 1] if position else None,
+        "next": siblings[position + 1] if position + 1 < len(siblings) else None,
+        "origin": _place(catalogue.origin(node)),
+        "unit_definition": _unit_fields(unit) if unit else None,
+        "attributes": _attributes(node),
+        "children": [_node_fields(child) for child in node.children],
+    }
 
 
 def interface_name_of(node: Node) -> str | None:
@@ -136,20 +144,20 @@ def interface_name_of(node: Node) -> str | None:
     return interface_name(node.path) if category is not None and category != "data" else None
 
 
-def attributes(node: Node) -> list[schemas.Attribute]:
+def _attributes(node: Node) -> list[dict[str, Any]]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
-    return [
-        schemas.Attribute(
-            name=plain_text(name),
-            value=plain(value),
-            origin=origin_schema(node.definition.origin(name)),
-            is_extended=name not in CORE_ATTRIBUTES,
-            history=[
-                schemas.HistoryEntry(value=plain(v), origin=origin_schema(o)) for v, o in node.definition.history(name)
-            ],
-        )
-        for name, value in node.values.items()
-    ]
+    return [_attribute(node, name, value) for name, value in node.values.items()]
+
+
+def _attribute(node: Node, name: str, value: Any) -> dict[str, Any]:
+    history = [{"value": plain(old), "origin": _place(origin)} for old, origin in node.definition.history(name)]
+    return {
+        "name": plain_text(name),
+        "value": plain(value),
+        "origin": history[-1]["origin"] if history else _place(node.definition.origin(name)),
+        "is_extended": name not in CORE_ATTRIBUTES,
+        "history": history,
+    }
 
 
 def tree_node(node: Node, depth: int) -> schemas.TreeNode:
@@ -160,10 +168,11 @@ def tree_node(node: Node, depth: int) -> schemas.TreeNode:
 
 def unit_schema(unit: Unit) -> schemas.Unit:
     """A unit as the API has it."""
-    fields = unit._asdict()
-    return schemas.Unit(
-        **{**fields, "allowed_datatypes": list(unit.allowed_datatypes), "origin": origin_schema(unit.origin)}
-    )
+    return schemas.Unit(**_unit_fields(unit))
+
+
+def _unit_fields(unit: Unit) -> dict[str, Any]:
+    return {**unit._asdict(), "allowed_datatypes": list(unit.allowed_datatypes), "origin": _place(unit.origin)}
 
 
 def quantity_schema(quantity: Quantity) -> schemas.Quantity:

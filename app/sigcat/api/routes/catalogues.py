@@ -256,7 +256,7 @@ def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Itera
 
 def node_answer(request: Request, hosted: Hosted, path: str) -> Response:
     """The node at a path. Raises NotFound with the nearest paths."""
-    return answer(request, serializers.node_detail(hosted.catalogue, find_node(hosted.catalogue, path)))
+    return answer(request, serializers.node_data(hosted.catalogue, find_node(hosted.catalogue, path)))
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

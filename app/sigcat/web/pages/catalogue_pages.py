@@ -7,7 +7,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, RedirectResponse, Response
 
-from sigcat.api.answers.serializers import catalogue_detail, node_detail
+from sigcat.api.answers.serializers import catalogue_detail, node_data
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import (
@@ -75,7 +75,7 @@ def show_node(
     """The tree with a node selected; with `.json` after the path, the node as the API has it."""
     if path not in hosted.catalogue.nodes and path.endswith(".json"):
         node = find_node(hosted.catalogue, path.removesuffix(".json"))
-        return JSONResponse(node_detail(hosted.catalogue, node).model_dump())
+        return JSONResponse(node_data(hosted.catalogue, node))
     if path not in hosted.catalogue.nodes and (other := stand_in(library, hosted, path)):
         return RedirectResponse(Addresses(request.scope.get("root_path", "")).tree(hosted.source.id, other))
     return _tree(request, hosted, path, opened, start)
