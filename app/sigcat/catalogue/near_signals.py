@@ -11,7 +11,7 @@ from sigcat.catalogue.abbreviations import ABBREVIATIONS, OF_CODE
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import category_of, function_of
 from sigcat.catalogue.search_words import Bits, Words, numbers_in, words_of_paths
-from sigcat.names import last_name, words
+from sigcat.names import last_name, parent_path, words
 
 PLACEHOLDER = "TODO"
 """Branch of the paths that are to be chosen, such as `Vehicle.TODO.EngSpd`; no tree has it."""
@@ -22,6 +22,11 @@ _EMPTY = frozenset(("in", "out", "inp", "outp", "input", "output", "sig", "signa
 _MOST_WORDS, _MOST_COMPARED, _SHORTEST_BEGINNING = 6, 200, 3
 _LEAST_WEIGHT = 2.0
 """Words that more than a quarter of all paths have say nothing alone, such as that of the root."""
+
+
+def is_to_be_chosen(path: str) -> bool:
+    """Whether a path only holds the place of one that is to be chosen."""
+    return last_name(parent_path(path)) == PLACEHOLDER
 
 
 class Near(NamedTuple):

@@ -44,16 +44,25 @@ def _add_new(actions: Actions) -> None:
         starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME, or that of --from-c)"
     )
     starting.add_argument(
-        "--from-c", type=Path, metavar="FOLDER", help="read the code in this folder (needs the package libclang)"
-    )
-    starting.add_argument(
-        "--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models"
-    )
-    starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
     )
+    _add_code_options(starting)
     add_tree_options(starting)
     starting.set_defaults(run=new)
+
+
+def _add_code_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("C and C++ code")
+    group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the package libclang)")
+    group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
+    group.add_argument(
+        "-D",
+        "--define",
+        action="append",
+        default=[],
+        metavar="NAME[=VALUE]",
+        help="definition of the preprocessor; may be repeated",
+    )
 
 
 def _add_build(actions: Actions) -> None:
@@ -117,6 +126,8 @@ def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
     from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
 
+    if not arguments.from_c and (arguments.model or arguments.define):
+        raise UsageError("--model and --define are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
     folder = arguments.output or arguments.from_c or Path(arguments.name)
     file = folder / "function.yaml"
@@ -139,7 +150,9 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
     from sigcat.function.importing.import_code import import_code
 
     catalogue = read_tree(arguments)
-    made = import_code(arguments.name, arguments.from_c, folder, catalogue, schema, arguments.model or "")
+    made = import_code(
+        arguments.name, arguments.from_c, folder, catalogue, schema, arguments.model or "", arguments.define
+    )
     for finding in made.findings:
         print(finding.line_of_text, file=sys.stderr)
     print(f"{arguments.from_c}: {made.summary}", file=sys.stderr)

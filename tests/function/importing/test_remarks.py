@@ -16,8 +16,8 @@ from tests.function.shipped import interfaces
         ("Variable: Kp\nReferenced by: '<S2>/Kp'", Remark()),
         ("Expression: [0, 1]\nReferenced by:\n  '<S2>/a'\n  '<S3>/b'", Remark()),
         ("'<Root>/p'\nRaw value of rail pressure", Remark(port="p", text="Raw value of rail pressure")),
-        ("Unit: km/h  Range: 0..250", Remark(units=("km/h",), min=0, max=250)),
-        ("Units: [1/min]", Remark(units=("1/min",))),
+        ("Unit: km/h  Range: 0..250", Remark(units=("km/h",), min=0, max=250, unit="km/h")),
+        ("Units: [1/min]", Remark(units=("1/min",), unit="1/min")),
         ("[0,100]", Remark(min=0, max=100)),
         ("[-1.5, 1e3]", Remark(min=-1.5, max=1000.0)),
         ("range -40 to 150", Remark(min=-40, max=150)),
@@ -26,6 +26,11 @@ from tests.function.shipped import interfaces
         ("minimum 2", Remark(min=2)),
         ("'<Root>/ax' m/s^2", Remark("ax", ("m/s^2",))),
         ("Vehicle speed [km/h] [0,250]", Remark("", ("km/h",), 0, 250, text="Vehicle speed [km/h]")),
+        ("m/s, 0.0 to 100.0: speed", Remark(units=("m/s",), min=0.0, max=100.0, text="m/s, : speed")),
+        ("kg: mass of the vehicle", Remark(units=("kg",), text="kg: mass of the vehicle")),
+        ("longitudinal acceleration, m/s^2", Remark(units=("m/s^2",), text="longitudinal acceleration, m/s^2")),
+        ("speed over ground km/h", Remark(units=("km/h",), text="speed over ground km/h")),
+        ("from 2019-02-01 to 2020-01-01", Remark(text="from 2019-02-01 to 2020-01-01")),
         ("Range: 5..1", Remark()),
         ("(1, 2)", Remark()),
         ("sfix16_En8", Remark(factor=0.00390625)),
@@ -46,6 +51,11 @@ from tests.function.shipped import interfaces
 )
 def test_a_comment_says(comment, remark):
     assert remark_of(comment) == remark
+
+
+@pytest.mark.parametrize("comment", ["min: 5", "factor 2^-3", "note: none", "[0,100]", "1: on, 2: off", "7 of 9"])
+def test_what_is_no_unit_is_not_taken_for_one(comment):
+    assert unit_of(remark_of(comment).units, interfaces().vocabulary) == ""
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,8 @@ class CodeFiles(NamedTuple):
 
     texts: Mapping[str, str]
     findings: tuple[Finding, ...] = ()
+    definitions: tuple[str, ...] = ()
+    """For the preprocessor: `NAME` or `NAME=VALUE`."""
 
     @property
     def sources(self) -> tuple[str, ...]:

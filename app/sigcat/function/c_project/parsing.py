@@ -92,6 +92,7 @@ def _answer(
         "units": [(path, _language(path, files)) for path in paths],
         "folders": files.folders,
         "target": target,
+        "definitions": files.definitions,
         "megabytes": CODE_MEGABYTES,
         "seconds": ceil(CODE_SECONDS),
         "declarations": declarations,

@@ -61,6 +61,7 @@ class CodeProject(NamedTuple):
     sources: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
     include_folders: tuple[str, ...] = ()
+    definitions: tuple[str, ...] = ()
     machine: str = ""
     """In words, where the code refuses one of 64 bit with a long of 64 bit."""
     title: Mapping[str, str] = {}

@@ -1,7 +1,7 @@
 """Read a folder of C or C++ code to the description of one model."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -21,6 +21,7 @@ from sigcat.function.c_project.usable import usable
 from sigcat.function.c_project.values import Code
 
 _STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
+_DEFINITION = re.compile(r"[A-Za-z_]\w*(?:=[^\0\n]*)?", re.ASCII)
 _TITLE: Mapping[str, str] = {
     "model": r"Code generat(?:ed for Simulink|ion for) model\s*[\"']?(?P<text>[^\"'\n.]+)",
     "version": r"Model version\s*:\s*(?P<text>[^\n]+)",
@@ -28,13 +29,19 @@ _TITLE: Mapping[str, str] = {
 }
 
 
-def read_project(folder: Path, function: str, model: str = "") -> CodeProject:
-    """The description of the model in a folder; of several, the one that is named. Raises UsageError, InputRefused."""
+def read_project(folder: Path, function: str, model: str = "", definitions: Sequence[str] = ()) -> CodeProject:
+    """The description of the model in a folder; of several, the one that is named. Raises UsageError, InputRefused.
+
+    `definitions` are for the preprocessor, `NAME` or `NAME=VALUE`.
+    """
+    for definition in definitions:
+        if not _DEFINITION.fullmatch(definition):
+            raise UsageError(f"A definition of the preprocessor must be NAME or NAME=VALUE, not {definition!r}")
     if not folder.is_dir():
         raise UsageError(
             f"{folder} must be a folder with C code" if folder.exists() else f"{folder}: there is no such folder"
         )
-    files = read_folder(folder)
+    files = read_folder(folder)._replace(definitions=tuple(definitions))
     if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
         message = "The folder must have headers of C or C++ (.h, .hpp)."
         finding = codes.CODE_MISSING.finding(
@@ -65,6 +72,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         sources=tuple(linked),
         headers=tuple(_headers(group, interface, declarations)),
         include_folders=tuple(_include_folders(linked, header, declarations)),
+        definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
@@ -185,5 +193,6 @@ def _word_size(machine: str, declarations: Declarations) -> Iterator[Finding]:
         fix = "Compile it so (-m32), or generate it with portable word sizes."
         yield codes.WORD_SIZES_CHECKED.finding(message, fix=fix)
     for error in refusals[:1]:
-        message = f"The code must suit a machine, but refuses each: {error.message[:200]}"
-        yield codes.CODE_INVALID.finding(message, *error.place, error.column)
+        message = f"The code refuses to be compiled: {error.message[:200]}"
+        fix = "If it needs definitions of the preprocessor, give them with -D NAME=VALUE."
+        yield codes.CODE_INVALID.finding(message, *error.place, error.column, fix=fix)

@@ -15,14 +15,21 @@ _ORIGINS = re.compile(
 """What Simulink says of where a value comes from: no range, no unit."""
 _UNIT = re.compile(r"\bunits?\s*[:=]\s*[\[(\"']?(?P<unit>[^\s,;\])\"']+)", re.IGNORECASE)
 _BRACKETS = re.compile(r"[\[(](?P<unit>[^\[\]()\d,;:][^\[\](),;:]{0,14})[\])]")
+_FIRST = re.compile(r"^\s*(?P<unit>[^\s,;:]{1,12})\s*[,;:]")
+_LAST = re.compile(r"[,;]\s*(?P<unit>[^\s,;:]{1,12})\s*$")
+_LIKE_A_UNIT = re.compile(r"(?<!\S)(?P<unit>[A-Za-z°%]{0,6}[/^%°²][\w/^%°²]{0,8})(?=[\s,;:.)\]]|$)")
 _WORDS = re.compile(r"\bin (?P<unit>[%°A-Za-z][\w/^%°]{0,14})\b")
 _BETWEEN = r"\s*(?:\.\.\.?|…|\bto\b|–|-|~)\s*"
-_ALONE = re.compile(r"[^\W_][\w/^*%°²]{0,11}|[%°][\w/]{0,6}")
-"""What may be a unit if nothing else is said."""
+_MAY_BE_UNIT = re.compile(
+    r"(?!(?:min|max|range|units?|factor|slope|resolution|res|lsb|scal(?:e|ing)|offset|bias|step|note|todo)\b)"
+    r"(?:1/)?[A-Za-z°%][\w/^%°²*.-]{0,11}",
+    re.IGNORECASE,
+)
 _RANGE = re.compile(
     rf"\brange\b\s*(?:is|=|:)?\s*[\[(]?\s*(?P<min>{_NUMBER})(?:{_BETWEEN}|\s*[,;:]\s*)(?P<max>{_NUMBER})\s*[\])]?"
     rf"|\[\s*(?P<min_2>{_NUMBER})(?:{_BETWEEN}|\s*[,;:]\s*)(?P<max_2>{_NUMBER})\s*\]"
-    rf"|\(\s*(?P<min_3>{_NUMBER}){_BETWEEN}(?P<max_3>{_NUMBER})\s*\)",
+    rf"|\(\s*(?P<min_3>{_NUMBER}){_BETWEEN}(?P<max_3>{_NUMBER})\s*\)"
+    rf"|(?<![\w.-])(?P<min_4>{_NUMBER})\s*(?:\.\.\.?|…|\bto\b)\s*(?P<max_4>{_NUMBER})(?![\w.-]*\w)",
     re.IGNORECASE,
 )
 _MIN = re.compile(rf"\bmin(?:imum)?\b\s*[:=]?\s*(?P<min>{_NUMBER})", re.IGNORECASE)
@@ -59,6 +66,8 @@ class Remark(NamedTuple):
     offset: float | int | None = None
     text: str = ""
     """What is left: a description."""
+    unit: str = ""
+    """The unit, where the comment says that it is one: `Unit: km/h`."""
 
 
 def remark_of(comment: str) -> Remark:
@@ -68,7 +77,17 @@ def remark_of(comment: str) -> Remark:
     said = _ORIGINS.sub(" ", _BLOCKS.sub(" ", comment))
     smallest, largest = _range(said)
     factor, offset = _scale(said)
-    return Remark(port["name"] if port else "", _units(said), smallest, largest, factor, offset, _description(said))
+    named = _UNIT.search(said)
+    return Remark(
+        port=port["name"] if port else "",
+        units=_units(_BINARY.sub(" ", _FIXDT.sub(" ", said))),
+        min=smallest,
+        max=largest,
+        factor=factor,
+        offset=offset,
+        text=_description(said),
+        unit=named["unit"] if named else "",
+    )
 
 
 def cycle_time_of(comment: str) -> float | int | None:
@@ -93,9 +112,9 @@ def _plain(value: Fraction) -> float | int:
 
 
 def _units(said: str) -> tuple[str, ...]:
-    found = [match["unit"].strip() for pattern in (_UNIT, _BRACKETS, _WORDS) for match in pattern.finditer(said)]
-    alone = _rest(said)
-    return tuple(dict.fromkeys([*found, *([alone] if _ALONE.fullmatch(alone) else [])]))
+    patterns = (_UNIT, _BRACKETS, _FIRST, _LAST, _WORDS, _LIKE_A_UNIT)
+    found = [match["unit"].strip() for pattern in patterns for match in pattern.finditer(said)]
+    return tuple(dict.fromkeys(each for each in (*found, _rest(said)) if _MAY_BE_UNIT.fullmatch(each)))
 
 
 def _range(said: str) -> tuple[float | int | None, float | int | None]:

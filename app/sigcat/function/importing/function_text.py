@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat.asil import Level, rank
 from sigcat.catalogue.near_signals import PLACEHOLDER
 from sigcat.function.c_project.calls import CallKind
 from sigcat.function.c_project.declarations import Place
@@ -27,12 +28,17 @@ class Draft(NamedTuple):
     folder: str
     """The folder of the code, as seen from the file."""
     schema: str
+    known: frozenset[str] = frozenset()
+    """Last names of the scheduling interfaces that the catalogue has for the function already."""
+    errors: tuple[str, ...] = ()
+    """Interface names of the errors that the catalogue has for the function."""
 
 
 def function_text(draft: Draft) -> str:
     """The whole file."""
     parts = (_head(draft), _code(draft), _define(draft), _components(draft))
-    return "\n\n".join("\n".join(part) for part in parts) + "\n"
+    texts = ("\n".join(part) for part in parts)
+    return "\n\n".join(text for text in texts if text) + "\n"
 
 
 # -- head and code ------------------------------------------------------------------------------------------------
@@ -64,7 +70,7 @@ def to_do(draft: Draft) -> Iterator[str]:
     if unchosen:
         yield f"choose {unchosen} path{'s' if unchosen > 1 else ''} (those with {PLACEHOLDER})."
     for call in draft.project.calls:
-        if call.kind == "step" and cycle_time(call) is None:
+        if call.kind == "step" and cycle_time(call) is None and _last_name(call, draft.project) not in draft.known:
             told = (
                 f"must be whole milliseconds, not {call.cycle_time:g} ms"
                 if call.cycle_time
@@ -76,6 +82,9 @@ def to_do(draft: Draft) -> Iterator[str]:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
     if any(call.returns and call.kind == "init" for call in draft.project.calls):
         yield "check that 0 is what init returns for success."
+    without_value = sum(bool(each.definition) and each.value.start is None for each in draft.parameters)
+    if without_value:
+        yield f"give the defaults of {without_value} parameter{'s' if without_value > 1 else ''}, which the code does not tell."
     yield "describe the function, and give each entry its ASIL: QM is assumed."
 
 
@@ -109,6 +118,11 @@ def _code(draft: Draft) -> Iterator[str]:
         yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 
+def _definition(text: str) -> tuple[str, str | None]:
+    name, sign, value = text.partition("=")
+    return name, value if sign else None
+
+
 def _include_folders(project: CodeProject) -> list[str]:
     """Those of the headers first."""
     return list(dict.fromkeys([*(Path(path).parent.as_posix() for path in project.headers), *project.include_folders]))
@@ -130,16 +144,23 @@ def _at(place: Place, draft: Draft) -> str:
 
 
 def _define(draft: Draft) -> Iterator[str]:
-    yield "define:"
-    if draft.parameters:
+    """What the catalogue does not have yet."""
+    parameters = [each for each in draft.parameters if each.definition]
+    calls = [each for each in _interfaces(draft.project) if each[0] not in draft.known]
+    if parameters or calls:
+        yield "define:"
+    if parameters:
         yield "  parameters:"
-    for parameter in draft.parameters:
-        yield f"    {scalar(parameter.name)}:{_from(parameter.value.place, draft)} {parameter.value.type_name}"
+    for parameter in parameters:
+        place = _from(parameter.value.place, draft)
+        yield f"    {scalar(parameter.name)}:{place} {parameter.value.type_name}"
+        yield from (comment(6, note) for note in parameter.notes)
         yield from (entry(6, key, value) for key, value in parameter.definition.items())
-    yield "  scheduling:"
-    for name, kind, call in _interfaces(draft.project):
+    if calls:
+        yield "  scheduling:"
+    for name, kind, call in calls:
         yield f"    {name}:{'' if call else '  # the code has none'}"
-        yield from (entry(6, key, value) for key, value in _schedule(kind, call).items())
+        yield from (entry(6, key, value) for key, value in _schedule(kind, call, draft).items())
 
 
 def _interfaces(project: CodeProject) -> Iterator[tuple[str, CallKind, Call | None]]:
@@ -152,17 +173,23 @@ def _interfaces(project: CodeProject) -> Iterator[tuple[str, CallKind, Call | No
         yield "Terminate", "terminate", None
 
 
-def _schedule(kind: CallKind, call: Call | None) -> dict[str, Any]:
+def _schedule(kind: CallKind, call: Call | None, draft: Draft) -> dict[str, Any]:
     texts = {"init": "Initializes the function.", "step": "Computes the outputs.", "terminate": "Ends the function."}
     is_step = call is not None and kind == "step"
     schedule = {
         "cycleTime": (cycle_time(call) or ASSUMED_CYCLE) if call and is_step else None,
         "priority": {"init": 20, "step": 10, "terminate": 30}[kind],
         "scheduling": "Preemptive" if is_step else "NonPreemptive",
-        "asil": "QM",
+        "asil": _asil(draft) if is_step else "QM",
         "description": texts[kind],
     }
     return {key: value for key, value in schedule.items() if value is not None}
+
+
+def _asil(draft: Draft) -> Level:
+    """The highest one that the catalogue has for what the function provides."""
+    provided = (each.catalogue_asil for each in draft.signals if each.role == "provided")
+    return max((level for level in provided if level), key=rank, default="QM")
 
 
 def _last_name(call: Call, project: CodeProject) -> str:
@@ -198,6 +225,8 @@ def _components(draft: Draft) -> Iterator[str]:
             yield f"{entry(8, 'success', 0)}  # assumed"
         if call.kind == "step":
             yield from _data([each for each in draft.signals if _is_of(each.value.key, call, steps)], draft)
+            if call is steps[0] and draft.errors:
+                yield entry(8, "errors", draft.errors)
             yield from _parameters([each for each in draft.parameters if _is_of(each.value.key, call, steps)])
 
 
@@ -227,8 +256,8 @@ def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
         yield f"Not chosen: {signal.why}"
     if signal.catalogue_unit and not signal.unit:
         yield f"The code tells no unit: {signal.catalogue_unit}, as in the catalogue."
-    if remark.units and not signal.unit:
-        yield f"No unit of the catalogue: {', '.join(remark.units[:2])}"
+    if remark.unit and not signal.unit:
+        yield f"No unit of the catalogue: {remark.unit}"
 
 
 def _parameters(parameters: Iterable[ParameterEntry]) -> Iterator[str]:

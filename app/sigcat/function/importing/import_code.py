@@ -1,10 +1,11 @@
 """A folder of C code to a function.yaml that is checked."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.errors import UsageError
 from sigcat.findings import Finding, has_errors
 from sigcat.function.c_project.project import CodeProject
@@ -28,16 +29,34 @@ class Imported(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def import_code(name: str, folder: Path, target: Path, catalogue: Catalogue, schema: str, model: str = "") -> Imported:
+def import_code(
+    name: str,
+    folder: Path,
+    target: Path,
+    catalogue: Catalogue,
+    schema: str,
+    model: str = "",
+    definitions: Sequence[str] = (),
+) -> Imported:
     """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused."""
     checked_name(name)
     checked_schema(schema)
-    project = read_project(folder, name, model)
+    project = read_project(folder, name, model, definitions)
     signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model))
-    parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary))
-    draft = Draft(name, project, signals, parameters, _below(folder, target), schema)
+    known = _of_function(name, "Parameter", catalogue)
+    parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary, known))
+    scheduled = frozenset(_of_function(name, "Scheduling", catalogue))
+    errors = tuple(interface_name(node.path) for node in _of_function(name, "Error", catalogue).values())
+    draft = Draft(name, project, signals, parameters, _below(folder, target), schema, scheduled, errors)
     draft = _checked(draft, catalogue)
     return Imported(function_text(draft), _summary(draft), tuple(to_do(draft)), _shown(project, folder))
+
+
+def _of_function(name: str, category: str, catalogue: Catalogue) -> dict[str, Node]:
+    """What the catalogue has of a category for the function already, by last name."""
+    root = catalogue.roots[0].path if catalogue.roots else ""
+    branch = catalogue.get(f"{root}.Function.{name}.{category}")
+    return {node.name: node for node in branch.children} if branch else {}
 
 
 def _values(project: CodeProject) -> Iterator[tuple[Role, Value]]:

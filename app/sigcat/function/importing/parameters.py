@@ -1,16 +1,17 @@
 """The parameters that the function defines: datatype, default, unit and range are those of the code."""
 
-import struct
-from collections.abc import Iterable, Iterator
-from fractions import Fraction
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain, count
 from typing import Any, NamedTuple
 
+from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.function.c_project.values import Value
+from sigcat.function.importing.start_values import factor_of, start_of, stored_range
 from sigcat.function.importing.unique_names import unique_names
-from sigcat.function.importing.units import unit_of
+from sigcat.function.importing.units import unit_of, without_unit
+from sigcat.function.importing.yaml_text import scalar
 from sigcat.names import camel_case
 
 
@@ -21,18 +22,33 @@ class ParameterEntry(NamedTuple):
     name: str
     """CamelCase, unique in the function."""
     definition: dict[str, Any]
+    """Empty if the catalogue has the parameter already."""
     keys: dict[str, Any]
+    notes: tuple[str, ...] = ()
+    """What the author has to know of the definition."""
 
 
-def parameters_of(values: Iterable[Value], vocabulary: Vocabulary) -> Iterator[ParameterEntry]:
-    """An entry for each parameter that can be set."""
+def parameters_of(
+    values: Iterable[Value], vocabulary: Vocabulary, known: Mapping[str, Node]
+) -> Iterator[ParameterEntry]:
+    """An entry for each parameter that can be set. `known` are those of the function in the catalogue, by last name."""
     settable = [value for value in values if not value.is_const]
     taken, said = set[str](), set[str]()
     for value, own in zip(settable, unique_names(settable), strict=True):
         name = _free(f"Is{_camel(own)}" if value.datatype == "boolean" else _camel(own), taken)
-        description = _description(value, own, said)
+        if name in known:
+            keys = _keys(value, known[name].path, own)
+            yield ParameterEntry(value, name, {}, {**keys, **_stored_otherwise(value, known[name])})
+            continue
+        description = _description(value, own, said, vocabulary)
         definition = _definition(value, unit_of(value.remark.units, vocabulary), description)
-        yield ParameterEntry(value, name, definition, _keys(value, name, own))
+        yield ParameterEntry(value, name, definition, _keys(value, name, own), tuple(_notes(value, definition)))
+
+
+def _stored_otherwise(value: Value, node: Node) -> dict[str, Any]:
+    """The datatype of the code, where the catalogue has another one."""
+    datatype = f"{value.datatype}{'[]' if value.length else ''}"
+    return {"datatype": datatype} if datatype != node.values["datatype"] else {}
 
 
 def _free(name: str, taken: set[str]) -> str:
@@ -44,9 +60,9 @@ def _free(name: str, taken: set[str]) -> str:
     return free
 
 
-def _description(value: Value, own: str, said: set[str]) -> str:
+def _description(value: Value, own: str, said: set[str], vocabulary: Vocabulary) -> str:
     """What the comment says, as a sentence, with the name where another one says the same."""
-    text = value.remark.text
+    text = without_unit(value.remark.text, value.remark.units, vocabulary)
     sentence = _sentence(text) if text else f"Parameter {own} of the code."
     sentence = f"{sentence[:-1]} ({own})." if sentence in said else sentence
     said.add(sentence)
@@ -60,24 +76,70 @@ def _camel(name: str) -> str:
 
 def _definition(value: Value, unit: str, description: str) -> dict[str, Any]:
     """What the catalogue would say, in physical values."""
-    is_scaled = _factor(value) is not None
-    datatype = "double" if is_scaled else value.datatype
-    smallest, largest = _stored_range(value) if is_scaled else (None, None)
+    is_scaled = factor_of(value) is not None
+    smallest, largest = _range(value)
     definition = {
-        "datatype": f"{datatype}{'[]' if value.length else ''}",
+        "datatype": f"{'double' if is_scaled else value.datatype}{'[]' if value.length else ''}",
         "arraysize": value.length or None,
         "unit": unit,
-        "min": smallest if value.remark.min is None else value.remark.min,
-        "max": largest if value.remark.max is None else value.remark.max,
-        "default": _default(value),
+        "min": smallest,
+        "max": largest,
+        "default": _default(value, smallest, largest),
         "asil": "QM",
         "description": description,
     }
     return {key: each for key, each in definition.items() if each not in (None, "")}
 
 
+_Limit = float | int | None
+
+
+def _range(value: Value) -> tuple[_Limit, _Limit]:
+    """The range that the comment tells, if the value is in it; of a scaled value at least what the code can hold."""
+    widest = stored_range(value) if factor_of(value) is not None else (None, None)
+    told = (value.remark.min, value.remark.max)
+    if not _holds(value, *told):
+        return widest
+    return (widest[0] if told[0] is None else told[0]), (widest[1] if told[1] is None else told[1])
+
+
+def _default(value: Value, smallest: _Limit, largest: _Limit) -> Any:
+    """The value at start-up; where the code tells none, 0 or what of the range is nearest to it."""
+    start = start_of(value)
+    if value.start is not None or isinstance(start, bool):
+        return start
+    nearest = max(smallest or 0, 0) or min(largest or 0, 0)
+    assumed = type(start[0] if isinstance(start, list) else start)(nearest)
+    return [assumed] * value.length if value.length else assumed
+
+
+def _holds(value: Value, smallest: _Limit, largest: _Limit) -> bool:
+    """Whether the value at start-up, if the code tells it, and a number of the datatype may be in a range."""
+    start = start_of(value) if value.start is not None else []
+    starts = start if isinstance(start, list) else [start]
+    ends = [end for end in (smallest, largest) if end is not None]
+    if value.datatype in INTEGER_RANGES and factor_of(value) is None:
+        low, high = INTEGER_RANGES[value.datatype]
+        if not all(low <= end <= high and end == int(end) for end in ends):
+            return False
+    is_above = smallest is None or all(each >= smallest for each in starts)
+    return value.datatype != "boolean" and is_above and (largest is None or all(each <= largest for each in starts))
+
+
+def _notes(value: Value, definition: Mapping[str, Any]) -> Iterator[str]:
+    if value.start is None:
+        default = definition["default"]
+        yield f"The code tells no value: {scalar(default[0] if value.length else default)} is assumed."
+    told = (value.remark.min, value.remark.max)
+    if any(end is not None for end in told) and (definition.get("min"), definition.get("max")) != told:
+        smallest, largest = ("any" if end is None else f"{end:g}" for end in told)
+        yield f"Left out: the range of the comment, {smallest} to {largest}, which does not fit the value or the datatype."
+    if value.constants:
+        yield f"Numbers: {', '.join(f'{each.name} = {each.value}' for each in value.constants)}"
+
+
 def _keys(value: Value, name: str, own: str) -> dict[str, Any]:
-    factor = _factor(value)
+    factor = factor_of(value)
     keys = {
         "path": name,
         "name": own if own != name else None,
@@ -88,60 +150,6 @@ def _keys(value: Value, name: str, own: str) -> dict[str, Any]:
         "offset": value.remark.offset if factor is not None else None,
     }
     return {key: each for key, each in keys.items() if each is not None}
-
-
-def _factor(value: Value) -> float | int | None:
-    is_integer = value.datatype not in ("float", "double", "boolean")
-    return value.remark.factor if is_integer and value.remark.factor not in (0, 1) else None
-
-
-def _stored_range(value: Value) -> tuple[float, float]:
-    """The range of physical values that the datatype of the code holds."""
-    ends = [_scaled(end, value) for end in INTEGER_RANGES[value.datatype]]
-    return min(ends), max(ends)
-
-
-def _scaled(stored: int, value: Value) -> float:
-    factor, offset = Fraction(repr(value.remark.factor)), Fraction(repr(value.remark.offset or 0))
-    return float(factor * stored + offset)
-
-
-def _default(value: Value) -> Any:
-    """The value at start-up; 0 where the code has none, or has one that depends on others."""
-    if not value.length:
-        return _physical(value.start, value)
-    start = value.start if isinstance(value.start, list) else []
-    return [_physical(each, value) for each in _filled(start, value.length)]
-
-
-def _filled(start: list[Any], count: int) -> list[Any]:
-    """C sets to 0 what an initializer leaves out."""
-    return [*start[:count], *([0] * (count - len(start)))]
-
-
-def _physical(start: Any, value: Value) -> Any:
-    stored = start if isinstance(start, int | float) else 0
-    if value.datatype == "boolean":
-        return bool(stored)
-    if value.datatype in ("float", "double"):
-        return _shortest(float(stored)) if value.datatype == "float" else float(stored)
-    return int(stored) if _factor(value) is None else _scaled(int(stored), value)
-
-
-def _shortest(value: float) -> float:
-    """The shortest number that a C float holds as the same value: 0.1 of 0.10000000149."""
-    for digits in range(6, 10):
-        candidate = float(f"{value:.{digits}g}")
-        if _stored(candidate) == _stored(value):
-            return candidate
-    return value
-
-
-def _stored(value: float) -> bytes:
-    try:
-        return struct.pack("f", value)
-    except OverflowError:
-        return b""
 
 
 def _sentence(text: str) -> str:

@@ -1,12 +1,13 @@
 """The signal of the catalogue that each input and output is; a path to be chosen where that is not certain."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
+from sigcat.asil import Level, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.catalogue.near_signals import PLACEHOLDER, Near, NearSignals
+from sigcat.catalogue.near_signals import PLACEHOLDER, Near, NearSignals, is_to_be_chosen
 from sigcat.function.c_project.values import Value
 from sigcat.function.function_json.conversion import between
 from sigcat.function.importing.unique_names import unique_names
@@ -39,16 +40,19 @@ class Signal(NamedTuple):
     why: str = ""
     """Why the nearest signal was not chosen, although it has the name."""
 
+    catalogue_asil: Level | None = None
+    """Of the signal that was chosen."""
+
     @property
     def is_chosen(self) -> bool:
         """Whether the path is one of the catalogue."""
-        return not self.near and f".{PLACEHOLDER}." not in self.path
+        return not is_to_be_chosen(self.path)
 
     @property
     def keys(self) -> dict[str, Any]:
         """What the entry has beside its path."""
         value, remark = self.value, self.value.remark
-        is_scaled = value.datatype not in ("float", "double", "boolean")
+        is_scaled = value.datatype not in (*_FLOATING, "boolean")
         keys = {
             "role": self.role,
             "name": self.name,
@@ -61,16 +65,19 @@ class Signal(NamedTuple):
             "min": remark.min,
             "max": remark.max,
             "values": dict(self.values),
-            "asil": "QM",
+            "asil": None if self.catalogue_asil else "QM",
         }
         return {key: each for key, each in keys.items() if each not in (None, "", {})}
+
+    def to_be_chosen(self, path: str, near: tuple[str, ...], why: str) -> "Signal":
+        """The same with a path to be chosen, signals near it, and why the nearest one was not chosen."""
+        numbers = {each.name: each.value for each in self.value.constants}
+        return self._replace(path=path, near=near, why=why, values=numbers, catalogue_unit="", catalogue_asil=None)
 
     def unchosen(self, why: str) -> "Signal":
         """The same with a path to be chosen; that which it had is near."""
         root = self.path.partition(".")[0]
-        codes = {each.name: each.value for each in self.value.constants}
-        near = tuple(dict.fromkeys((self.path, *self.near)))
-        return self._replace(path=placeholder(root, self.name), near=near, catalogue_unit="", values=codes, why=why)
+        return self.to_be_chosen(placeholder(root, self.name), (self.path,), why)
 
 
 def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str) -> Iterator[Signal]:
@@ -80,18 +87,22 @@ def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model
     used: set[str] = set()
     names = unique_names([value for _, value in values])
     for (role, value), name in zip(values, names, strict=True):
-        unit = unit_of(value.remark.units, catalogue.vocabulary)
         near = known.near(_meant(value, model), _COMPARED)
+        signal = Signal(value, role, name, "", unit=unit_of(value.remark.units, catalogue.vocabulary))
         node = near[0].node if _is_certain(near) else None
-        numbers = _values(value, node)
-        if node is not None and node.path not in used and _fits(value, role, unit, node, numbers):
+        why = _why_not(signal, node, used) if node else ""
+        if node is not None and not why:
             used.add(node.path)
-            own = str(node.values.get("unit") or "")
-            yield Signal(value, role, name, node.path, (), unit, own, numbers or {})
+            yield _chosen(signal, node)
         else:
             path = _free(placeholder(root, _meant(value, model)), placeholder(root, name), used)
-            numbers = {each.name: each.value for each in value.constants}
-            yield Signal(value, role, name, path, tuple(one.node.path for one in near[:_SHOWN]), unit, "", numbers)
+            yield signal.to_be_chosen(path, tuple(one.node.path for one in near[:_SHOWN]), why)
+
+
+def _chosen(signal: Signal, node: Node) -> Signal:
+    unit, asil = str(node.values.get("unit") or ""), level_of(node.values.get("ASILlevel"))
+    numbers = _numbers(signal.value, node) or {}
+    return signal._replace(path=node.path, catalogue_unit=unit, catalogue_asil=asil, values=numbers)
 
 
 def _free(path: str, other: str, used: set[str]) -> str:
@@ -128,9 +139,9 @@ def _is_certain(near: tuple[Near, ...]) -> bool:
     return not rivals or (near[0].beyond == 0 and rivals[0].beyond > 0)
 
 
-def _values(value: Value, node: Node | None) -> Mapping[str, int] | None:
+def _numbers(value: Value, node: Node) -> Mapping[str, int] | None:
     """Numbers of the code by the names that the catalogue allows; None if these are not the same names."""
-    allowed = node.values.get("allowed") if node else None
+    allowed = node.values.get("allowed")
     if not isinstance(allowed, list) or not value.constants:
         return None
     by_words = {_plain(each.name): each.value for each in value.constants}
@@ -146,18 +157,32 @@ def _plain(name: str) -> str:
     return "".join(words(name)).lower()
 
 
-def _fits(value: Value, role: Role, unit: str, node: Node, values: Mapping[str, int] | None) -> bool:
-    """Whether the code holds what the signal is: the same kind of value, in a unit that can be converted."""
-    datatype, own = str(node.values["datatype"]), node.values.get("unit")
-    size = node.values.get("arraysize", value.length) if value.length else 0
-    if (
-        is_array(datatype) != bool(value.length)
-        or size != value.length
-        or (role == "provided" and node.type == "attribute")
-    ):
-        return False
+def _why_not(signal: Signal, node: Node, used: Collection[str]) -> str:
+    """Why the code does not hold what the signal is, although the name is the same; empty if it does."""
+    value, datatype = signal.value, str(node.values["datatype"])
+    if node.path in used:
+        return "another value is this signal already."
+    if signal.role == "provided" and node.type == "attribute":
+        return "functions do not provide attributes."
+    if is_array(datatype) != bool(value.length):
+        return f"{datatype} is not what {'an array' if value.length else 'one value'} can hold."
+    if value.length and node.values.get("arraysize", value.length) != value.length:
+        return f"the signal has {node.values['arraysize']} elements, the code {value.length}."
+    return _why_not_element(signal, node, element_of(datatype))
+
+
+def _why_not_element(signal: Signal, node: Node, datatype: str) -> str:
+    value = signal.value
     if node.values.get("allowed") or value.constants:
-        return values is not None
-    if (element_of(datatype) == "boolean") != (value.datatype == "boolean") or element_of(datatype) == "string":
-        return False
-    return not unit or (isinstance(own, str) and between(own, unit) is not None)
+        return "" if _numbers(value, node) else "the enumeration has other names."
+    if datatype == "string" or (datatype == "boolean") != (value.datatype == "boolean"):
+        return f"the signal is {datatype}, the code has {value.datatype}."
+    if datatype in _FLOATING and value.datatype not in _FLOATING and value.remark.factor is None:
+        return f"the signal is {datatype}; the code has {value.datatype}, and tells no scale."
+    own = node.values.get("unit")
+    if signal.unit and not (isinstance(own, str) and between(own, signal.unit)):
+        return f"the signal is in {own or 'no unit'}, the code in {signal.unit}."
+    return ""
+
+
+_FLOATING = ("float", "double")

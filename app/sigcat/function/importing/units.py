@@ -54,3 +54,12 @@ def unit_of(texts: Iterable[str], vocabulary: Vocabulary) -> str:
         if unit is not None:
             return unit.key
     return ""
+
+
+def without_unit(text: str, texts: Iterable[str], vocabulary: Vocabulary) -> str:
+    """A description without the unit that it begins with: of `m/s: speed` `speed`."""
+    for each in texts:
+        rest = text.removeprefix(each)
+        if rest != text and not rest[:1].isalnum() and unit_of([each], vocabulary):
+            return rest.lstrip(" ,;:")
+    return text

@@ -3,10 +3,10 @@
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.interfaces import category_of
+from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.function.resolving.meant_signals import is_to_be_chosen
 from sigcat.names import last_name
 
 

@@ -3,9 +3,9 @@
 from functools import cached_property
 
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.near_signals import PLACEHOLDER, NearSignals
+from sigcat.catalogue.near_signals import NearSignals, is_to_be_chosen
 from sigcat.limits import PROPOSALS
-from sigcat.names import either, last_name, parent_path
+from sigcat.names import either, last_name
 
 
 class MeantSignals:
@@ -27,8 +27,3 @@ class MeantSignals:
     @cached_property
     def _near(self) -> NearSignals:
         return NearSignals(self._catalogue)
-
-
-def is_to_be_chosen(path: str) -> bool:
-    """Whether a path only holds the place of one that is to be chosen."""
-    return last_name(parent_path(path)) == PLACEHOLDER

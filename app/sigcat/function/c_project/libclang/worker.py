@@ -1,9 +1,10 @@
 """Parses C and C++ with libclang in a process of its own: a request and its answer are JSON.
 
 The request, on standard input, has `texts` (by path; nothing else is read), `units` (paths to parse, each with its
-language), `folders` (in which headers are searched), `target` (of clang), `megabytes` (of memory), `seconds` and `declarations`,
-which is false if only errors are asked for. The answer, on standard output, has `functions`, `variables`, `classes`,
-`records` and `enumerations`, each with its file and line, `errors` of the compiler, and `included` by file.
+language), `folders` (in which headers are searched), `target` (of clang), `definitions` (of the preprocessor), `megabytes`
+(of memory), `seconds` and `declarations`, which is false if only errors are asked for. The answer, on standard output, has
+`functions`, `variables`, `classes`, `records` and `enumerations`, each with its file and line, `errors` of the compiler,
+and `included` by file.
 
 `python -P -m sigcat.function.c_project.libclang.worker`; nothing else imports this room, as libclang may not be installed.
 """
@@ -57,6 +58,7 @@ def _parse(index: Any, path: str, language: str, request: Json) -> Any:
     folders = [f"-I{ROOT}{folder}" for folder in request["folders"]]
     options = ["-nostdinc", "-w", "-ferror-limit=0", f"--target={request['target']}", "-isystem", _SYSTEM]
     options += ["-ftemplate-depth=64", "-fconstexpr-depth=64", "-fbracket-depth=256"]
+    options += [f"-D{definition}" for definition in request["definitions"]]
     texts = [(ROOT + name, text) for name, text in request["texts"].items()]
     texts += [(_SYSTEM + name, text) for name, text in SYSTEM_HEADERS.items()]
     return index.parse(ROOT + path, ["-x", language, *options, *folders], texts, _KEEP_GOING)
