@@ -201,6 +201,19 @@ def test_without_libclang_the_command_says_what_it_needs(folder, monkeypatch, ca
     assert not (folder / "function.yaml").exists()
 
 
+def test_code_that_wants_definitions_says_so_and_takes_them(folder):
+    (folder / "config.h").write_text("#ifndef VARIANT\n#error Name a variant.\n#endif\n")
+    (finding,) = imported(folder).findings
+    assert (finding.rule, finding.file, finding.line) == ("S007", "config.h", 2)
+    assert read_project(folder, "Washing", definitions=["VARIANT=3"]).findings == ()
+
+
+@pytest.mark.parametrize("definition", ["", "1", "A B", "A\n", "-o/etc/passwd", "A(x)=x"])
+def test_a_definition_is_a_name_with_a_value(folder, definition):
+    with pytest.raises(UsageError, match="NAME=VALUE"):
+        read_project(folder, "Washing", definitions=[definition])
+
+
 def test_nothing_is_written_over_and_the_file_stands_above_the_code(folder, tmp_path_factory, capsys):
     arguments = ["function", "new", "Washing", "--from-c", str(folder)]
     assert main([*arguments, "-o", str(tmp_path_factory.mktemp("elsewhere"))]) == 2

@@ -140,52 +140,30 @@ def _language(path: str, files: CodeFiles) -> str:
 
 
 def missing_includes(declarations: Declarations) -> Iterator[Finding]:
-    """Headers of the project that are not in its folder. Those of the system are not expected there."""
-    told = set()
+    """Headers that the folder lacks, each once. Those of the system are not expected there."""
+    told = set(_OF_THE_SYSTEM)
     for error in declarations.errors:
         match = _MISSING.match(error.message)
-        if match and match["path"] not in told and "/" not in match["path"] and match["path"].endswith((".h", ".hpp")):
-            told.add(match["path"])
-            if match["path"] not in _OF_THE_SYSTEM:
-                message = f"The folder must have {match['path']!r}, which is included here."
-                fix = "Import the folder that has it too, if the interface needs its types."
-                yield codes.INCLUDE_NOT_FOUND.finding(
-                    message, error.place.file, error.place.line, error.column, fix=fix
-                )
+        name = match["path"] if match else ""
+        if not name.endswith((".h", ".hpp")) or "/" in name or name in told:
+            continue
+        told.add(name)
+        message = f"The folder must have {name!r}, which is included here."
+        at = (error.place.file, error.place.line, error.column)
+        if name in _OF_SIMULINK:
+            fix = "It is a part of MATLAB, without a type of an interface; the code needs it to be compiled."
+            yield codes.INCLUDE_NOT_FOUND.graded("info").finding(message, *at, fix=fix)
+        else:
+            fix = "Import the folder that has it too, if the interface needs its types."
+            yield codes.INCLUDE_NOT_FOUND.finding(message, *at, fix=fix)
 
 
 _MISSING = re.compile(r"'(?P<path>[^']*)' file not found")
-_OF_THE_SYSTEM = frozenset(
-    f"{name}.h"
-    for name in [
-        "assert",
-        "complex",
-        "ctype",
-        "errno",
-        "fenv",
-        "float",
-        "inttypes",
-        "locale",
-        "math",
-        "pthread",
-        "sched",
-        "semaphore",
-        "setjmp",
-        "signal",
-        "stdarg",
-        "stdatomic",
-        "stdio",
-        "tgmath",
-        "time",
-        "unistd",
-        "wchar",
-        "rtw_continuous",
-        "rtw_solver",
-        "rt_logging",
-        "rtw_matlogging",
-        "simstruc",
-        "tmwtypes",
-        "fixedpoint",
-    ]
-)
-"""Headers of C, POSIX and Simulink without a type of an interface."""
+_OF_THE_SYSTEM = frozenset((
+    "assert.h", "complex.h", "ctype.h", "errno.h", "fenv.h", "inttypes.h", "locale.h", "math.h", "pthread.h", "sched.h",
+    "semaphore.h", "setjmp.h", "signal.h", "stdarg.h", "stdatomic.h", "stdio.h", "tgmath.h", "time.h", "unistd.h", "wchar.h",
+))  # fmt: skip
+"""Headers of C and POSIX that sigcat has no need of."""
+_OF_SIMULINK = frozenset((
+    "fixedpoint.h", "rt_logging.h", "rtw_continuous.h", "rtw_matlogging.h", "rtw_solver.h", "simstruc.h", "tmwtypes.h",
+))  # fmt: skip

@@ -87,8 +87,12 @@ def _named_after(kind: CType, code: Code) -> str:
 
 
 def _variables_of(kind: CType, code: Code) -> list[Variable]:
-    variables = {each.name: each for each in code.declarations.variables if _is_same(each.type, kind)}
-    return [each for each in variables.values() if not each.is_const]
+    """Variables of a type, each once, with its value if it has one."""
+    found: dict[str, Variable] = {}
+    for each in code.declarations.variables:
+        if _is_same(each.type, kind) and not each.is_const and (each.name not in found or each.value is not None):
+            found[each.name] = each
+    return list(found.values())
 
 
 def _is_same(one: CType, other: CType) -> bool:

@@ -107,6 +107,8 @@ def _code(draft: Draft) -> Iterator[str]:
     folders = [_below(draft.folder, path) for path in _include_folders(project)]
     if folders != ["."]:  # there headers are found without
         yield entry(2, "includeFolders", folders)
+    if project.definitions:
+        yield entry(2, "definitions", dict(map(_definition, project.definitions)))
     if project.machine:
         yield comment(
             2, f"The code checks the sizes of words: compile it for a machine of {project.machine}, such as by -m32."
