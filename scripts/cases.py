@@ -135,6 +135,11 @@ def imported(case: Path) -> Imported:
     return import_code(name, Path("code"), Path(), _interfaces(), SCHEMA_FILE, *model)
 
 
+def simulated() -> str:
+    """What the functions of a case send in a run."""
+    return output_of("simulate", *options())
+
+
 @cache
 def _interfaces() -> Catalogue:
     """The shipped tree with the overlays of interfaces."""
@@ -150,8 +155,9 @@ BAD_FUNCTIONS = Cases("tests/function/bad", "expected.txt", findings_of_function
 CODE = Cases("tests/function/importing/cases", "expected.yaml", function_of_code)
 CODE_FINDINGS = Cases("tests/function/importing/cases", "expected.txt", findings_of_code)
 CODE_REFUSED = Cases("tests/function/importing/refused", "expected.txt", refusal_of_code)
+RUNS = Cases("tests/runs/cases", "expected.csv", simulated)
 ALL = (
-    LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES, FUNCTIONS, BAD_FUNCTIONS, CODE, CODE_FINDINGS, CODE_REFUSED,
+    LANGUAGE, BAD_INPUT, OLDER_RELEASES, CHANGES, FUNCTIONS, BAD_FUNCTIONS, CODE, CODE_FINDINGS, CODE_REFUSED, RUNS,
 )  # fmt: skip
 
 

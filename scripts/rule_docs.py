@@ -24,6 +24,7 @@ _CATEGORIES: Mapping[str, str] = {
     "portable_names": "Portable names",
     "integration": "Integration with a platform",
     "adapter": "Adapters",
+    "simulation": "Simulation",
     "export": "Exports",
     "request": "Requests to the service",
     "configuration": "Configuration of the service",

@@ -232,6 +232,19 @@ PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")
 MORE_FINDINGS_THAN_SHOWN = RuleCode("Q002", "info")
 POSTED_TEXT_EMPTY = RuleCode("Q003", "error")
 
+# simulation
+TRACE_MALFORMED = RuleCode("T001", "error")
+TRACE_COLUMN_UNKNOWN = RuleCode("T002", "error")
+TRACE_COLUMN_UNUSED = RuleCode("T003", "info")
+TRACE_TIME_UNFIT = RuleCode("T004", "error")
+TRACE_VALUE_UNFIT = RuleCode("T005", "error")
+CODE_UNFIT = RuleCode("T010", "error")
+CODE_NOT_COMPILED = RuleCode("T011", "error")
+CALL_CRASHES = RuleCode("T020", "error")
+CALL_NEVER_RETURNS = RuleCode("T021", "error")
+INIT_FAILS = RuleCode("T022", "warning")
+CALLS_WITHOUT_END = RuleCode("T023", "error")
+
 # units
 UNIT_NAME_SHARED = RuleCode("U001", "warning")
 QUANTITY_UNKNOWN = RuleCode("U002", "error")

@@ -120,6 +120,14 @@ CODE_MEGABYTES = 2_048
 CODE_VALUES = 2_000
 """Inputs, outputs and parameters that are imported of one model; elements of an array count once."""
 
+# -- runs -----------------------------------------------------------------------------------------------------------
+
+TRACE_ROW_BYTES = 4 * 1024 * 1024
+"""Bytes of one row of a trace."""
+
+TRACE_FINDINGS = 100
+"""Findings in one trace; after that it is not read on."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

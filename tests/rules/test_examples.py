@@ -14,7 +14,7 @@ from sigcat.rules.rule_set import RuleSet
 RULES = load_rules(INTERFACE_RULES)
 EVERY_RULE = RuleSet(RULES)
 UNITS = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"])
-ELSEWHERE = ("adapter", "configuration", "export", "function", "import", "integration")
+ELSEWHERE = ("adapter", "configuration", "export", "function", "import", "integration", "simulation")
 """Makers whose examples are no trees: tests/function and tests/integration run them."""
 TREES = [rule for rule in RULES if rule.check not in ELSEWHERE]
 GOOD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in TREES for i, e in enumerate(r.good, 1)]

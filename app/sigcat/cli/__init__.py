@@ -25,6 +25,7 @@ COMMANDS = (
     "function",
     "integrate",
     "generate",
+    "simulate",
     "schema",
     "rule",
     "pull",

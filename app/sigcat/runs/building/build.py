@@ -1,0 +1,57 @@
+"""A set of functions is generated, compiled and linked."""
+
+import os
+import shutil
+import subprocess
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from sigcat.adapter.core.generate import CoreFiles, core_files
+from sigcat.adapter.toolchain import Toolchain
+from sigcat.runs.building.commands import Compilation, compilations, linking
+from sigcat.runs.building.failures import Said, refused
+from sigcat.runs.connections import Connections
+from sigcat.runs.driver.glue import glue_file
+from sigcat.runs.driver.numbering import Numbers
+from sigcat.runs.driver.tables import tables_file
+
+PROGRAM = "run.exe" if os.name == "nt" else "run"
+_DRIVER = Path(__file__).parents[1] / "driver"
+
+
+def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolchain) -> Path:
+    """The program of a set of functions, made in a folder. Raises InputRefused with what the compiler says."""
+    cores = [core_files(member.plan) for member in connections.members]
+    _write(connections, numbers, cores, folder)
+    compiled = tuple(compilations(connections.members, folder, tools))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        failed = [said for said in pool.map(_compiled, compiled) if said]
+    program = folder / PROGRAM
+    if not failed:
+        said = _said(linking(compiled, program, tools), None)
+        failed = [said] if said else []
+    if failed:
+        raise refused(failed, connections.members, cores)
+    return program
+
+
+def _write(connections: Connections, numbers: Numbers, cores: Sequence[CoreFiles], folder: Path) -> None:
+    for name in ("sigcat_driver.c", "sigcat_driver.h"):
+        shutil.copyfile(_DRIVER / name, folder / name)
+    glue = (glue_file(connections, numbers, index) for index in range(len(cores)))
+    for file in (*(file for core in cores for file in core.files), *glue, tables_file(connections, numbers)):
+        (folder / file.name).write_bytes(file.data)
+
+
+def _compiled(one: Compilation) -> Said | None:
+    return _said(one.command, one)
+
+
+def _said(command: tuple[str, ...], one: Compilation | None) -> Said | None:
+    """What a command says that fails."""
+    environment = {**os.environ, "LC_ALL": "C", "GCC_COLORS": ""}
+    done = subprocess.run(command, capture_output=True, check=False, env=environment)  # noqa: S603 — no shell
+    if done.returncode == 0:
+        return None
+    return Said(one, (done.stderr or done.stdout).decode("utf-8", "replace"))

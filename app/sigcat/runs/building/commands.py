@@ -1,0 +1,73 @@
+"""What is compiled, and how: a command for each file, and one that links them."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.adapter.toolchain import EXACT, Toolchain
+from sigcat.function.function_json.code import CodeInterface
+from sigcat.runs.connections import Member
+
+_CPP = frozenset((".cc", ".cpp", ".cxx", ".c++"))
+_FLAGS = ("-c", "-O2", "-g", *EXACT)
+"""`-g`: the linker says at which line a symbol is missing."""
+_OF_CORE = (
+    "-Werror=incompatible-pointer-types", "-Werror=int-conversion", "-Werror=implicit-function-declaration",
+)  # fmt: skip
+"""What older compilers of C let pass."""
+
+
+class Compilation(NamedTuple):
+    """A file, and the command that compiles it."""
+
+    member: int | None
+    """The function that it belongs to; None: the driver."""
+    source: Path
+    output: Path
+    command: tuple[str, ...]
+
+
+def is_cpp(source: Path) -> bool:
+    """Whether a source is C++."""
+    return source.suffix in _CPP or source.suffix == ".C"
+
+
+def compilations(members: Sequence[Member], folder: Path, tools: Toolchain) -> Iterator[Compilation]:
+    """What there is to compile. What is generated is in the folder, and everything compiled goes there."""
+    for name in ("sigcat_driver.c", "sigcat_tables.c"):
+        yield _compilation(None, folder / name, folder / f"{name}.o", (), tools)
+    for index, member in enumerate(members):
+        yield from _of_member(index, member, folder, tools)
+
+
+def _of_member(index: int, member: Member, folder: Path, tools: Toolchain) -> Iterator[Compilation]:
+    code = member.function.function.code or CodeInterface(signature="")
+    flags = (*_definitions(code), *_folders(code, member, folder))
+    for kind in ("adapter", "driver"):
+        found = next(path for path in folder.glob(f"{member.name}_{kind}.*") if path.suffix in (".c", ".cpp"))
+        strict = () if is_cpp(found) else _OF_CORE
+        yield _compilation(index, found, folder / f"{found.name}.o", (*strict, *flags), tools)
+    for number, source in enumerate(code.sources or ()):
+        yield _compilation(index, member.folder / source, folder / f"{member.name}.{number}.o", flags, tools)
+
+
+def _compilation(member: int | None, source: Path, output: Path, flags: Sequence[str], tools: Toolchain) -> Compilation:
+    compiler = tools.cpp if is_cpp(source) else tools.c
+    command = (*compiler, *_FLAGS, *flags, "-o", str(output), str(source.absolute()))
+    return Compilation(member, source, output, command)
+
+
+def _definitions(code: CodeInterface) -> list[str]:
+    return [f"-D{each.name}" + (f"={each.value}" if each.value is not None else "") for each in code.definitions or ()]
+
+
+def _folders(code: CodeInterface, member: Member, folder: Path) -> list[str]:
+    """Folders of headers: those of the declaration, then the generated ones."""
+    own = [member.folder, *(member.folder / each for each in code.include_folders or ())]
+    return [f"-I{each.absolute()}" for each in (*own, folder)]
+
+
+def linking(compiled: Sequence[Compilation], program: Path, tools: Toolchain) -> tuple[str, ...]:
+    """The command that links everything."""
+    linker = tools.cpp if any(is_cpp(each.source) for each in compiled) else tools.c
+    return (*linker, "-o", str(program), *(str(each.output) for each in compiled), "-lm")

@@ -1,0 +1,94 @@
+"""What a compiler says of generated code, said of the declaration that it was generated from."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.core.generate import CoreFiles
+from sigcat.adapter.files import GeneratedFile
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, in_order
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.walk import parts
+from sigcat.runs.building.commands import Compilation
+from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
+from sigcat.runs.connections import Member
+
+
+class Said(NamedTuple):
+    """What a compiler or the linker said when it failed."""
+
+    compilation: Compilation | None
+    """None: the linker."""
+    text: str
+
+
+class _Generated(NamedTuple):
+    """A generated file, and the function that it belongs to."""
+
+    member: Member
+    file: GeneratedFile
+    origins: Mapping[tuple[str, int], Pointer]
+
+    def line(self, number: int) -> str:
+        lines = self.file.data.decode().splitlines()
+        return lines[number - 1] if number <= len(lines) else ""
+
+
+def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[CoreFiles]) -> InputRefused:
+    """What is raised: a finding for each error; the words of the compiler where it has none of the usual form."""
+    generated = {
+        file.name: _Generated(member, file, core.origins)
+        for member, core in zip(members, cores, strict=True) for file in core.files
+    }  # fmt: skip
+    findings = in_order([finding for said in failed for finding in _findings(said, members, generated)])
+    words = "" if findings else f"\n{failed[0].text.strip()}"
+    return InputRefused(f"The functions cannot be run: {_doing(failed[0], generated)} failed.{words}", findings)
+
+
+def _doing(said: Said, generated: Mapping[str, _Generated]) -> str:
+    if said.compilation is None:
+        return "linking"
+    source = said.compilation.source
+    return f"compiling the adapter {source.name}" if source.name in generated else f"compiling {source}"
+
+
+def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Generated]) -> Iterator[Finding]:
+    for found in diagnostics(said.text):
+        file = generated.get(Path(found.file).name)
+        message = _sentence(found.message)
+        if file is not None:
+            fix = "Correct it here, or in the code."
+            yield file.member.function.finding(codes.CODE_UNFIT, _pointer(found, file), message, fix)
+        else:
+            yield codes.CODE_NOT_COMPILED.finding(message, _as_given(found.file, members), found.line, found.column)
+
+
+def _as_given(file: str, members: Sequence[Member]) -> str:
+    """A file beside a declaration, as seen from where the user is."""
+    path = Path(file)
+    folders = (member.folder for member in members if path.is_relative_to(member.folder.absolute()))
+    return next((str(folder / path.relative_to(folder.absolute())) for folder in folders), file)
+
+
+def _sentence(message: str) -> str:
+    """Without the option that made it an error."""
+    text = re.sub(r" \[-W[^]]*\]$", "", message)
+    return f"The compiler says: {text}{'' if text.endswith(('?', '.')) else '.'}"
+
+
+# -- where it was declared ----------------------------------------------------------------------------------------
+
+
+def _pointer(found: Diagnostic, file: _Generated) -> Pointer:
+    """What a line was made from: of an interface its expression in C, if the line has it; else the code."""
+    pointer = file.origins.get((file.file.name, found.line), ("Code",))
+    item = next((item for at, item in parts(file.member.function.function) if at == pointer), None)
+    line = file.line(found.line)
+    for name, info in type(item).model_fields.items() if item else ():
+        value = getattr(item, name)
+        if isinstance(value, str) and (name.endswith("variable") or name == "symbol") and value in line:
+            return (*pointer, info.alias or name)
+    return pointer

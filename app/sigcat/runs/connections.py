@@ -1,0 +1,233 @@
+"""What the functions of a set receive and send, and who is connected to whom: by path, else by the name of the interface."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.core.numbers import type_of_c
+from sigcat.adapter.core.plan import CorePlan, ModeIn, ModeOut, WireField, WireStruct, WireType
+from sigcat.adapter.core.planning import Context, context_of
+from sigcat.adapter.core.values import struct_name
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import parts
+from sigcat.runs.recording.shapes import Array, Number, Record, Shape
+
+Symbols = tuple[tuple[str, int], ...]
+"""Names and numbers of an enumeration."""
+
+
+class Member(NamedTuple):
+    """A function of the set."""
+
+    function: ResolvedFunction
+    plan: CorePlan
+    folder: Path
+    """Where the paths of its code begin."""
+
+    @property
+    def name(self) -> str:
+        """What all names of its adapter begin with."""
+        return self.plan.function
+
+
+class Entry(NamedTuple):
+    """Something that a function receives."""
+
+    member: int
+    """Index of the function in the set."""
+    receiver: str
+    """The end of the name of the function in C that takes it: `EgoSpd` of `…_Receive_EgoSpd`."""
+    names: tuple[str, ...]
+    """What it is called: its path, its name, or both."""
+    wire: WireType
+    shape: Shape
+    pointer: Pointer | None
+
+
+class Exit(NamedTuple):
+    """Something that a function sends."""
+
+    member: int
+    field: str
+    """Its name in `out` and `publish`."""
+    names: tuple[str, ...]
+    """What it is called; the first one is that of its column."""
+    wire: WireType
+    shape: Shape
+    is_queue: bool = False
+    is_shared: bool = True
+    """Whether others receive it. A safety reaction is decided by each function for itself, from the same errors."""
+
+    @property
+    def name(self) -> str:
+        """What it is called in recordings."""
+        return self.names[0]
+
+
+class Connections(NamedTuple):
+    """A set of functions, connected."""
+
+    members: tuple[Member, ...]
+    entries: tuple[Entry, ...]
+    exits: tuple[Exit, ...]
+    routes: tuple[tuple[int, ...], ...]
+    """For each exit the entries that get what it sends."""
+
+    @property
+    def received(self) -> Mapping[str, Shape]:
+        """What comes from outside, by every name that it has."""
+        inside = {target for route in self.routes for target in route}
+        outside = (entry for index, entry in enumerate(self.entries) if index not in inside)
+        return {name: entry.shape for entry in outside for name in entry.names}
+
+    def entries_of(self, column: str) -> tuple[int, ...]:
+        """The entries that a column of a trace goes to."""
+        return tuple(index for index, entry in enumerate(self.entries) if column in entry.names)
+
+
+def connect(members: Sequence[Member]) -> Connections:
+    """The connections of functions. Raises InputRefused if both ends of one do not hold the same values."""
+    entries = tuple(entry for index, member in enumerate(members) for entry in _entries(index, member))
+    exits = tuple(each for index, member in enumerate(members) for each in _exits(index, member))
+    routes = tuple(tuple(_targets(each, entries)) for each in exits)
+    findings = tuple(_mismatches(members, entries, exits, routes))
+    if findings:
+        raise InputRefused("The functions cannot be connected.", findings)
+    return Connections(tuple(members), entries, exits, routes)
+
+
+def _targets(given: Exit, entries: Sequence[Entry]) -> Iterator[int]:
+    if given.is_shared:
+        yield from (index for index, entry in enumerate(entries) if set(entry.names) & set(given.names))
+
+
+def _mismatches(
+    members: Sequence[Member], entries: Sequence[Entry], exits: Sequence[Exit], routes: Sequence[Sequence[int]]
+) -> Iterator[Finding]:
+    """Ends that do not hold the same: an exit and what it feeds, and entries of one name."""
+    leading: dict[str, tuple[int, Shape]] = {}
+    for each, route in zip(exits, routes, strict=True):
+        leading.update((name, (each.member, each.shape)) for target in route for name in entries[target].names)
+    for entry in entries:
+        for name in entry.names:
+            index, shape = leading.setdefault(name, (entry.member, entry.shape))
+            if not _fit(shape, entry.shape):
+                other, member = members[index].name, members[entry.member]
+                message = f"{name} must have the datatype and length that it has in {other}."
+                fix = "Make them equal in both functions."
+                yield member.function.finding(codes.PROVIDED_AS_ANOTHER_DATATYPE, entry.pointer or (), message, fix)
+                break
+
+
+# -- of one function ----------------------------------------------------------------------------------------------
+
+
+def _entries(index: int, member: Member) -> Iterator[Entry]:
+    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    for port in plan.ports:
+        (_, item), *_ = port.consumers
+        known = tuple(dict.fromkeys(reversed(item.names)))[:1]
+        yield Entry(index, port.name, known, port.wire, shape_of(port.wire, structs), item.named.pointer)
+    for error in plan.foreign_errors:
+        yield Entry(index, error.name, (error.name,), error.wire, shape_of(error.wire), None)
+    for reaction in plan.reactions:
+        at, shape = reaction.named.pointer, shape_of(reaction.wire)
+        yield Entry(index, reaction.named.name, names[at], reaction.wire, shape, at)
+    if plan.mode_in:
+        at, shape = plan.mode_in.named.pointer, _shape_of_mode(plan.mode_in)
+        yield Entry(index, plan.mode_in.named.name, names[at], plan.mode_in.wire, shape, at)
+
+
+def _exits(index: int, member: Member) -> Iterator[Exit]:
+    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    for output in (output for call in plan.steps for output in call.outputs):
+        wire = output.value.wire
+        known = tuple(reversed(names[output.named.pointer]))[:1]
+        yield Exit(index, output.named.name, known, wire, shape_of(wire, structs), output.queue is not None)
+    for error in plan.errors:
+        yield Exit(index, error.named.name, names[error.named.pointer], error.wire, shape_of(error.wire))
+    for reaction in plan.reactions:
+        shape = shape_of(reaction.wire)
+        known = names[reaction.named.pointer]
+        yield Exit(index, reaction.named.name, known, reaction.wire, shape, is_shared=False)
+    if plan.mode_out:
+        named, shape = plan.mode_out.named, _shape_of_mode(plan.mode_out)
+        yield Exit(index, named.name, names[named.pointer], plan.mode_out.wire, shape)
+
+
+def names_of(member: Member) -> Mapping[Pointer, tuple[str, ...]]:
+    """Name and path of each interface of a function, by where it stands."""
+    return {
+        pointer: tuple(dict.fromkeys(filter(None, (item.name, getattr(item, "vss_path", None)))))
+        for pointer, item in parts(member.function.function)
+        if hasattr(item, "name")
+    }
+
+
+# -- shapes -------------------------------------------------------------------------------------------------------
+
+
+class Structs(NamedTuple):
+    """The structs of a function, and the symbols of their members that are enumerations."""
+
+    known: Mapping[str, WireStruct]
+    symbols: Mapping[tuple[str, str], Symbols]
+
+
+def structs_of(member: Member) -> Structs:
+    """The structs of a function, by their names in C."""
+    context = context_of(member.function.function)
+    symbols = {
+        (struct_name(datatype.reference, context), identifier(field.name)): _symbols(field.datatype, context)
+        for datatype in context.datatypes.values() if datatype.kind == "struct"
+        for field in datatype.fields or ()
+    }  # fmt: skip
+    return Structs({struct.name: struct for struct in member.plan.structs}, symbols)
+
+
+def _symbols(reference: str, context: Context) -> Symbols:
+    datatype = innermost(reference, context.datatypes)
+    return tuple((each.symbol, each.value) for each in (datatype.symbols if datatype else None) or ())
+
+
+def shape_of(wire: WireType, structs: Structs | None = None) -> Shape:
+    """What is received or sent is made of."""
+    inner = _record(wire.c, structs) if wire.is_struct and structs else _number(wire.c, wire.symbols)
+    return inner if wire.length is None else Array(inner, wire.length)
+
+
+def _record(name: str, structs: Structs) -> Record:
+    return Record(tuple((field.name, _field(name, field, structs)) for field in structs.known[name].fields))
+
+
+def _field(struct: str, field: WireField, structs: Structs) -> Shape:
+    symbols = structs.symbols.get((struct, field.name), ())
+    inner = _record(field.c, structs) if field.c in structs.known else _number(field.c, symbols)
+    return inner if field.length is None else Array(inner, field.length)
+
+
+def _number(c: str, symbols: Symbols) -> Number:
+    found = type_of_c(c)
+    assert found is not None, c
+    return Number(found.name, tuple(symbols))
+
+
+def _shape_of_mode(mode: ModeIn | ModeOut) -> Shape:
+    return _number(mode.wire.c, tuple((each.name, each.number) for each in mode.modes))
+
+
+def _fit(one: Shape, other: Shape) -> bool:
+    """Whether values of one are values of the other: symbols that both have stand for the same numbers."""
+    if isinstance(one, Number) and isinstance(other, Number):
+        numbers = {symbol.upper(): number for symbol, number in one.symbols}
+        same = all(numbers.get(symbol.upper(), number) == number for symbol, number in other.symbols)
+        return one.datatype == other.datatype and same
+    if isinstance(one, Array) and isinstance(other, Array):
+        return one.length == other.length and _fit(one.element, other.element)
+    return one == other

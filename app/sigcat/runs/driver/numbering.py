@@ -1,0 +1,44 @@
+"""Numbers under which the driver tells of calls and of what is kept."""
+
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan import Call
+from sigcat.runs.connections import Connections, Member
+from sigcat.runs.kept import Kept, kept_of
+from sigcat.runs.recording.shapes import packing
+
+
+class Numbers(NamedTuple):
+    """What stands for what, function by function."""
+
+    calls: tuple[Call | None, ...]
+    """Of each function its steps, its first Init and its first Terminate; None where it has no such."""
+    kept: tuple[Kept, ...]
+    counts: tuple[int, ...]
+    """How many numbers the calls of each function have."""
+
+    def first_call(self, member: int) -> int:
+        """The number of the first step of a function."""
+        return sum(self.counts[:member])
+
+    def owner(self, call: int) -> int:
+        """The function that a call belongs to."""
+        return next(index for index in range(len(self.counts)) if call < self.first_call(index + 1))
+
+
+def numbers_of(connections: Connections) -> Numbers:
+    """The numbers of a set of functions."""
+    calls = [_calls(member) for member in connections.members]
+    each = tuple(call for listed in calls for call in listed)
+    return Numbers(each, kept_of(connections.members), tuple(map(len, calls)))
+
+
+def _calls(member: Member) -> tuple[Call | None, ...]:
+    plan = member.plan
+    return (*plan.steps, *(next(iter(outer), None) for outer in (plan.inits, plan.terminates)))
+
+
+def bytes_of_largest(connections: Connections, numbers: Numbers) -> int:
+    """Bytes of the largest value that is sent or kept."""
+    shapes = [*(each.shape for each in connections.exits), *(each.shape for each in numbers.kept)]
+    return max((packing(shape).struct.size for shape in shapes), default=8)

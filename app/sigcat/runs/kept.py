@@ -1,0 +1,41 @@
+"""What functions keep from one ignition cycle to the next: counts of errors, and parameters."""
+
+from collections.abc import Iterator, Sequence
+from typing import Literal, NamedTuple
+
+from sigcat.runs.connections import Member, names_of, shape_of, structs_of
+from sigcat.runs.recording.shapes import Number, Record, Shape
+
+COUNTS = Record((
+    ("occurrences", Number("uint16")), ("ignitionCycles", Number("uint16")),
+    ("hasFailed", Number("boolean")), ("isTested", Number("boolean")),
+))  # fmt: skip
+"""Of an error."""
+Section = Literal["ignitionCycle", "errors", "parameters"]
+
+
+class Kept(NamedTuple):
+    """A part of what a function keeps."""
+
+    member: int
+    section: Section
+    name: str
+    """Interface name of the error, or key of the parameter."""
+    field: str
+    """Its name in the struct in C."""
+    shape: Shape
+
+
+def kept_of(members: Sequence[Member]) -> tuple[Kept, ...]:
+    """All parts of what the functions keep, function by function."""
+    return tuple(each for index, member in enumerate(members) for each in _kept(index, member))
+
+
+def _kept(index: int, member: Member) -> Iterator[Kept]:
+    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    yield Kept(index, "ignitionCycle", "", "ignition_cycle", Number("uint32"))
+    for error in plan.errors:
+        yield Kept(index, "errors", names[error.named.pointer][0], error.named.name, COUNTS)
+    for parameter in plan.parameters:
+        shape = shape_of(parameter.value.wire, structs)
+        yield Kept(index, "parameters", parameter.key, parameter.named.name, shape)

@@ -1,0 +1,66 @@
+"""Functions that are to be run: their files are there, their cores planned, and they are connected."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.adapter.core.derive import Planned, derive
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, in_order
+from sigcat.function.code_files import is_on_disk, missing_files
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.runs.connections import Connections, Member, connect
+from sigcat.runs.driver.numbering import Numbers, numbers_of
+from sigcat.runs.recording.shapes import SECONDS, Shape
+from sigcat.runs.recording.trace_file import Known
+
+
+class Prepared(NamedTuple):
+    """Functions that can be built and run."""
+
+    connections: Connections
+    numbers: Numbers
+    findings: tuple[Finding, ...]
+    """Warnings about them."""
+
+    @property
+    def columns(self) -> Mapping[str, Shape]:
+        """What is sent, by name."""
+        return {each.name: each.shape for each in self.connections.exits}
+
+    def known_columns(self, paths: Iterable[str]) -> Known:
+        """What the columns of a trace may be; `paths` are paths and interfaces of the catalogue."""
+        connections = self.connections
+        durations = {call.interface: SECONDS for call in self.numbers.calls if call}
+        names = [each.names for each in connections.entries] + [each.names for each in connections.exits]
+        return Known({**durations, **connections.received}, {*paths, *(name for each in names for name in each)})
+
+
+def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
+    """The functions, planned and connected. Raises InputRefused with everything that stands in the way."""
+    missing = [
+        each._replace(severity="error") for function in functions for each in missing_files(function, is_on_disk)
+    ]
+    if missing:
+        raise InputRefused("The functions cannot be run: files of their code are missing.", in_order(missing))
+    planned = _planned(functions)
+    members = [
+        Member(function, each.plan, Path(function.document.name).parent)
+        for function, each in zip(functions, planned, strict=True)
+    ]
+    connections = connect(members)
+    findings = tuple(finding for each in planned for finding in each.findings)
+    return Prepared(connections, numbers_of(connections), findings)
+
+
+def _planned(functions: Sequence[ResolvedFunction]) -> list[Planned]:
+    planned, refused = [], []
+    for function in functions:
+        try:
+            planned.append(derive(function))
+        except InputRefused as error:
+            refused.append(error)
+    if refused:
+        findings = in_order([finding for error in refused for finding in error.findings])
+        raise InputRefused(" ".join(map(str, refused)), findings)
+    return planned

@@ -1,0 +1,38 @@
+"""Rows written as CSV: `time`, `call`, then a column for each thing that is sent. An empty cell is no new value."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sigcat.runs.recording.cells import cell_of
+from sigcat.runs.recording.recorded import Recorded, split
+from sigcat.runs.recording.shapes import Shape
+from sigcat.runs.recording.times import seconds
+from sigcat.runs.recording.trace_file import CALL, TIME
+
+
+def csv_text(rows: Iterable[Recorded], columns: Mapping[str, Shape]) -> str:
+    """The whole file. The same rows give the same bytes."""
+    return "".join(_lines(rows, columns))
+
+
+def _lines(rows: Iterable[Recorded], columns: Mapping[str, Shape]) -> Iterator[str]:
+    yield _line([TIME, CALL, *columns])
+    places = {name: index for index, name in enumerate(columns, 2)}
+    for row in rows:
+        for each in split(row) if _has_doubles(row) else (row,):
+            cells = [seconds(each.time), each.call, *[""] * len(columns)]
+            for name, value in each.values:
+                cells[places[name]] = cell_of(value, columns[name])
+            yield _line(cells)
+
+
+def _has_doubles(row: Recorded) -> bool:
+    return len({name for name, _ in row.values}) < len(row.values)
+
+
+def _line(cells: Iterable[str]) -> str:
+    return ",".join([_quoted(cell) if "," in cell or '"' in cell else cell for cell in cells]) + "\n"
+
+
+def _quoted(cell: str) -> str:
+    doubled = cell.replace('"', '""')
+    return f'"{doubled}"'

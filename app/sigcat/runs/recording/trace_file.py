@@ -1,0 +1,225 @@
+"""A trace is read: rows of a CSV file, each with a time and the values that came then. Everything wrong is a finding at
+its line and column, and a file of any size is read row by row.
+"""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import BinaryIO, NamedTuple
+
+from sigcat import codes
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, RuleCode, has_errors, shown
+from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
+from sigcat.names import did_you_mean
+from sigcat.runs.recording.cells import Unfit, value_of
+from sigcat.runs.recording.shapes import Shape, Value
+from sigcat.runs.recording.times import nanoseconds
+
+TIME, CALL = "time", "call"
+"""Columns that every recording has: `call` is in what a simulation writes, and says nothing here."""
+
+
+class Known(NamedTuple):
+    """What the columns of a trace may be."""
+
+    received: Mapping[str, Shape]
+    """What is received, by every name that it has."""
+    others: Collection[str]
+    """What there is too, and nobody receives from a trace."""
+
+
+class Moment(NamedTuple):
+    """A row: what came at a time."""
+
+    time: int
+    values: tuple[tuple[str, Value], ...]
+    """By the names of columns, in their order."""
+
+
+class Trace(NamedTuple):
+    """A trace, of which the header was read."""
+
+    file: Path
+    columns: tuple[str, ...]
+    shapes: tuple[Shape | None, ...]
+    """Of each column; None: it is left out."""
+    findings: tuple[Finding, ...]
+
+
+class _Row(NamedTuple):
+    line: int
+    text: str
+    cells: Sequence[str]
+
+
+def open_trace(file: Path, known: Known) -> Trace:
+    """A trace by its header. Raises InputRefused if that cannot be used."""
+    with file.open("rb") as data:
+        header = next(_rows(data, str(file)), None)
+    if isinstance(header, Finding):
+        raise _refused(file, (header,))
+    row = header or _Row(1, "", ())
+    names = tuple(cell.strip() for cell in row.cells)
+    findings = tuple(_Header(str(file), row, names, known).findings())
+    if has_errors(findings):
+        raise _refused(file, findings)
+    return Trace(file, names, tuple(known.received.get(name) for name in names), findings)
+
+
+def moments(trace: Trace) -> Iterator[Moment]:
+    """The rows of a trace. Raises InputRefused at its end, with everything that was wrong with it."""
+    findings: list[Finding] = []
+    last = 0
+    with trace.file.open("rb") as data:
+        rows = _rows(data, str(trace.file))
+        next(rows)
+        for row in rows:
+            found = row if isinstance(row, Finding) else _moment(trace, row, last, findings)
+            if isinstance(found, Moment):
+                last = found.time
+                yield found
+            elif found is not None:
+                findings.append(found)
+            if len(findings) >= TRACE_FINDINGS:
+                break
+    if findings:
+        raise _refused(trace.file, tuple(findings))
+
+
+def _refused(file: Path, findings: tuple[Finding, ...]) -> InputRefused:
+    return InputRefused(f"{file} cannot be used as a trace.", findings)
+
+
+# -- the header ---------------------------------------------------------------------------------------------------
+
+
+class _Header(NamedTuple):
+    file: str
+    row: _Row
+    names: tuple[str, ...]
+    known: Known
+
+    def findings(self) -> Iterator[Finding]:
+        """What is wrong with the columns, and which of them are left out."""
+        if not self.names or self.names[0] != TIME:
+            message = f"The first column must be `{TIME}`, not {shown(self.names[0] if self.names else '')}."
+            yield self._finding(codes.TRACE_MALFORMED, 0, message, "Give the time of each row in seconds.")
+            return
+        for index, name in enumerate(self.names[1:], 1):
+            yield from self._of_column(index, name)
+
+    def _of_column(self, index: int, name: str) -> Iterator[Finding]:
+        if name in self.names[:index]:
+            message = f"The column {shown(name)} must stand in the header once."
+            yield self._finding(codes.TRACE_MALFORMED, index, message, "Remove one of them.")
+        elif name in self.known.received or name == CALL:
+            return
+        elif name in self.known.others:
+            message = f"{name} is left out: the functions do not receive it, or one of them provides it."
+            yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
+        else:
+            hint = did_you_mean(name, [*self.known.received, *self.known.others])
+            message = f"The column {shown(name)} is no signal of the catalogue and no interface of the functions."
+            yield self._finding(codes.TRACE_COLUMN_UNKNOWN, index, message, hint or "Remove it.")
+
+    def _finding(self, rule: RuleCode, index: int, message: str, fix: str) -> Finding:
+        return rule.finding(message, self.file, self.row.line, _column(self.row, index), fix=fix)
+
+
+# -- rows ---------------------------------------------------------------------------------------------------------
+
+
+def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Moment | Finding | None:
+    """What came at the time of a row; findings of its cells are added to those that are there."""
+    if len(row.cells) != len(trace.columns):
+        message = f"The row must have {len(trace.columns)} cells, as the header has, not {len(row.cells)}."
+        return codes.TRACE_MALFORMED.finding(message, str(trace.file), row.line, 1)
+    time = nanoseconds(row.cells[0])
+    if time is None or time < last:
+        return _unfit_time(trace, row, is_number=time is not None)
+    values = []
+    for index, cell in enumerate(row.cells):
+        shape = trace.shapes[index]
+        if cell and shape is not None:
+            try:
+                values.append((trace.columns[index], value_of(cell, shape)))
+            except Unfit as reason:
+                findings.append(_unfit_value(trace, row, index, reason))
+    return Moment(time, tuple(values))
+
+
+def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
+    text = shown(row.cells[0])
+    message = f"The time must not be before that of the row above, as {text} is."
+    if not is_number:
+        message = f"The time must be in seconds, from 0 on, not {text}."
+    return codes.TRACE_TIME_UNFIT.finding(message, str(trace.file), row.line, _column(row, 0))
+
+
+def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
+    name = trace.columns[index]
+    place = (str(trace.file), row.line, _column(row, index))
+    return codes.TRACE_VALUE_UNFIT.finding(f"{name} {reason}.", *place, path=name, fix=reason.fix)
+
+
+def _rows(data: BinaryIO, file: str) -> Iterator[_Row | Finding]:
+    """The rows that are not empty, or what is wrong with their form; after that, nothing."""
+    number = 0
+    while line := data.readline(TRACE_ROW_BYTES + 1):
+        number += 1
+        if len(line) > TRACE_ROW_BYTES:
+            message = f"A row must be shorter than {TRACE_ROW_BYTES // 2**20} MiB."
+            yield codes.TRACE_MALFORMED.finding(message, file, number, 1)
+            return
+        found = _row(line.removeprefix(b"\xef\xbb\xbf") if number == 1 else line, number, file)
+        if found is not None:
+            yield found
+        if isinstance(found, Finding):
+            return
+
+
+def _row(line: bytes, number: int, file: str) -> _Row | Finding | None:
+    try:
+        text = line.decode().rstrip("\r\n")
+    except UnicodeDecodeError as error:
+        message = "The file must be in UTF-8."
+        return codes.TRACE_MALFORMED.finding(message, file, number, len(line[: error.start].decode()) + 1)
+    if not text:
+        return None
+    if '"' not in text:
+        return _Row(number, text, text.split(","))
+    found = _quoted(text)
+    if isinstance(found, int):
+        message = "A cell that begins with a quote must end with one, in the same row; a quote within is doubled."
+        return codes.TRACE_MALFORMED.finding(message, file, number, found + 1)
+    return _Row(number, text, [_unquoted(cell) for cell in found])
+
+
+# -- cells --------------------------------------------------------------------------------------------------------
+
+_CELL = re.compile(r'[ \t]*"[^"]*(?:""[^"]*)*"[ \t]*(?=,|$)|[^",]*(?=,|$)')
+
+
+def _quoted(text: str) -> list[str] | int:
+    """The cells of a row as they stand there, or where one begins that has no end."""
+    cells: list[str] = []
+    at = 0
+    while at <= len(text):
+        match = _CELL.match(text, at)
+        if match is None:
+            return at
+        cells.append(match[0])
+        at = match.end() + 1
+    return cells
+
+
+def _unquoted(cell: str) -> str:
+    return cell.strip()[1:-1].replace('""', '"') if '"' in cell else cell
+
+
+def _column(row: _Row, index: int) -> int:
+    """Where a cell begins, from 1."""
+    cells = row.text.split(",") if '"' not in row.text else _quoted(row.text)
+    assert not isinstance(cells, int)
+    return sum(len(cell) + 1 for cell in cells[:index]) + 1

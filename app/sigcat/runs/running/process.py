@@ -1,0 +1,85 @@
+"""The process of a run: what it tells, as it comes, until it ends or is stopped."""
+
+import os
+import subprocess
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import IO
+
+_PIECE = 1 << 16
+
+
+class Hangs(Exception):
+    """The process said nothing for longer than it may."""
+
+
+class Ended(Exception):
+    """The process ended with this status; a negative one is a signal."""
+
+    def __init__(self, status: int) -> None:
+        super().__init__(status)
+        self.status = status
+
+
+def told(command: Sequence[str], limit: float) -> Iterator[bytes]:
+    """What the process writes, piece by piece. Raises Hangs, or Ended if its status is not 0."""
+    with _started(command) as process:
+        assert process.stdout is not None
+        watch = _Watch(process, limit)
+        try:
+            yield from watch.pieces(process.stdout)
+        finally:
+            watch.end()
+        if watch.has_stopped_it:
+            raise Hangs
+        if status := process.wait():
+            raise Ended(status)
+
+
+@contextmanager
+def _started(command: Sequence[str]) -> "Iterator[subprocess.Popen[bytes]]":
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0)  # noqa: S603
+    try:
+        yield process
+    finally:
+        process.kill()  # nothing if it has ended
+        process.wait()
+        assert process.stdout is not None
+        process.stdout.close()
+
+
+class _Watch:
+    """Stops a process that is waited for too long."""
+
+    def __init__(self, process: "subprocess.Popen[bytes]", limit: float) -> None:
+        self.has_stopped_it = False
+        self._process, self._limit = process, limit
+        self._waiting_since: float | None = None
+        self._has_ended = threading.Event()
+        self._thread = threading.Thread(target=self._watch, daemon=True)
+        self._thread.start()
+
+    def pieces(self, output: IO[bytes]) -> Iterator[bytes]:
+        """Everything that is written; only the time of waiting for it counts."""
+        while True:
+            self._waiting_since = time.monotonic()
+            piece = os.read(output.fileno(), _PIECE)
+            self._waiting_since = None
+            if not piece:
+                return
+            yield piece
+
+    def end(self) -> None:
+        """Watch no longer."""
+        self._has_ended.set()
+        self._thread.join()
+
+    def _watch(self) -> None:
+        while not self._has_ended.wait(min(self._limit / 10, 1.0)):
+            since = self._waiting_since
+            if since is not None and time.monotonic() - since > self._limit:
+                self.has_stopped_it = True
+                self._process.kill()
+                return

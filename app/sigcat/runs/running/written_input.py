@@ -1,0 +1,57 @@
+"""The input of the driver: a trace, each value as the bytes of where it goes."""
+
+import struct
+from collections.abc import Iterable, Mapping, Sequence
+from typing import BinaryIO, NamedTuple
+
+from sigcat.runs.connections import Connections
+from sigcat.runs.driver.numbering import Numbers
+from sigcat.runs.driver.tables import Target
+from sigcat.runs.kept import Kept
+from sigcat.runs.recording.shapes import Value
+from sigcat.runs.recording.trace_file import Moment
+
+_HEAD = struct.Struct("=QI")
+
+
+class Span(NamedTuple):
+    """Times of the first and the last row, in ns; None if there is no row."""
+
+    first: int | None = None
+    last: int | None = None
+
+
+def write_input(
+    file: BinaryIO, kept: Mapping[Kept, Value], rows: Iterable[Moment], targets: Sequence[Target],
+    connections: Connections, numbers: Numbers,
+) -> Span:  # fmt: skip
+    """Write what is kept from before, then the trace. Raises InputRefused with what is wrong with the trace."""
+    stored = [(number, target) for number, target in enumerate(targets) if target.kind == "STORED"]
+    for (number, target), each in zip(stored, numbers.kept, strict=True):
+        if each in kept:
+            file.write(_HEAD.pack(0, number) + target.packing.pack(kept[each]))
+    return _write_rows(file, rows, _targets_by_column(connections, numbers), targets)
+
+
+def _write_rows(
+    file: BinaryIO, rows: Iterable[Moment], by_column: Mapping[str, Sequence[int]], targets: Sequence[Target]
+) -> Span:
+    span = Span()
+    for time, values in rows:
+        span = Span(time if span.first is None else span.first, time)
+        for column, value in values:
+            numbers = by_column[column]
+            data = targets[numbers[0]].packing.pack(value)
+            file.writelines(_HEAD.pack(time, number) + data for number in numbers)
+    return span
+
+
+def _targets_by_column(connections: Connections, numbers: Numbers) -> Mapping[str, Sequence[int]]:
+    found: dict[str, list[int]] = {}
+    for number, entry in enumerate(connections.entries):
+        for name in entry.names:
+            found.setdefault(name, []).append(number)
+    for number, call in enumerate(numbers.calls):
+        if call:
+            found[call.interface] = [len(connections.entries) + number]
+    return found

@@ -1,0 +1,93 @@
+"""Why a run did not come to its end, and with which inputs, in words."""
+
+from collections.abc import Mapping, Sequence
+
+from sigcat import codes
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, RuleCode
+from sigcat.runs.connections import Entry
+from sigcat.runs.prepare import Prepared
+from sigcat.runs.recording.cells import cell_of
+from sigcat.runs.recording.recorded import Recorded
+from sigcat.runs.recording.shapes import Value
+from sigcat.runs.recording.times import seconds
+from sigcat.runs.recording.trace_file import Trace, moments
+from sigcat.runs.running.rows import Begins
+from sigcat.runs.running.run import Stopped
+
+_LONGEST = 200
+"""Characters of a value that is shown."""
+
+
+def refusal(
+    stopped: Stopped, prepared: Prepared, trace: Trace | None, rows: Sequence[Recorded], limit: float
+) -> InputRefused:
+    """What is said of a run that stopped. `rows` are those that it made."""
+    at = f"{seconds(stopped.time)} s"
+    if stopped.reason == "no end":
+        message = f"At {at}, calls trigger each other without end."
+        return InputRefused(f"The run was stopped at {at}.", (codes.CALLS_WITHOUT_END.finding(message),))
+    if stopped.begun is None:
+        return InputRefused(f"The run ended at {at} with {stopped.how}.", (_outside(stopped),))
+    rule, what = _kind(stopped, at, limit)
+    finding = _finding(rule, stopped.begun, what, prepared)
+    return InputRefused(_with_inputs(stopped.begun, finding.path, prepared, trace, rows), (finding,))
+
+
+def _kind(stopped: Stopped, at: str, limit: float) -> tuple[RuleCode, str]:
+    if stopped.reason == "hangs":
+        return codes.CALL_NEVER_RETURNS, f"must return within {limit:g} s; the one of {at} did not"
+    return codes.CALL_CRASHES, f"ended the process at {at} with {stopped.how}"
+
+
+def _outside(stopped: Stopped) -> Finding:
+    how = "said nothing any more" if stopped.reason == "hangs" else f"ended with {stopped.how}"
+    return codes.CALL_CRASHES.finding(f"The process {how} while no call was running.")
+
+
+def _finding(rule: RuleCode, begun: Begins, what: str, prepared: Prepared) -> Finding:
+    call = prepared.numbers.calls[begun.call]
+    member = prepared.connections.members[prepared.numbers.owner(begun.call)]
+    name, pointer = (call.interface, (*call.pointer, "Symbol")) if call else (member.name, ())
+    return member.function.finding(rule, pointer, f"{name} {what}.", path=name)
+
+
+# -- the last inputs ----------------------------------------------------------------------------------------------
+
+
+def _with_inputs(begun: Begins, call: str, prepared: Prepared, trace: Trace | None, rows: Sequence[Recorded]) -> str:
+    """The message, with what the function of a call had received."""
+    member = prepared.numbers.owner(begun.call)
+    has_started = prepared.numbers.calls[begun.call] not in prepared.connections.members[member].plan.inits
+    entries = [entry for entry in prepared.connections.entries if entry.member == member and has_started]
+    values = {**_from_trace(trace, begun.time), **_from_functions(prepared, rows)}
+    lines = [line for entry in entries if (line := _line(entry, values))]
+    inputs = f" What it had received last:{''.join(lines)}" if lines else " It had received nothing."
+    return f"The run was stopped in {call} at {seconds(begun.time)} s.{inputs}"
+
+
+def _line(entry: Entry, values: Mapping[str, Value]) -> str:
+    name = next((name for name in entry.names if name in values), None)
+    if name is None:
+        return ""
+    text = cell_of(values[name], entry.shape)
+    return f"\n  {name} = {text if len(text) <= _LONGEST else f'{text[:_LONGEST]}...'}"
+
+
+def _from_trace(trace: Trace | None, time: int) -> dict[str, Value]:
+    """The last value of each column of a trace, until a time."""
+    found: dict[str, Value] = {}
+    for moment in moments(trace) if trace else ():
+        if moment.time > time:
+            break
+        found.update(moment.values)
+    return found
+
+
+def _from_functions(prepared: Prepared, rows: Sequence[Recorded]) -> dict[str, Value]:
+    """What functions of the set sent last, of what others receive, by all of its names."""
+    names = {each.name: each.names for each in prepared.connections.exits if each.is_shared}
+    last: dict[str, Value] = {}
+    for row in rows:
+        last.update(row.values)
+    return {alias: value for name, value in last.items() for alias in names.get(name, ())}

@@ -1,0 +1,54 @@
+"""What is written in a cell can be read again, bit by bit."""
+
+import math
+import struct
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sigcat.runs.recording.cells import cell_of, value_of
+from sigcat.runs.recording.shapes import Array, Number, Record, packing
+
+NAMED = Number("uint8", (("LOW", 0), ("HIGH", 7), ('a"b,c', 9)))
+SHAPES = [
+    *(Number(name) for name in ("boolean", "uint8", "int64", "uint64", "float", "double")),
+    NAMED,
+    Array(Number("float"), 3),
+    Array(NAMED, 2),
+    Record((("X", Number("float")), ("Kinds", Array(NAMED, 2)), ("Point", Record((("Y", Number("int16")),))))),
+]
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+@given(data=st.data())
+def test_a_value_is_read_as_it_was_written(shape, data):
+    form = packing(shape)
+    value = form.unpack(data.draw(st.binary(min_size=form.struct.size, max_size=form.struct.size)))
+    again = form.unpack(form.pack(value_of(cell_of(value, shape), shape)))
+    assert form.pack(again) == form.pack(value) or "nan" in repr(value)
+    assert repr(again) == repr(value)
+
+
+@given(st.integers(0, 2**31 - 1))
+def test_a_float_has_as_few_digits_as_give_it_again(bits):
+    (number,) = struct.unpack("<f", struct.pack("<I", bits))
+    text = cell_of(number, Number("float"))
+    mantissa = text.partition("e")[0].replace(".", "").strip("0")
+    assert struct.pack("<f", float(text)) == struct.pack("<f", number) or math.isnan(number)
+    assert len(mantissa) <= 9
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        (0.1, "0.1"),
+        (-0.0, "-0.0"),
+        (0.0, "0.0"),
+        (1e-45, "1e-45"),
+        (16777216.0, "16777216.0"),
+        (3.4028234663852886e38, "3.4028235e+38"),
+    ],
+)
+def test_a_float_stands_there_as_one_would_write_it(number, text):
+    assert cell_of(struct.unpack("<f", struct.pack("<f", number))[0], Number("float")) == text

@@ -1,0 +1,257 @@
+"""`sigcat simulate`: what it says of code that cannot be built, and of calls that do not return. It lives through all of it."""
+
+import re
+import shutil
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from scripts.cases import ROOT, RUNS
+from sigcat.adapter import toolchain
+from sigcat.cli import main
+from sigcat.data import EXAMPLES
+
+CASE = ROOT / RUNS.folder / "one_function_feeds_another"
+EXPECTED = (CASE / RUNS.expected).read_text()
+RUN = ("simulate", "filter.yaml", "counter.yaml", "--trace", "trace.csv")
+
+
+@pytest.fixture
+def case(tmp_path, monkeypatch, capfd):
+    """The two functions of a case, in which texts are replaced before they run."""
+    shutil.copytree(CASE, tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
+
+    def run(*options, **changes):
+        for name, (old, new) in changes.items():
+            (file,) = (path for path in tmp_path.rglob("*.*") if path.name.replace(".", "_") == name)
+            assert old in file.read_text()
+            file.write_text(file.read_text().replace(old, new))
+        status = main([*RUN, "-o", "out.csv", *options])
+        said = capfd.readouterr()
+        assert said.out == ""
+        assert "Traceback" not in said.err
+        said = said.err.replace("what a function prints is no result\n", "").splitlines()
+        return status, said
+
+    return run
+
+
+def test_two_runs_give_the_same_bytes_and_leave_nothing_behind(case, monkeypatch, tmp_path):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    Path("temporary").mkdir()
+    for _ in range(2):
+        assert case() == (0, [])
+        assert Path("out.csv").read_text() == EXPECTED
+    assert list(Path("temporary").iterdir()) == []
+
+
+# -- code that cannot be built -------------------------------------------------------------------------------------
+
+
+@pytest.fixture(params=["system", "pypi"])
+def compiler(request, monkeypatch):
+    """The compiler of the system, and that of PyPI: they have words of their own."""
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.delenv("CXX", raising=False)
+    if request.param == "pypi":
+        if toolchain.packaged() is None:
+            pytest.skip("the compiler of PyPI: pip install ziglang")
+        monkeypatch.setenv("PATH", "")
+
+
+UNFIT = {
+    "a member that does not exist": ({"filter_yaml": ("filter_in.speed", "filter_in.sped")}, "filter.yaml:14:61", "sped"),
+    "a function that is not declared": ({"filter_yaml": ("symbol: filter_step", "symbol: filter_stepp")}, "filter.yaml:12:17", "filter_stepp"),
+    "a function that nobody defines": ({"filter_c": ("void filter_step(", "void filter_stop(")}, "filter.yaml:12:17", "filter_step"),
+    "a variable that nobody defines": ({"filter_c": ("filter_in_t filter_in;", "")}, "filter.", "'filter_in'"),
+    "a type that does not exist": ({"counter_yaml": ("type: counter_t", "type: counter_s")}, "counter.yaml:5", "counter_s"),
+    "a status that is a struct": ({"filter_yaml": ("{variable: filter_out.mode}", "{variable: filter_out}")}, "filter.yaml:24", ""),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", UNFIT)
+def test_what_the_declaration_says_of_the_code_and_is_not_so(case, compiler, name):
+    changes, place, word = UNFIT[name]
+    status, said = case(**changes)
+    assert status == 1
+    findings = [line for line in said if " T010 " in line or " T011 " in line]
+    assert any(line.startswith(place) and word in line for line in findings), said
+    assert said[-1].startswith("sigcat: The functions cannot be run: ")
+
+
+def test_sources_that_do_not_compile_stand_in_the_words_of_the_compiler(case, compiler):
+    status, said = case(counter_c=("self->count += ", "self->cuont += "))
+    assert status == 1
+    assert re.match(r"code/counter\.c:\d+:\d+: error T011 The compiler says: .*cuont", said[0])
+    assert said[-1] == "sigcat: The functions cannot be run: compiling code/counter.c failed."
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({"filter_yaml": ("[filter.c]", "[flter.c]")}, "filter.yaml:5:38: error F201 There is no file 'flter.c'."),
+        (
+            {"counter_yaml": ("[counter.h]", "[cuonter.h]")},
+            "counter.yaml:8:13: error F201 There is no header 'cuonter.h'.",
+        ),
+        ({"counter_yaml": ("[code]", "[cod]")}, "counter.yaml:9:20: error F201 There is no folder 'cod'."),
+    ],
+)
+def test_files_that_are_not_there(case, changes, expected):
+    status, said = case(**changes)
+    assert status == 1
+    assert any(line.startswith(expected) for line in said)
+
+
+def test_without_a_compiler_one_line_says_so(case, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "find_spec", lambda _: None)
+    status, (line,) = case()
+    assert (status, line[:34]) == (2, "sigcat: There is no C compiler. In")
+    assert not Path("out.csv").exists()
+
+
+# -- calls that do not return --------------------------------------------------------------------------------------
+
+LAST = "    filter_out.mode = filter_in.mode;"
+INPUTS = ["  Vehicle.Speed = 72.5", "  Filter_Mode_In = ON"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "how"),
+    [
+        ("*(volatile int *)0 = 1;", r"SIGSEGV \(Segmentation fault\)"),
+        ("__builtin_trap();", r"(SIGILL|SIGTRAP) \(.*\)"),
+        ("__builtin_abort();", r"SIGABRT \(Aborted\)"),
+        ("__builtin_exit(3);", "exit status 3"),
+        ("__builtin_exit(0);", "exit status 0"),
+    ],
+)
+def test_a_call_that_crashes_is_told_with_what_it_had_received(case, statement, how):
+    statement = statement.replace("__builtin_exit", "exit").replace("__builtin_abort", "abort")
+    includes = ("#include <stdio.h>", "#include <stdio.h>\n#include <stdlib.h>")
+    source = Path("filter.c")
+    source.write_text(source.read_text().replace(*includes))
+    status, said = case(filter_c=(LAST, f"    if (filter_in.speed > 15) {{ {statement} }}"))
+    assert status == 1
+    assert re.fullmatch(
+        rf"filter\.yaml:12:17: error T020 Filter_Step ended the process at 0\.060000000 s with {how}\.", said[0]
+    )
+    assert said[1] == "sigcat: The run was stopped in Filter_Step at 0.060000000 s. What it had received last:"
+    assert said[2:] == INPUTS
+    lines = Path("out.csv").read_text().splitlines()
+    assert lines[-1] == "0.040000000,Counter_Step,,,,,6,4.166666666666667,true,"
+
+
+def test_a_call_without_an_end_is_stopped_after_a_limit(case):
+    status, said = case("--step-limit", "0.3", filter_c=(LAST, "    while (filter_in.speed > 15) {}"))
+    assert status == 1
+    assert (
+        said[0]
+        == "filter.yaml:12:17: error T021 Filter_Step must return within 0.3 s; the one of 0.060000000 s did not."
+    )
+    assert said[2:] == INPUTS
+
+
+def test_what_came_from_another_function_is_told_too(case):
+    status, said = case(
+        counter_c=("    self->rises =", "    if (in->trend == 1) { *(volatile int *)0 = 1; }\n    self->rises =")
+    )
+    assert status == 1
+    assert "Counter_Step ended the process at 0.100000000 s" in said[0]
+    assert said[2:] == [
+        "  Vehicle.Filter.Levels = [30.5625,61.125,49.75]",
+        "  Vehicle.Filter.Trend = FALLS",
+        "  Filter_Standstill_ErrorSts = PASSED",
+    ]
+
+
+def test_an_init_that_crashes_is_told(case):
+    status, said = case(filter_c=("    filter_out.trend = 8;\n}", "    *(volatile int *)0 = 1;\n}"))
+    assert status == 1
+    assert "Filter_Init ended the process at 0.000000000 s with SIGSEGV" in said[0]
+    assert said[1:] == ["sigcat: The run was stopped in Filter_Init at 0.000000000 s. It had received nothing."]
+
+
+def test_an_init_that_fails_is_a_warning(case):
+    for name in ("filter.h", "filter.c"):
+        file = Path(name)
+        file.write_text(file.read_text().replace("void filter_init", "int filter_init"))
+    changes = {
+        "filter_c": ("filter_out.trend = 8;", "return 7;"),
+        "filter_yaml": ("symbol: filter_init", "symbol: filter_init, success: 0"),
+    }
+    status, (said,) = case(**changes)
+    assert (status, said[:30]) == (0, "filter.yaml:10:9: warning T022")
+    assert [line for line in Path("out.csv").read_text().splitlines() if "Step" in line] == []
+
+
+# -- how long, and without a trace ---------------------------------------------------------------------------------
+
+
+def test_it_runs_as_long_as_one_says(case):
+    case("--duration", "0.04")
+    lines = Path("out.csv").read_text().splitlines()
+    assert lines[:-2] == EXPECTED.splitlines()[: len(lines) - 2]
+    assert [line[:11] for line in lines[-4:]] == ["0.040000000"] * 4
+
+
+def test_a_trace_of_nothing_has_no_length(case):
+    Path("trace.csv").write_text("time,Vehicle.Speed\n")
+    assert case() == (2, ["sigcat: there is no row in the trace: say with --duration how long to run"])
+    assert case("--duration", "0.1") == (0, [])
+
+
+def test_calls_that_trigger_each_other_are_stopped(tmp_path, monkeypatch, capfd):
+    monkeypatch.chdir(tmp_path)
+    for own, other in (("Ping", "Pong"), ("Pong", "Ping")):
+        Path(f"{own}.c").write_text(f"float {own}_in, {own}_out;\nvoid {own}_step(void) {{ {own}_out = {own}_in; }}\n")
+        Path(f"{own}.h").write_text(f"extern float {own}_in, {own}_out;\nvoid {own}_step(void);\n")
+        Path(f"{own}.yaml").write_text(_triggered(own, other))
+    Path("trace.csv").write_text("time,Vehicle.Speed\n0,\n0.5,1\n")
+    assert main(["simulate", "Ping.yaml", "Pong.yaml", "--trace", "trace.csv"]) == 1
+    said = capfd.readouterr().err
+    assert "error T023 At 0.500000000 s, calls trigger each other without end." in said
+
+
+def _triggered(own, other):
+    return f"""
+function: {own}
+description: Answers {other}.
+responsible: Demo team
+code: {{signature: globals, sources: [{own}.c], headers: [{own}.h]}}
+components:
+  - name: {own}
+    runnables:
+      - {{interface: Init, symbol: '{own}_step'}}
+      - interface: Step
+        symbol: {own}_step
+        data:
+          - {{path: Vehicle.Demo.{other}, role: consumed, variable: {own}_in}}
+          - {{path: Vehicle.Speed, role: consumed, name: Speed, variable: {own}_in, asil: QM}}
+          - {{path: Vehicle.Demo.{own}, role: provided, variable: {own}_out}}
+      - {{interface: Terminate, symbol: '{own}_step'}}
+define:
+  data:
+    Vehicle.Demo: {{type: branch, description: A demonstration.}}
+    Vehicle.Demo.{own}: {{datatype: float, asil: QM, description: The answer.}}
+  scheduling:
+    Init: {{description: Prepares., asil: QM, priority: 1, scheduling: Preemptive}}
+    Step: {{description: Works., asil: QM, runType: EventTriggered, priority: 10, scheduling: Preemptive}}
+    Terminate: {{description: Ends., asil: QM, priority: 1, scheduling: Preemptive}}
+"""
+
+
+def test_the_drive_of_the_examples_goes_as_it_was_recorded(tmp_path, capfd):
+    """Ten minutes: the predictive control saves energy, and the cruise control goes on without it."""
+    functions = [str(EXAMPLES / name / "function.yaml") for name in ("core_acc", "eco_control_mpc")]
+    trace, output = str(EXAMPLES / "ecocontrol/drive.csv"), str(tmp_path / "out.csv")
+    assert main(["simulate", *functions, "--trace", trace, "-o", output]) == 0
+    lines = Path(output).read_text().splitlines()
+    steps = [line.split(",")[1] for line in lines]
+    assert steps.count("CoreAcc_Step") == 11780
+    assert steps.count("EcoControlMpc_Step") == 1178
+    assert capfd.readouterr().err == ""
