@@ -1,8 +1,8 @@
 """The source: every function in the order of a reader, and those that they need before them."""
 
 from sigcat.adapter.core.c import (
+    context_struct,
     errors,
-    header,
     inputs,
     life,
     methods,
@@ -127,7 +127,7 @@ def _functions(scope: Scope) -> list[Lines]:
 
 def _receive_status(scope: Scope) -> list[Lines]:
     found = []
-    for name, wire in header.received_status(scope):
+    for name, wire in context_struct.received_status(scope):
         place = f"self->received.{name}"
         body = lines(f"""
             {place}.value = value;
@@ -135,5 +135,5 @@ def _receive_status(scope: Scope) -> list[Lines]:
             {place}.reception.count++;
             {place}.reception.is_there = true;
         """)
-        found.append(function(header.status_head(name, wire, scope), [body]))
+        found.append(function(context_struct.status_head(name, wire, scope), [body]))
     return found

@@ -1,0 +1,45 @@
+"""What the core of an adapter has to do, with every name, number and conversion resolved. The writer of C asks nothing
+but this."""
+
+from sigcat.adapter.core.plan.call import Alive, Call, Deadline, Logical
+from sigcat.adapter.core.plan.core_plan import Code, CodeObject, CorePlan, Extern
+from sigcat.adapter.core.plan.interface import Argument, Input, Method, Named, Output, Parameter, Port, Queue, TimeOut
+from sigcat.adapter.core.plan.status import Cause, Error, ForeignError, ModeIn, ModeOut, ModeValue, Reaction
+from sigcat.adapter.core.plan.value import Element, Leaf, Value, WireField, WireStruct, WireType
+from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS
+
+__all__ = [
+    "CLASS",
+    "GLOBALS",
+    "POINTERS",
+    "Alive",
+    "Argument",
+    "Call",
+    "Cause",
+    "Code",
+    "CodeObject",
+    "CorePlan",
+    "Deadline",
+    "Element",
+    "Error",
+    "Extern",
+    "ForeignError",
+    "Input",
+    "Leaf",
+    "Logical",
+    "Method",
+    "ModeIn",
+    "ModeOut",
+    "ModeValue",
+    "Named",
+    "Output",
+    "Parameter",
+    "Port",
+    "Queue",
+    "Reaction",
+    "TimeOut",
+    "Value",
+    "WireField",
+    "WireStruct",
+    "WireType",
+]

@@ -1,0 +1,71 @@
+"""A call of the function: when it is due, and how it is supervised."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan.interface import Input, Output
+from sigcat.function.document.document import Pointer
+
+
+class Alive(NamedTuple):
+    """Limits of the alive supervision (section 10)."""
+
+    least: int
+    most: int
+    window: int
+    """In ns."""
+    error: str
+
+
+class Deadline(NamedTuple):
+    """Limits of the deadline supervision, in ns."""
+
+    least: int
+    most: int
+    error: str
+
+
+class Logical(NamedTuple):
+    """A call in the graph of the logical supervision."""
+
+    number: int
+    """Number of its checkpoint, from 1."""
+    is_initial: bool
+    is_final: bool
+    previous: tuple[int, ...]
+    """Checkpoints that it may follow."""
+    error: str | None
+
+
+@dataclass(frozen=True)
+class Call:
+    """A step of the function, or its init or terminate (sections 1 and 9)."""
+
+    name: str
+    """Last part of its name: `Step`."""
+    interface: str
+    pointer: Pointer
+    symbol: str
+    arguments: tuple[str, ...] = ()
+    success: int | None = None
+    before: tuple[str, ...] = ()
+    after: tuple[str, ...] = ()
+    description: str = ""
+    cycle: int | None = None
+    """In ns; None if events trigger it."""
+    offset: int = 0
+    debounce: int = 0
+    priority: int = 0
+    previous: tuple[str, ...] = ()
+    most_events: int = 1
+    """Events that wait: each is a call of its own if one of its triggers is a queue."""
+    triggers: frozenset[str] = frozenset()
+    """Names of the ports whose values are its events."""
+    modes: frozenset[str] | None = None
+    """Modes in which it does not run."""
+    inputs: tuple[Input, ...] = ()
+    outputs: tuple[Output, ...] = ()
+    overrun_error: str | None = None
+    alive: Alive | None = None
+    deadline: Deadline | None = None
+    logical: Logical | None = None

@@ -1,0 +1,81 @@
+"""The whole plan of a core."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan.call import Call
+from sigcat.adapter.core.plan.interface import Method, Parameter, Port
+from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
+from sigcat.adapter.core.plan.value import WireStruct
+
+
+class CodeObject(NamedTuple):
+    """An object of the code that the adapter holds or defines."""
+
+    name: str
+    type: str
+    member: str | None
+
+
+class Extern(NamedTuple):
+    """A variable that no header declares, or that the adapter defines."""
+
+    name: str
+    c: str
+    """Type in C; of an array that of its elements."""
+    length: int | None
+    is_defined_here: bool
+
+
+@dataclass(frozen=True)
+class Code:
+    """How the code of the function is included and called."""
+
+    signature: str
+    headers: tuple[str, ...] = ()
+    objects: tuple[CodeObject, ...] = ()
+    class_name: str | None = None
+    externs: tuple[Extern, ...] = ()
+
+
+@dataclass(frozen=True)
+class CorePlan:
+    """The core of one function."""
+
+    function: str
+    version: str | None
+    description: str
+    code: Code
+    structs: tuple[WireStruct, ...]
+    ports: tuple[Port, ...]
+    parameters: tuple[Parameter, ...]
+    errors: tuple[Error, ...]
+    """Each after those that it depends on."""
+    foreign_errors: tuple[ForeignError, ...]
+    reactions: tuple[Reaction, ...]
+    mode_in: ModeIn | None
+    mode_out: ModeOut | None
+    methods: tuple[Method, ...]
+    inits: tuple[Call, ...]
+    steps: tuple[Call, ...]
+    """In the order of the file."""
+    due: tuple[Call, ...]
+    """The steps in the order in which they run when they are due at the same time."""
+    terminates: tuple[Call, ...]
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """What the plan was made from, by name and digest."""
+
+    @property
+    def calls(self) -> tuple[Call, ...]:
+        """Init, steps and terminate."""
+        return (*self.inits, *self.steps, *self.terminates)
+
+    @property
+    def type_name(self) -> str:
+        """Name of the context struct, with which all names begin."""
+        return f"{self.function}_Adapter"
+
+    def errors_of(self, call: str, *, late: bool) -> tuple[Error, ...]:
+        """Errors that are evaluated when a call has ended (late), or before it."""
+        return tuple(error for error in self.errors if error.call == call and error.is_late == late)

@@ -1,0 +1,94 @@
+"""A value between the catalogue and the code: where its numbers come from, and what becomes of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sigcat.adapter.core.numbers import Number, NumberType
+from sigcat.function.function_json.conversion import IDENTITY, Linear
+
+
+@dataclass(frozen=True)
+class Element:
+    """One number on its way from a source to a target: from what is received to a variable, or from a variable to what
+    is sent."""
+
+    source: NumberType
+    target: NumberType
+    conversion: Linear = IDENTITY
+    """From the number in the source to that in the target."""
+    names: Mapping[int, int] | None = None
+    """Of an enumeration: numbers of the source, and what they are in the target."""
+    least: Number | None = None
+    """Smallest number of the source within the range; None if there is none below it."""
+    greatest: Number | None = None
+    is_checked: bool = False
+    """Whether there is a check of the range, so that NaN and infinities are outside of it."""
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A number, or an array of numbers, within a value. A struct has one for each member."""
+
+    source: str
+    """Where in the source, after its name: ``, `.x`, `[i]`, `[i].x`, `.x[i]`."""
+    target: str
+    length: int | None
+    """Elements, where there is an `[i]`."""
+    element: Element
+    init: tuple[Number, ...]
+    """Start value in the target, for each element."""
+    default: tuple[Number, ...]
+    """What stands in for NaN, and for a value after a time-out."""
+    replacement: tuple[Number, ...] | None = None
+    """What stands in for a value out of range; None: the value passes."""
+
+
+@dataclass(frozen=True)
+class WireField:
+    """A member of a struct, as it is received or sent."""
+
+    name: str
+    c: str
+    length: int | None
+    comment: str
+
+
+@dataclass(frozen=True)
+class WireStruct:
+    """A struct, as it is received or sent."""
+
+    name: str
+    comment: str
+    fields: tuple[WireField, ...]
+
+
+@dataclass(frozen=True)
+class WireType:
+    """How a value is received or sent: in the catalogue's datatype."""
+
+    c: str
+    """Type in C: of an array that of its elements."""
+    length: int | None = None
+    is_struct: bool = False
+    symbols: tuple[tuple[str, int], ...] = ()
+    """Names and numbers of an enumeration."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value between the catalogue and the code."""
+
+    wire: WireType
+    leaves: tuple[Leaf, ...]
+    is_bare: bool
+    """Whether the variable is one number and not an array or a struct."""
+
+    @property
+    def is_checked(self) -> bool:
+        """Whether any part of it can be out of range."""
+        return any(leaf.element.is_checked or leaf.element.names is not None for leaf in self.leaves)
+
+    @property
+    def is_replaced(self) -> bool:
+        """Whether a value out of range is replaced."""
+        return any(leaf.replacement is not None for leaf in self.leaves)
