@@ -205,6 +205,7 @@ WORD_SIZES_CHECKED = RuleCode("S008", "info")
 CALL_NOT_EXPRESSIBLE = RuleCode("S009", "warning")
 DIRECTION_UNKNOWN = RuleCode("S010", "warning")
 VALUE_LEFT_OUT = RuleCode("S011", "warning")
+INTERFACE_EMPTY = RuleCode("S012", "warning")
 
 # reading
 NOT_YAML = RuleCode("R001", "error")

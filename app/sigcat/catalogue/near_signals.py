@@ -72,8 +72,7 @@ class NearSignals:
         weights = {word: log2(len(self._nodes) / bits.bit_count()) for word, bits in having.items() if bits}
         numbers = islice(_most_common(having, weights), _MOST_COMPARED)
         found = sorted((self._compared(number, having, weights) for number in numbers), key=lambda one: one.rank)
-        near = (one for one in found if 2 * one.matched >= one.wanted and one.weight >= _LEAST_WEIGHT)
-        return tuple(islice(near, limit))
+        return tuple(islice(filter(_says_enough, found), limit))
 
     def _with(self, word: str) -> Bits:
         found: Bits = 0
@@ -99,6 +98,11 @@ class NearSignals:
             sum(weights.get(word, 0.0) for word in matched),
             sum(found.is_whole for found in matched.values()),
         )
+
+
+def _says_enough(near: Near) -> bool:
+    """Whether a path has all words of the name, or half of them and one whole, and these are not those of all paths."""
+    return near.weight >= _LEAST_WEIGHT and (near.has_all or (2 * near.matched >= near.wanted and near.whole > 0))
 
 
 def _most_common(having: Mapping[str, Bits], weights: Mapping[str, float]) -> Iterator[int]:

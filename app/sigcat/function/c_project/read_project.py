@@ -62,7 +62,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     header = group.steps[0].place.file
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
-    findings = [*files.findings, *missing, *interface.findings, *left_out]
+    findings = [*files.findings, *missing, *interface.findings, *left_out, *_empty(interface, group)]
     return CodeProject(
         model=group.name,
         signature=signature,
@@ -184,6 +184,14 @@ def _title(text: str) -> dict[str, str]:
 
 
 # -- findings -----------------------------------------------------------------------------------------------------
+
+
+def _empty(interface: Interface, group: Group) -> Iterator[Finding]:
+    if not interface.inputs and not interface.outputs:
+        step = group.steps[0]
+        message = f"{step.name!r} must read or write something to be connected; no input and no output was found."
+        fix = "List them in the function.yaml, if it has any."
+        yield codes.INTERFACE_EMPTY.finding(message, *step.place, fix=fix)
 
 
 def _word_size(machine: str, declarations: Declarations) -> Iterator[Finding]:
