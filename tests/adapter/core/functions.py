@@ -161,7 +161,7 @@ def _checkpoint(choice: Choice, names: list[str]) -> Json:
     if not choice.is_so():
         return {}
     following = [f"F_{name}" for name in choice.some(tuple(names), 2)]
-    return {"Checkpoint": {"Initial": choice.is_so(), "Final": choice.is_so(), "Next": following}}
+    return {"Checkpoint": {"BeginsSequence": choice.is_so(), "EndsSequence": choice.is_so(), "Next": following}}
 
 
 def _contents(choice: Choice, name: str, errors: tuple[str, ...]) -> list[Json]:

@@ -103,9 +103,9 @@ def test_supervise_finds_a_call_that_hangs():
 def graph(*letters):
     """A function whose calls A, B, C have to come in this order, which may go on from C with A."""
     calls = [
-        on_order("A", {"Initial": True, "Next": ["F_B"]}),
+        on_order("A", {"BeginsSequence": True, "Next": ["F_B"]}),
         on_order("B", {"Next": ["F_B", "F_C"]}),
-        on_order("C", {"Final": True}),
+        on_order("C", {"EndsSequence": True}),
     ]
     run = Driven(function(*calls)).start()
     found = []
@@ -128,7 +128,9 @@ def test_a_call_is_right_where_the_graph_says_so(letters, wrong):
 
 
 def test_a_right_checkpoint_makes_all_errors_of_the_order_absent():
-    run = Driven(function(on_order("A", {"Initial": True, "Next": ["F_B"]}), on_order("B", {"Final": True}))).start()
+    run = Driven(
+        function(on_order("A", {"BeginsSequence": True, "Next": ["F_B"]}), on_order("B", {"EndsSequence": True}))
+    ).start()
     run.make("F_B", 0)
     run.make("F_A", 0)
     run.make("F_B", 0)
@@ -136,8 +138,8 @@ def test_a_right_checkpoint_makes_all_errors_of_the_order_absent():
 
 
 def test_init_and_terminate_are_checkpoints_too():
-    init = call("Init", "Init", Checkpoint={"Initial": True, "Next": ["F_Step"]})
-    document = function(init, step(error("E"), Checkpoint={"Final": True}, Watchdog=watchdog(logical_error="E")))
+    init = call("Init", "Init", Checkpoint={"BeginsSequence": True, "Next": ["F_Step"]})
+    document = function(init, step(error("E"), Checkpoint={"EndsSequence": True}, Watchdog=watchdog(logical_error="E")))
     run = Driven(document).start()
     run.steps(0)
     assert run.stage("E") is PASSED

@@ -1,5 +1,7 @@
-"""What the core of an adapter has to do, with every name, number and conversion resolved. The writer of C asks nothing
-but this."""
+"""Nothing in: frozen values out, which say what the core of an adapter has to do.
+
+Every name, number and conversion is resolved. The writer of C asks nothing but this.
+"""
 
 from sigcat.adapter.core.plan.call import Alive, Call, Deadline, Logical
 from sigcat.adapter.core.plan.core_plan import Code, CodeObject, CorePlan, Extern
