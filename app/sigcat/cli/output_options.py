@@ -16,6 +16,11 @@ def add_output(parser: argparse._ActionsContainer, *names: str, **named: Any) ->
     parser.add_argument(*names, type=Path, action=Output, **named)
 
 
+def add_outputs(parser: argparse._ActionsContainer, *names: str, **named: Any) -> None:
+    """Add an option that names a file to write, and may be repeated."""
+    parser.add_argument(*names, type=Path, action=Outputs, default=[], **named)
+
+
 def name_output(arguments: argparse.Namespace, name: str, path: Path) -> None:
     """Set an option to what is written, as if it had been given."""
     setattr(arguments, name, path)
@@ -56,6 +61,19 @@ class Output(argparse.Action):
     ) -> None:
         """Keep the path, beside those of the other outputs: it is not read."""
         name_output(arguments, self.dest, value)
+
+
+class Outputs(argparse.Action):
+    """What an option does that names several files."""
+
+    def __call__(
+        self, _parser: argparse.ArgumentParser, arguments: argparse.Namespace, value: Any, _option: str | None = None
+    ) -> None:
+        """Keep the path, beside those before it."""
+        listed = [*getattr(arguments, self.dest), value]
+        setattr(arguments, self.dest, listed)
+        name = self.dest if len(listed) == 1 else f"{self.dest} {len(listed)}"
+        arguments.outputs = {**outputs_of(arguments), name: value}
 
 
 def _inputs(arguments: argparse.Namespace, outputs: dict[str, Path]) -> Iterator[Path]:

@@ -6,12 +6,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
-from sigcat.cli.output import write_text
-from sigcat.cli.output_options import add_output
+from sigcat.cli.output import write_bytes
+from sigcat.cli.output_options import add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import existing_file
+from sigcat.errors import UsageError, existing_file
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from sigcat.findings import Finding
+    from sigcat.runs.prepare import Prepared
+    from sigcat.runs.recording.trace_file import Trace
     from sigcat.runs.simulate import Settings
 
 
@@ -27,7 +32,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
     parser.add_argument("--trace", type=Path, metavar="TRACE", help="what the functions receive, as CSV")
-    add_output(parser, "-o", "--output", metavar="OUT", help="write here instead of to standard output: CSV")
+    add_outputs(
+        parser, "-o", "--output", metavar="OUT",
+        help="write here instead of CSV to standard output: .csv, .mcap, or .svg by its ending; may be repeated",
+    )  # fmt: skip
+    parser.add_argument(
+        "--plot", nargs="+", action="extend", default=[], metavar="NAME",
+        help="signals that an .svg shows, received or sent: paths, or names of interfaces",
+    )  # fmt: skip
     parser.add_argument(
         "--duration", type=positive(float), metavar="SECONDS", help="how long to run (default: to the end of the trace)"
     )
@@ -45,30 +57,61 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def simulate(arguments: argparse.Namespace) -> int:
     """Run the functions and write what they send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
-    from sigcat.integration.reading import read_functions
-    from sigcat.runs.prepare import prepare
-    from sigcat.runs.recording.csv_file import csv_text
-    from sigcat.runs.recording.trace_file import open_trace
     from sigcat.runs.simulate import simulate as run
+    from sigcat.runs.written import check_plotted, signals_of, written
 
+    forms = _forms(arguments)
     tools = toolchain()
-    catalogue = read_tree(arguments)
-    sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
-    functions, findings = read_functions(sources, catalogue)
-    prepared = prepare(functions)
-    trace = None
-    if arguments.trace is not None:
-        known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
-        trace = open_trace(existing_file(arguments.trace), known)
-    for finding in (*findings, *prepared.findings, *(trace.findings if trace else ())):
-        print(finding.line_of_text, file=sys.stderr)
+    prepared, trace = _prepared(arguments)
+    check_plotted(arguments.plot, signals_of(prepared, trace))
     simulated = run(prepared, trace, _settings(arguments), tools)
-    for finding in simulated.findings:
-        print(finding.line_of_text, file=sys.stderr)
-    write_text(csv_text(simulated.rows, prepared.columns), arguments.output)
+    _print(simulated.findings)
+    for path, form in forms:
+        write_bytes(written(form, simulated, prepared, trace, arguments.plot), path)
     if simulated.stop is not None:
         raise simulated.stop
     return 0
+
+
+def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
+    """The files to write, and their forms. Raises UsageError."""
+    from sigcat.runs.written import CSV, FORMS, SVG
+
+    forms: list[tuple[Path | None, str]] = [(path, path.suffix.lower()) for path in arguments.output]
+    for path, form in forms:
+        if form not in FORMS and str(path) != "-":
+            raise UsageError(f"{path} must end in {', '.join(FORMS[:-1])} or {FORMS[-1]}: that says what is written")
+    has_picture = any(form == SVG for _, form in forms)
+    if has_picture and not arguments.plot:
+        raise UsageError("say with --plot NAME what the picture shows")
+    if arguments.plot and not has_picture:
+        raise UsageError("name a file for the picture: -o FILE.svg")
+    return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
+
+
+def _prepared(arguments: argparse.Namespace) -> "tuple[Prepared, Trace | None]":
+    """The functions and the trace; what is found in them goes to standard error."""
+    from sigcat.integration.reading import read_functions
+    from sigcat.runs.prepare import prepare
+    from sigcat.runs.recording.trace_file import open_trace
+
+    catalogue = read_tree(arguments)
+    sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
+    functions, findings = read_functions(sources, catalogue)
+    _print(findings)
+    prepared = prepare(functions)
+    _print(prepared.findings)
+    if arguments.trace is None:
+        return prepared, None
+    known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
+    trace = open_trace(existing_file(arguments.trace), known)
+    _print(trace.findings)
+    return prepared, trace
+
+
+def _print(findings: "Iterable[Finding]") -> None:
+    for finding in findings:
+        print(finding.line_of_text, file=sys.stderr)
 
 
 def _settings(arguments: argparse.Namespace) -> "Settings":

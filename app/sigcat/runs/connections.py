@@ -48,6 +48,7 @@ class Entry(NamedTuple):
     wire: WireType
     shape: Shape
     pointer: Pointer | None
+    unit: str = ""
 
 
 class Exit(NamedTuple):
@@ -60,6 +61,7 @@ class Exit(NamedTuple):
     """What it is called; the first one is that of its column."""
     wire: WireType
     shape: Shape
+    unit: str = ""
     is_queue: bool = False
     is_shared: bool = True
     """Whether others receive it. A safety reaction is decided by each function for itself, from the same errors."""
@@ -86,9 +88,11 @@ class Connections(NamedTuple):
         outside = (entry for index, entry in enumerate(self.entries) if index not in inside)
         return {name: entry.shape for entry in outside for name in entry.names}
 
-    def entries_of(self, column: str) -> tuple[int, ...]:
-        """The entries that a column of a trace goes to."""
-        return tuple(index for index, entry in enumerate(self.entries) if column in entry.names)
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Units of the catalogue, by every name of what has one."""
+        ends = [(each.names, each.unit) for each in self.entries] + [(each.names, each.unit) for each in self.exits]
+        return {name: unit for names, unit in ends for name in names if unit}
 
 
 def connect(members: Sequence[Member]) -> Connections:
@@ -132,39 +136,57 @@ def _entries(index: int, member: Member) -> Iterator[Entry]:
     plan, names, structs = member.plan, names_of(member), structs_of(member)
     for port in plan.ports:
         (_, item), *_ = port.consumers
-        known = tuple(dict.fromkeys(reversed(item.names)))[:1]
-        yield Entry(index, port.name, known, port.wire, shape_of(port.wire, structs), item.named.pointer)
+        at, shape = item.named.pointer, shape_of(port.wire, structs)
+        yield Entry(index, port.name, names[at].path_or_name, port.wire, shape, at, names[at].unit)
     for error in plan.foreign_errors:
         yield Entry(index, error.name, (error.name,), error.wire, shape_of(error.wire), None)
     for reaction in plan.reactions:
         at, shape = reaction.named.pointer, shape_of(reaction.wire)
-        yield Entry(index, reaction.named.name, names[at], reaction.wire, shape, at)
+        yield Entry(index, reaction.named.name, names[at].both, reaction.wire, shape, at)
     if plan.mode_in:
         at, shape = plan.mode_in.named.pointer, _shape_of_mode(plan.mode_in)
-        yield Entry(index, plan.mode_in.named.name, names[at], plan.mode_in.wire, shape, at)
+        yield Entry(index, plan.mode_in.named.name, names[at].both, plan.mode_in.wire, shape, at)
 
 
 def _exits(index: int, member: Member) -> Iterator[Exit]:
     plan, names, structs = member.plan, names_of(member), structs_of(member)
     for output in (output for call in plan.steps for output in call.outputs):
         wire = output.value.wire
-        known = tuple(reversed(names[output.named.pointer]))[:1]
-        yield Exit(index, output.named.name, known, wire, shape_of(wire, structs), output.queue is not None)
+        own, shape = names[output.named.pointer], shape_of(wire, structs)
+        yield Exit(index, output.named.name, own.path_or_name, wire, shape, own.unit, output.queue is not None)
     for error in plan.errors:
-        yield Exit(index, error.named.name, names[error.named.pointer], error.wire, shape_of(error.wire))
+        yield Exit(index, error.named.name, names[error.named.pointer].both, error.wire, shape_of(error.wire))
     for reaction in plan.reactions:
         shape = shape_of(reaction.wire)
-        known = names[reaction.named.pointer]
+        known = names[reaction.named.pointer].both
         yield Exit(index, reaction.named.name, known, reaction.wire, shape, is_shared=False)
     if plan.mode_out:
         named, shape = plan.mode_out.named, _shape_of_mode(plan.mode_out)
-        yield Exit(index, named.name, names[named.pointer], plan.mode_out.wire, shape)
+        yield Exit(index, named.name, names[named.pointer].both, plan.mode_out.wire, shape)
 
 
-def names_of(member: Member) -> Mapping[Pointer, tuple[str, ...]]:
-    """Name and path of each interface of a function, by where it stands."""
+class Names(NamedTuple):
+    """What an interface is called, and the unit in which it is received or sent."""
+
+    name: str
+    path: str
+    unit: str
+
+    @property
+    def path_or_name(self) -> tuple[str]:
+        """That of a signal, whose name is that of its function alone."""
+        return (self.path or self.name,)
+
+    @property
+    def both(self) -> tuple[str, ...]:
+        """Those of an error, a reaction or a mode, whose name is known everywhere."""
+        return tuple(dict.fromkeys(filter(None, (self.name, self.path))))
+
+
+def names_of(member: Member) -> Mapping[Pointer, Names]:
+    """What each interface of a function is called, by where it stands."""
     return {
-        pointer: tuple(dict.fromkeys(filter(None, (item.name, getattr(item, "vss_path", None)))))
+        pointer: Names(item.name, *(getattr(item, field, None) or "" for field in ("vss_path", "vss_unit")))
         for pointer, item in parts(member.function.function)
         if hasattr(item, "name")
     }

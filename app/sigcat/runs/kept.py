@@ -35,7 +35,7 @@ def _kept(index: int, member: Member) -> Iterator[Kept]:
     plan, names, structs = member.plan, names_of(member), structs_of(member)
     yield Kept(index, "ignitionCycle", "", "ignition_cycle", Number("uint32"))
     for error in plan.errors:
-        yield Kept(index, "errors", names[error.named.pointer][0], error.named.name, COUNTS)
+        yield Kept(index, "errors", names[error.named.pointer].name, error.named.name, COUNTS)
     for parameter in plan.parameters:
         shape = shape_of(parameter.value.wire, structs)
         yield Kept(index, "parameters", parameter.key, parameter.named.name, shape)

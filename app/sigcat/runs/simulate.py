@@ -45,6 +45,8 @@ class Simulated(NamedTuple):
     findings: tuple[Finding, ...]
     stop: InputRefused | None
     """Why it did not come to its end."""
+    end: int
+    """When it was to end, in ns."""
 
 
 def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Simulated:
@@ -90,7 +92,7 @@ def _run(prepared: Prepared, command: Command, trace: Trace | None) -> Simulated
                 findings.append(_init_fails(prepared, event.member))
     except Stopped as stopped:
         stop = refusal(stopped, prepared, trace, rows, command.step_limit)
-    return Simulated(tuple(rows), left, tuple(findings), stop)
+    return Simulated(tuple(rows), left, tuple(findings), stop, command.end)
 
 
 def _recorded(row: Row, prepared: Prepared) -> Recorded:

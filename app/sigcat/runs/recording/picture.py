@@ -1,0 +1,168 @@
+"""Signals over time, as places in a picture: a panel for each, below each other, on one axis of time.
+
+A value holds until the next one comes. Where there are more values than columns of pixels, a column shows the smallest and the
+largest of them, so that no peak is lost and a picture of hours stays small.
+"""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.runs.recording.samples import Sample
+from sigcat.runs.recording.shapes import Number, Shape
+from sigcat.runs.recording.times import NANOSECONDS
+
+LEFT, WIDTH, RIGHT = 110, 820, 20
+TOP, HEIGHT, GAP = 24, 110, 44
+_FOOT = 44
+_STEPS = 5
+"""Steps of an axis, about."""
+_FARTHEST, _NEAREST = 1e307, 1e-300
+"""What an axis reaches, and its smallest room: within them, differences and shares are numbers."""
+
+
+class Tick(NamedTuple):
+    """A mark on an axis, in pixels, and what stands there."""
+
+    at: float
+    label: str
+
+
+class Panel(NamedTuple):
+    """One signal."""
+
+    title: str
+    top: int
+    ticks: tuple[Tick, ...]
+    """On its own axis; places from the top of the picture."""
+    path: str
+    """Commands of an SVG path."""
+
+
+class Picture(NamedTuple):
+    """All of them."""
+
+    panels: tuple[Panel, ...]
+    ticks: tuple[Tick, ...]
+    """On the axis of time, in seconds."""
+    width: int
+    height: int
+
+
+class _Axis(NamedTuple):
+    low: float
+    high: float
+
+    def share(self, value: float) -> float:
+        """Where a value is, from 0 to 1."""
+        return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
+
+
+def picture(
+    names: Sequence[str], shapes: Mapping[str, Shape], units: Mapping[str, str], found: Iterable[Sample]
+) -> Picture:
+    """The picture of the signals of these names, which are numbers."""
+    points: dict[str, list[tuple[int, float]]] = {name: [] for name in names}
+    first, last = math.inf, -math.inf
+    for time, name, value in found:
+        first, last = min(first, time), max(last, time)
+        if name in points:
+            points[name].append((time, float(value)))
+    times = _Axis(first, last) if first < last else _Axis(*(_alone(first) if first <= last else (0, NANOSECONDS)))
+    panels = tuple(_panel(index, name, points[name], times, shapes[name], units) for index, name in enumerate(names))
+    height = TOP + len(names) * (HEIGHT + GAP) - GAP + _FOOT
+    return Picture(panels, _time_ticks(times), LEFT + WIDTH + RIGHT, height)
+
+
+def _alone(time: float) -> tuple[float, float]:
+    return time, time + NANOSECONDS
+
+
+def _panel(
+    index: int, name: str, points: Sequence[tuple[int, float]], times: _Axis, shape: Shape, units: Mapping[str, str]
+) -> Panel:
+    assert isinstance(shape, Number)
+    top = TOP + index * (HEIGHT + GAP)
+    named = _named(shape, points)
+    axis = _range(points, named)
+    ticks = named if named is not None else [(value, _short(value)) for value in _round_steps(axis)]
+    placed = tuple(Tick(_y(value, axis, top), label) for value, label in ticks)
+    unit = units.get(name, "").replace("^2", "²").replace("^3", "³")
+    return Panel(f"{name} [{unit}]" if unit else name, top, placed, _path(points, times, axis, top))
+
+
+def _named(shape: Number, points: Sequence[tuple[int, float]]) -> list[tuple[float, str]] | None:
+    """The values of an enumeration or a boolean that occur, with their names; None for a number."""
+    symbols = {number: symbol for symbol, number in shape.symbols} or {0: "false", 1: "true"}
+    if not shape.symbols and shape.datatype != "boolean":
+        return None
+    return [(value, symbols.get(round(value), _short(value))) for value in sorted({value for _, value in points})]
+
+
+def _range(points: Sequence[tuple[int, float]], named: list[tuple[float, str]] | None) -> _Axis:
+    """From the smallest to the largest finite value, with some room."""
+    values = [min(max(value, -_FARTHEST), _FARTHEST) for _, value in points if math.isfinite(value)] or [0.0]
+    low, high = min(values), max(values)
+    room = 0.3 if named is not None else max(0.05 * (high - low) or 0.05 * abs(high) or 1.0, _NEAREST)
+    return _Axis(low - room, high + room)
+
+
+def _y(value: float, axis: _Axis, top: int) -> float:
+    return round(top + HEIGHT * (1 - axis.share(value)), 2)
+
+
+# -- lines --------------------------------------------------------------------------------------------------------
+
+
+def _path(points: Sequence[tuple[int, float]], times: _Axis, axis: _Axis, top: int) -> str:
+    """Steps: a value holds until the next one. NaN and infinities leave a gap."""
+    parts: list[str] = []
+    is_drawing = False
+    for x, value in _columns(points, times):
+        if not math.isfinite(value):
+            parts += [f"H{x:g}"] if is_drawing else []
+            is_drawing = False
+            continue
+        y = _y(value, axis, top)
+        parts.append(f"H{x:g}V{y:g}" if is_drawing else f"M{x:g} {y:g}")
+        is_drawing = True
+    return "".join([*parts, f"H{LEFT + WIDTH}" if is_drawing else ""])
+
+
+def _columns(points: Sequence[tuple[int, float]], times: _Axis) -> Iterable[tuple[float, float]]:
+    """Values by their columns of pixels: of more than four in one, the first, the extremes and the last."""
+    columns: dict[int, list[float]] = {}
+    exact: dict[int, list[float]] = {}
+    for time, value in points:
+        x = LEFT + WIDTH * times.share(time)
+        columns.setdefault(int(x), []).append(value)
+        exact.setdefault(int(x), []).append(round(x, 2))
+    for x, values in columns.items():
+        if len(values) <= 4:
+            yield from zip(exact[x], values, strict=True)
+        else:
+            yield from ((x, value) for value in (values[0], min(values), max(values), values[-1]))
+
+
+# -- axes ---------------------------------------------------------------------------------------------------------
+
+
+def _time_ticks(times: _Axis) -> tuple[Tick, ...]:
+    in_seconds = _Axis(times.low / NANOSECONDS, times.high / NANOSECONDS)
+    marks = _round_steps(in_seconds, 2 * _STEPS)
+    return tuple(Tick(round(LEFT + WIDTH * in_seconds.share(mark), 2), _short(mark)) for mark in marks)
+
+
+def _round_steps(axis: _Axis, count: int = _STEPS) -> list[float]:
+    """Round numbers within an axis, about so many."""
+    span = axis.high - axis.low
+    size = 10.0 ** math.floor(math.log10(span / count)) if 0 < span < math.inf else 0.0
+    if not size:
+        return [axis.low]
+    step = next(size * factor for factor in (1, 2, 5, 10) if span / (size * factor) <= count)
+    first = math.ceil(axis.low / step)
+    return [number * step for number in range(first, math.floor(axis.high / step) + 1)][: 2 * count]
+
+
+def _short(value: float) -> str:
+    return f"{value:.13g}".replace("-", "\u2212")
