@@ -3,6 +3,7 @@
 import re
 from bisect import bisect_left
 from collections.abc import Iterator
+from functools import cached_property
 from typing import NamedTuple
 
 _TOKEN = re.compile(
@@ -32,7 +33,6 @@ class Comments:
         self._comments = tuple(_joined(_found(text)))
         self._lines = [comment.first for comment in self._comments]
         self._text = text.split("\n")
-        self._covered = {line for each in self._comments if each.is_alone for line in range(each.first, each.last + 1)}
 
     def beside(self, line: int) -> str:
         """The comment behind a line, or far right on the line after it."""
@@ -54,13 +54,22 @@ class Comments:
 
     def heading(self, line: int) -> str:
         """The comment above a group of lines without an empty one between."""
-        for above in range(line - 1, 0, -1):
-            comment = self._ending(above)
-            if comment and comment.column <= _FAR_RIGHT:
-                return comment.text
-            if above not in self._covered and not self._text[above - 1].strip():
-                break
-        return ""
+        return self._headings[line - 1] if 0 < line <= len(self._headings) else ""
+
+    @cached_property
+    def _headings(self) -> tuple[str, ...]:
+        """The heading of every line."""
+        alone = [each for each in self._comments if each.is_alone]
+        within = {line for each in alone for line in range(each.first, each.last + 1)}
+        ending = {each.last: each.text for each in alone if each.column <= _FAR_RIGHT}
+        headings, heading = [], ""
+        for line, text in enumerate(self._text, 1):
+            headings.append(heading)
+            if line in ending:
+                heading = ending[line]
+            elif line not in within and not text.strip():
+                heading = ""
+        return tuple(headings)
 
     def all(self) -> Iterator[Comment]:
         """Every comment, in order."""

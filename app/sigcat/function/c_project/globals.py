@@ -22,15 +22,17 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
     declarations = code.declarations
     use = use_of((step.name for step in group.steps), declarations)
     found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
-    findings: list[Finding] = []
+    unknown: list[Value] = []
+    defined = {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
     for variable in _shared(declarations, linked):
-        defined_by = "function" if not linked or _is_defined(variable, declarations, linked) else "adapter"
+        defined_by = "function" if not linked or variable.name in defined else "adapter"
         for role, value in _with_roles(variable, code, use):
             if role in found:
                 found[role].append(value._replace(defined_by=defined_by, is_const=value.is_const or variable.is_const))
             elif not role:
-                findings.append(_direction_unknown(value))
-    return Interface(tuple(found["input"]), tuple(found["output"]), tuple(found["parameter"]), findings=tuple(findings))
+                unknown.append(value)
+    findings = tuple(_direction_unknown(unknown))
+    return Interface(tuple(found["input"]), tuple(found["output"]), tuple(found["parameter"]), findings=findings)
 
 
 def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Variable]:
@@ -49,12 +51,6 @@ def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Vari
             first[variable.name] = variable._replace(value=known.value)
     declared = {each.name for each in declarations.variables if not each.is_defined}
     yield from (each for each in first.values() if each.name in declared or not declared)
-
-
-def _is_defined(variable: Variable, declarations: Declarations, linked: frozenset[str]) -> bool:
-    return any(
-        each.name == variable.name and each.is_defined and each.place.file in linked for each in declarations.variables
-    )
 
 
 def _with_roles(variable: Variable, code: Code, use: Use) -> Iterator[tuple[Role, Value]]:
@@ -95,7 +91,10 @@ def _role(variable: Variable, value: Value, use: Use, heading: str, code: Code) 
     return "parameter" if variable.value is not None and "<Root>/" not in comment else "input"
 
 
-def _direction_unknown(value: Value) -> Finding:
-    message = f"{value.expression!r} must be known to be an input or an output; it is left out."
-    fix = "Import the folder with the sources too, or add it to the function.yaml."
-    return codes.DIRECTION_UNKNOWN.finding(message, *value.place, fix=fix)
+def _direction_unknown(values: list[Value]) -> Iterator[Finding]:
+    """One finding, at the first value."""
+    if values:
+        more = f" and {len(values) - 1:,} more" if len(values) > 1 else ""
+        message = f"{values[0].expression!r}{more} must be known to be an input or an output; left out."
+        fix = "Import the folder with the sources too, or add it to the function.yaml."
+        yield codes.DIRECTION_UNKNOWN.finding(message, *values[0].place, fix=fix)

@@ -116,11 +116,18 @@ def _cycle_time(function: CFunction, code: Code, files: CodeFiles, *, is_only: b
     named = re.search(r"_(\d+)(ms|us|s)$", function.name)
     if named:
         return cycle_time_of(f"every {named[1]} {named[2]}")
-    return _step_size(files) if is_only else None
+    return (_step_size(files) or _told_by_examples(code)) if is_only else None
 
 
 def _places(function: CFunction, declarations: Declarations) -> Iterator[Place]:
     yield from (each.place for each in declarations.functions if each.name == function.name and each.place.file)
+
+
+def _told_by_examples(code: Code) -> float | int | None:
+    """The one time that the comments of the example program tell."""
+    comments = (each for file in main_files(code.declarations) for each in code.comments[file].all())
+    found = {cycle_time_of(each.text) for each in comments} - {None}
+    return found.pop() if len(found) == 1 else None
 
 
 def _step_size(files: CodeFiles) -> float | int | None:

@@ -55,7 +55,5 @@ def _left_out(values: tuple[Value, ...], wrong: Mapping[Place, CompilerError]) -
 def _too_many(values: tuple[Value, ...], most: int) -> Iterator[Finding]:
     if len(values) > most:
         first = values[most]
-        message = (
-            f"{len(values) - most:,} values from {first.expression!r} on are left out: there may be {CODE_VALUES:,}."
-        )
+        message = f"A model may have {CODE_VALUES:,} values; those from {first.expression!r} on are left out."
         yield codes.VALUE_LEFT_OUT.finding(message, *first.place, fix="Import a model with fewer of them.")
