@@ -8,7 +8,6 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from urllib.parse import urlsplit
 
-import httpx
 import pytest
 
 from sigcat.api.answers.problems import KINDS
@@ -16,6 +15,7 @@ from sigcat.api.client_network import network_of
 from sigcat.api.connections.http import HEAD_BYTES
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.trusted_proxies import trusted_by
+from tests import plain_http
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
 from tests.waiting import DEADLINE, wait_until
@@ -167,8 +167,10 @@ def test_a_client_that_leaves_in_the_middle_of_its_body_is_no_failure(service: S
 def narrow(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
     """A service of few connections, with an answer that is longer than what a connection holds."""
     tree = tmp_path_factory.mktemp("narrow") / "tree.vspec"
-    lines = (f"Vehicle.S{n}: {{type: sensor, datatype: float, description: {'Long. ' * 50}}}\n" for n in range(20_000))
-    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + "".join(lines))
+    tree.write_text(
+        "Vehicle: {type: branch, description: A vehicle., instances: 'Part[1,20000]'}\n"
+        f"Vehicle.S: {{type: sensor, datatype: float, description: {'Long. ' * 50}}}\n"
+    )
     with served(tree, SIGCAT_CONNECTIONS="6", SIGCAT_CLIENT_CONNECTIONS="4", SIGCAT_UNREAD_SECONDS="1") as service:
         yield service
 
@@ -240,7 +242,7 @@ def test_who_reads_slowly_reads_all(narrow: Service) -> None:
 def test_connections_are_counted(narrow: Service) -> None:
     with connected(narrow, LIVE) as connection:
         connection.recv(65536)
-        metrics = httpx.get(f"{narrow.address}/metrics").text
+        metrics = plain_http.get(f"{narrow.address}/metrics").text
     (count,) = [line.split()[1] for line in metrics.splitlines() if line.startswith("sigcat_connections ")]
     assert 2 <= float(count) <= 6
 

@@ -13,6 +13,7 @@ from urllib.parse import urlsplit
 import httpx
 import pytest
 
+from tests import plain_http
 from tests.clients.generating import ROOT
 from tests.needs import IS_SLOW_RUN
 from tests.processes import memory, seconds
@@ -61,7 +62,7 @@ class Service:
         return memory(self.process)
 
     def ask(self, method: str, path: str, **options: object) -> httpx.Response:
-        return httpx.request(method, self.address + path, timeout=DEADLINE, **options)  # type: ignore[arg-type]
+        return plain_http.request(method, self.address + path, **options)  # type: ignore[arg-type]
 
     def send(self, data: bytes) -> bytes:
         """What comes back on a connection of its own until the service ends it, which it has to."""

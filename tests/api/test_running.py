@@ -19,6 +19,7 @@ import httpx
 import pytest
 
 from sigcat.api.settings import Settings
+from tests import plain_http
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
 from tests.processes import family, is_running
@@ -101,7 +102,7 @@ def test_an_export_ends_with_the_service_and_leaves_nothing(tmp_path: Path) -> N
 @pytest.mark.parametrize("ended_by", [signal.SIGTERM, signal.SIGKILL])
 def test_no_process_survives_the_service(ended_by: signal.Signals) -> None:
     with served(TREE / "tree.vspec") as service:
-        lint = partial(httpx.post, f"{service.address}/api/v1/lint", content=OVERLAY, timeout=DEADLINE)
+        lint = partial(plain_http.post, f"{service.address}/api/v1/lint", content=OVERLAY)
         assert lint().status_code == 200
         processes = family(service.process.pid)
         assert len(processes) >= 3, "the service, its zygote, and a worker"
@@ -131,7 +132,7 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
             wait_until(lambda: nodes_at(port) == 1, "the catalogue is served")
             tree.write_text(tree.read_text() + OVERLAY.decode())
             wait_until(lambda: nodes_at(port) == 2, "the changed catalogue is served")
-            assert "\nsigcat_connections 1.0" in httpx.get(f"http://127.0.0.1:{port}/metrics").text
+            assert "\nsigcat_connections 1.0" in plain_http.get(f"http://127.0.0.1:{port}/metrics").text
         finally:
             process.terminate()
             assert process.stderr is not None
@@ -142,49 +143,55 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
 def nodes_at(port: int) -> int:
     """Nodes of the catalogue; none as long as nobody answers."""
     with suppress(httpx.TransportError):
-        return int(httpx.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own", timeout=DEADLINE).json()["node_count"])
+        return int(plain_http.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own").json()["node_count"])
     return 0
 
 
 def test_each_request_is_a_line_of_json_with_the_id_that_its_problem_carries(behind_a_proxy: Service) -> None:
-    answer = httpx.get(f"{behind_a_proxy.address}/api/v1/catalogues/local/nodes/Nothing")
+    answer = plain_http.get(f"{behind_a_proxy.address}/api/v1/catalogues/local/nodes/Nothing")
     lines = behind_a_proxy.logged(request_id=answer.json()["request_id"])
     assert [(line["status"], line["method"], line["level"]) for line in lines] == [(404, "GET", "info")]
 
 
 def test_the_client_that_a_trusted_proxy_names_is_the_one_that_is_logged(behind_a_proxy: Service) -> None:
     headers = {"X-Forwarded-For": "203.0.113.9", "X-Forwarded-Proto": "https", "X-Request-Id": "from-the-proxy"}
-    httpx.get(f"{behind_a_proxy.address}/api/v1/catalogues", headers=headers)
+    plain_http.get(f"{behind_a_proxy.address}/api/v1/catalogues", headers=headers)
     (line,) = behind_a_proxy.logged(request_id="from-the-proxy")
     assert line["client"] == "203.0.113.9"
 
 
 def test_a_client_that_nobody_trusts_cannot_name_another() -> None:
     with served(TREE / "tree.vspec") as service:
-        httpx.get(f"{service.address}/health/live", headers={"X-Forwarded-For": "203.0.113.9"})
+        plain_http.get(f"{service.address}/health/live", headers={"X-Forwarded-For": "203.0.113.9"})
         assert {line["client"] for line in service.logged(path="/health/live")} == {"127.0.0.1"}
 
 
 def test_pages_document_and_links_stand_below_the_path_that_a_proxy_offers(behind_a_proxy: Service) -> None:
     for page in ("/tree/local/Vehicle.Speed", "/docs", "/search/local?q=speed"):
-        text = httpx.get(behind_a_proxy.address + page).text
+        text = plain_http.get(behind_a_proxy.address + page).text
         links = [part.partition('"')[0] for part in text.split('href="')[1:]]
         assert any(link.startswith("/signals/") for link in links), page
         assert not [link for link in links if link.startswith("/") and not link.startswith("/signals")], page
-    document = httpx.get(f"{behind_a_proxy.address}/openapi.json").json()
+    document = plain_http.get(f"{behind_a_proxy.address}/openapi.json").json()
     assert document["servers"][0]["url"] == "/signals"
-    schemas = httpx.get(f"{behind_a_proxy.address}/api/v1/schemas").json()["schemas"]
+    schemas = plain_http.get(f"{behind_a_proxy.address}/api/v1/schemas").json()["schemas"]
     assert all(address.startswith("/signals/api/v1/") for address in schemas)
-    assert "/signals/static/sigcat.css" in httpx.get(f"{behind_a_proxy.address}/static/nope").text
+    assert "/signals/static/sigcat.css" in plain_http.get(f"{behind_a_proxy.address}/static/nope").text
 
 
-SIGNAL = "Vehicle.S{0}: {{type: sensor, datatype: float, description: Signal number {0} of a large tree.}}\n"
+TREE_OF_30000 = """
+Vehicle: {type: branch, description: A vehicle.}
+Vehicle.Part: {type: branch, description: A part., instances: 'Number[1,1000]'}
+""" + "".join(
+    f"Vehicle.Part.S{n}: {{type: sensor, datatype: float, description: Signal number {n} of a large tree.}}\n"
+    for n in range(30)
+)
 
 
 @pytest.fixture(scope="module")
 def large(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
     tree = tmp_path_factory.mktemp("large") / "large.vspec"
-    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + "".join(map(SIGNAL.format, range(30_000))))
+    tree.write_text(TREE_OF_30000)
     with served(tree, SIGCAT_LOG="none") as service:
         yield service
 

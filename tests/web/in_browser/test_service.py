@@ -2,6 +2,8 @@
 
 import httpx
 
+from tests import plain_http
+
 
 def test_from_the_tree_to_a_node_to_a_lint(service: str) -> None:
     with httpx.Client(base_url=service) as client:
@@ -16,6 +18,6 @@ def test_from_the_tree_to_a_node_to_a_lint(service: str) -> None:
 
 
 def test_a_body_beyond_the_limit_is_refused_before_it_is_read(service: str) -> None:
-    answer = httpx.post(f"{service}/api/v1/lint", content=b"a" * 5_000_000)
+    answer = plain_http.post(f"{service}/api/v1/lint", content=b"a" * 5_000_000)
     assert answer.status_code == 413
     assert "4,194,304 bytes" in answer.json()["detail"]
