@@ -206,6 +206,7 @@ CALL_NOT_EXPRESSIBLE = RuleCode("S009", "warning")
 DIRECTION_UNKNOWN = RuleCode("S010", "warning")
 VALUE_LEFT_OUT = RuleCode("S011", "warning")
 INTERFACE_EMPTY = RuleCode("S012", "warning")
+VARIABLE_UNDEFINED = RuleCode("S013", "warning")
 
 # reading
 NOT_YAML = RuleCode("R001", "error")

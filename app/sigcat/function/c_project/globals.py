@@ -15,6 +15,8 @@ _PARAMETER = re.compile(
     r"Referenced by:|\b(?:Variable|Computed Parameter|Expression|Simulink\.Parameter)\b", re.IGNORECASE
 )
 _IMPORTED = re.compile(r"\bimport", re.IGNORECASE)
+_EXPORTED = re.compile(r"\bexported global signals", re.IGNORECASE)
+_WITHIN = re.compile(r"'<S\d+>/")
 
 
 def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interface:
@@ -83,12 +85,19 @@ def _role(variable: Variable, value: Value, use: Use, heading: str, code: Code) 
     if _PARAMETER.search(comment) and not is_written:
         return "parameter"
     if not use.is_known:
-        return "input" if _IMPORTED.search(heading) and "<Root>/" in comment else ""
+        return _role_of_headings(comment, heading)
     if is_written:
         return "output"
     if value.key not in use.used:
         return "internal"
     return "parameter" if variable.value is not None and "<Root>/" not in comment else "input"
+
+
+def _role_of_headings(comment: str, heading: str) -> Role:
+    """Without the sources: an imported port comes from outside, and what a block within computes and exports goes there."""
+    if _IMPORTED.search(heading) and "<Root>/" in comment:
+        return "input"
+    return "output" if _EXPORTED.search(heading) and _WITHIN.search(comment) else ""
 
 
 def _direction_unknown(values: list[Value]) -> Iterator[Finding]:

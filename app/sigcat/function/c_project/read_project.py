@@ -63,6 +63,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
     findings = [*files.findings, *missing, *interface.findings, *left_out, *_empty(interface, group)]
+    findings += _undefined(whole, group, declarations, frozenset(linked))
     return CodeProject(
         model=group.name,
         signature=signature,
@@ -113,10 +114,18 @@ def _cycle_time(function: CFunction, code: Code, files: CodeFiles, *, is_only: b
         for comment in (comments.beside(place.line), comments.above(place.line)):
             if (found := cycle_time_of(comment)) is not None:
                 return found
-    named = re.search(r"_(\d+)(ms|us|s)$", function.name)
-    if named:
-        return cycle_time_of(f"every {named[1]} {named[2]}")
+    if (found := _named_time(function.name)) is not None:
+        return found
     return (_step_size(files) or _told_by_examples(code)) if is_only else None
+
+
+def _named_time(name: str) -> float | int | None:
+    """Of `X_step_10ms` 10, of `Trigger_1kHz` 1."""
+    named = re.search(r"(?:_|[a-z])(\d+)(ms|us|s)$", name)
+    rate = re.search(r"(?:_|[a-z])(\d+)(k?)hz$", name, re.IGNORECASE)
+    if rate and int(rate[1]):
+        return cycle_time_of(f"Sample time: {1 / int(rate[1]) / (1000 if rate[2] else 1):.12f}")
+    return cycle_time_of(f"every {named[1]} {named[2]}") if named else None
 
 
 def _places(function: CFunction, declarations: Declarations) -> Iterator[Place]:
@@ -199,6 +208,24 @@ def _empty(interface: Interface, group: Group) -> Iterator[Finding]:
         message = f"{step.name!r} must read or write something to be connected; no input and no output was found."
         fix = "List them in the function.yaml, if it has any."
         yield codes.INTERFACE_EMPTY.finding(message, *step.place, fix=fix)
+
+
+def _undefined(
+    interface: Interface, group: Group, declarations: Declarations, linked: frozenset[str]
+) -> Iterator[Finding]:
+    """What the sources use and none defines, and nobody will: neither the function nor its adapter."""
+    used = use_of([_full_name(each, group) for each in group.functions], declarations).used if linked else frozenset()
+    values = (*interface.inputs, *interface.outputs, *interface.parameters)
+    known = {re.split(r"[.\[(]", value.expression)[0] for value in values}
+    known |= {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
+    lacking = {
+        each.name: each for each in declarations.variables if each.name in used - known and "::" not in each.name
+    }
+    for variable in list(lacking.values())[:1]:
+        more = f" and {len(lacking) - 1:,} more" if len(lacking) > 1 else ""
+        message = f"{variable.name!r}{more} must be defined: the sources use it, but it is in none of them, and no input or output."
+        fix = "Import the folder with the source that defines it, or define it in a source of your own."
+        yield codes.VARIABLE_UNDEFINED.finding(message, *variable.place, fix=fix)
 
 
 def _word_size(machine: str, declarations: Declarations) -> Iterator[Finding]:

@@ -31,8 +31,8 @@ _HEADINGS: tuple[tuple[Role, "re.Pattern[str]"], ...] = (
     (
         "internal",
         re.compile(
-            r"Block signals \((?:auto|default)|Block (?:signals and )?states|Continuous states|zero-crossing|"
-            r"Imported \(extern\) states|State derivatives|model-wide|^Block signals$|^Block states$",
+            r"Block signals \((?:auto|default)|^Block (?:signals and )?states|Continuous states|zero-crossing|"
+            r"State derivatives|model-wide|^Block signals$|^Block states$",
             re.IGNORECASE,
         ),
     ),

@@ -8,6 +8,8 @@ const real_T Fixed = 2.0;
 void EngMon_step(void)
 {
   OverSpd = (boolean_T)(EngSpd > SpdMax && Ignition != 0);
+  Shared++;
+  EngMon_DW.Delay = EngSpd;
   Load = (real32_T)(EngSpd / SpdMax * Fixed + OilTemp + Buffer[0][0]);
 }
 

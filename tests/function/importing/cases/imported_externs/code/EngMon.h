@@ -13,6 +13,12 @@ extern int16_T OilTemp;                /* '<Root>/OilTemp'
                                         */
 extern uint8_T Buffer[4][2];           /* '<Root>/Buffer' */
 
+/* Imported (extern) states */
+extern uint16_T Shared;                /* '<S1>/Data Store Memory' */
+
+/* Block states (default storage) */
+extern struct { real_T Delay; } EngMon_DW;
+
 /*
  * Exported Global Signals
  *
