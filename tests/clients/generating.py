@@ -6,8 +6,11 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from sigcat.digest import digest_of
 
 ROOT = Path(__file__).parents[2]
 CASES = Path(__file__).parent / "cases"
@@ -59,10 +62,17 @@ def check_typescript_client(address: str, folder: Path) -> None:
     _run(["node", "built/round_trip.js", address, str(DECLARATION)], folder)
 
 
-def lint_document(document: Path) -> None:
-    """Lint an OpenAPI document with Redocly's recommended rules. Raises NoNode, or AssertionError."""
+def lint_with_redocly(document: Path) -> None:
+    """Lint an OpenAPI document with Redocly's recommended rules, warnings as errors. Raises NoNode, or AssertionError."""
     tool = node_tools() / "node_modules/.bin/redocly"
     _run([str(tool), "lint", str(document), f"--config={CASES / 'redocly.yaml'}", "--format=stylish"], CASES)
+
+
+def lint_with_spectral(document: Path) -> None:
+    """Lint an OpenAPI document with all rules that Spectral has for OpenAPI. Raises NoNode, or AssertionError."""
+    tool = node_tools() / "node_modules/.bin/spectral"
+    rules = f"--ruleset={CASES / 'spectral.yaml'}"
+    _run([str(tool), "lint", str(document), rules, "--fail-severity=hint"], CASES)
 
 
 def node_tools() -> Path:
@@ -70,18 +80,25 @@ def node_tools() -> Path:
     node, npm = shutil.which("node"), shutil.which("npm")
     if node is None or npm is None:
         raise NoNode("Node: install it with npm")
-    lock = (CASES / "package-lock.json").read_bytes()
-    mark = NODE_FOLDER / "installed-lock.json"
-    if not mark.is_file() or mark.read_bytes() != lock:
+    folder = NODE_FOLDER / digest_of((CASES / "package-lock.json").read_bytes())[:12]
+    if not folder.is_dir():
         NODE_FOLDER.mkdir(parents=True, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copy(CASES / name, NODE_FOLDER)
-        quiet = ["--no-audit", "--no-fund", "--ignore-scripts"]
-        result = subprocess.run([npm, "ci", *quiet], cwd=NODE_FOLDER, capture_output=True, check=False, timeout=180)
-        if result.returncode:
-            raise NoNode("the packages of tests/clients/cases/package-lock.json: npm could not install them")
-        mark.write_bytes(lock)
-    return NODE_FOLDER
+        with TemporaryDirectory(dir=NODE_FOLDER) as temporary:
+            _install(npm, Path(temporary))
+            with suppress(OSError):  # another test was faster
+                Path(temporary, "tools").rename(folder)
+    return folder
+
+
+def _install(npm: str, folder: Path) -> None:
+    tools = folder / "tools"
+    tools.mkdir()
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(CASES / name, tools)
+    quiet = ["--no-audit", "--no-fund", "--ignore-scripts"]
+    result = subprocess.run([npm, "ci", *quiet], cwd=tools, capture_output=True, check=False, timeout=180)
+    if result.returncode:
+        raise NoNode("the packages of tests/clients/cases/package-lock.json: npm could not install them")
 
 
 def _run(command: list[str], folder: Path, **extra: str) -> None:
