@@ -144,6 +144,12 @@ def test_every_object_and_enumeration_has_a_name() -> None:
     assert nameless == []
 
 
+def test_no_two_enumerations_have_a_value_in_common() -> None:
+    """In Go and C each value is a name of its own."""
+    values = [value.upper() for schema in SCHEMAS.values() for value in schema.get("enum", ())]
+    assert sorted(set(values)) == sorted(values)
+
+
 def test_titles_are_left_out() -> None:
     assert not [at for at, schema in _written_in_place() if isinstance(schema.get("title"), str)]
 

@@ -123,7 +123,7 @@ def test_the_example_of_each_body_can_be_sent(shipped):
     paths = shipped("/openapi.json").json()["paths"]
     for path in ("/api/v1/integrate/ros2", "/api/v1/functions/build"):
         content = paths[path.replace("ros2", "{platform}")]["post"]["requestBody"]["content"]
-        answer = posted(shipped, path, content["application/yaml"]["example"])
+        answer = posted(shipped, path, content["application/octet-stream"]["example"])
         assert answer.status_code == 200, answer.text
 
 

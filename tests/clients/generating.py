@@ -44,7 +44,8 @@ def check_python_client(address: str, folder: Path) -> None:
     tool = str(Path(sys.executable).with_name("openapi-python-client"))
     config = f"--config={CASES / 'python.yaml'}"
     output = f"--output-path={folder / 'sigcat_client'}"
-    _run([tool, "generate", f"--url={address}/openapi.json", "--meta=none", config, output], folder)
+    url = f"--url={address}/openapi.json"
+    _run([tool, "generate", url, "--meta=none", "--fail-on-warning", config, output], folder)
     shutil.copy(CASES / "round_trip.py", folder)
     (folder / "mypy.ini").write_text("[mypy]\nstrict = true\n")
     _run([sys.executable, "-m", "mypy", "--config-file=mypy.ini", "sigcat_client", "round_trip.py"], folder)

@@ -32,7 +32,6 @@ def written(schema: Schema) -> Schema:
 def parameter(described: Schema) -> Schema:
     """A parameter: one that is not given is not there, since null cannot be written into an address."""
     schema = not_null(_simple(described.get("schema", {})))
-    schema.pop("description", None)
     if schema.get("default", "") is None:
         schema.pop("default")
     return {**described, "schema": schema}

@@ -6,22 +6,27 @@ import sys
 from pathlib import Path
 
 from sigcat_client import Client
-from sigcat_client.api.catalogues import get_node, get_tree, list_catalogues, search_nodes
+from sigcat_client.api.catalogues import get_node, get_tree, list_catalogues, list_nodes, search_nodes
 from sigcat_client.api.changes import diff_catalogues, try_overlay
+from sigcat_client.api.exports import export_csv, export_json, export_ros2interface, export_yaml
 from sigcat_client.api.functions import build_function_json, validate_function
 from sigcat_client.api.integration import generate_arxml, integrate_functions
 from sigcat_client.api.lint import lint
 from sigcat_client.models import (
     CatalogueList,
     Diff,
+    ExportMode,
     FunctionJson,
     LintReport,
     Node,
+    NodePage,
     PlatformName,
     Problem,
     SearchPage,
+    Severity,
     TreeNode,
     Trial,
+    VssTree,
 )
 from sigcat_client.types import File
 
@@ -39,6 +44,7 @@ def main(address: str, declaration: Path) -> None:
         catalogue = listed.catalogues[0].id
         read(client, catalogue)
         change(client, catalogue)
+        export(client, catalogue)
         build(client, catalogue, declaration)
 
 
@@ -46,11 +52,15 @@ def read(client: Client, catalogue: str) -> None:
     tree = get_tree.sync(catalogue, client=client, depth=2)
     assert isinstance(tree, TreeNode)
     assert tree.subtrees
+    listed = list_nodes.sync(catalogue, client=client, fields="path,unit", limit=3)
+    assert isinstance(listed, NodePage)
+    assert listed.rows[0]["path"] == tree.path
     page = search_nodes.sync(catalogue, client=client, q="wheel speed", limit=5)
     assert isinstance(page, SearchPage)
-    node = get_node.sync(catalogue, page.hits[0].path, client=client)
+    found = page.hits[0]
+    node = get_node.sync(catalogue, found.path, client=client)
     assert isinstance(node, Node)
-    assert node.path == page.hits[0].path
+    assert (node.path, node.datatype, node.unit) == (found.path, found.datatype, found.unit)
     missing = get_node.sync(catalogue, "Vehicle.Sped", client=client)
     assert isinstance(missing, Problem)
     assert missing.nearest
@@ -61,12 +71,28 @@ def change(client: Client, catalogue: str) -> None:
     assert isinstance(report, LintReport)
     assert not report.ok
     assert report.findings[0].line == 2
+    assert report.findings[0].severity in Severity
     trial = try_overlay.sync(catalogue, client=client, body=file(OVERLAY))
     assert isinstance(trial, Trial)
     assert trial.changes[0].path == "Vehicle.Speed"
     diff = diff_catalogues.sync("vss", client=client, to=catalogue)
     assert isinstance(diff, Diff)
     assert diff.summary.total == len(diff.changes)
+
+
+def export(client: Client, catalogue: str) -> None:
+    tree = export_json.sync(catalogue, client=client, pretty=True)
+    assert isinstance(tree, VssTree)
+    assert "Vehicle" in tree
+    table = export_csv.sync(catalogue, client=client)
+    assert isinstance(table, str)
+    assert table.startswith("Signal,")
+    for exported in (
+        export_yaml.sync(catalogue, client=client),
+        export_ros2interface.sync(catalogue, client=client, mode=ExportMode.LEAF, topics=["Vehicle.Speed"]),
+    ):
+        assert isinstance(exported, File)
+        assert exported.payload.read()
 
 
 def build(client: Client, catalogue: str, declaration: Path) -> None:

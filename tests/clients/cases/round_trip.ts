@@ -20,26 +20,33 @@ const catalogue = listed.catalogues[0]!.id;
 
 const tree = answered(await sigcat.getTree({ path: { catalogue }, query: { depth: 2 } }));
 assert(tree.subtrees!.length > 0);
+const rows = answered(await sigcat.listNodes({ path: { catalogue }, query: { fields: 'path,unit', limit: 3 } })).rows;
+assert.equal(rows[0]!['path'], tree.path);
 const page = answered(await sigcat.searchNodes({ path: { catalogue }, query: { q: 'wheel speed', limit: 5 } }));
 const found = page.hits[0]!.path;
 const node = answered(await sigcat.getNode({ path: { catalogue, path: found } }));
-assert.equal(node.path, found);
+assert.deepEqual([node.path, node.datatype, node.unit], [found, page.hits[0]!.datatype, page.hits[0]!.unit]);
 const missing = await sigcat.getNode({ path: { catalogue, path: 'Vehicle.Sped' } });
 assert((missing.error as sigcat.Problem).nearest.length > 0);
 
 const report = answered(await sigcat.lint({ body: file('Vehicle.Speed:\n  type: sensr\n') }));
 assert.equal(report.findings[0]!.line, 2);
+assert.equal(report.finding_counts.errors, report.findings.filter((each) => each.severity === 'error').length);
 const overlay = file('Vehicle.Speed:\n  type: sensor\n  datatype: float\n  unit: km/h\n  max: 100\n');
 const trial = answered(await sigcat.tryOverlay({ path: { catalogue }, body: overlay }));
 assert.equal(trial.changes[0]!.path, 'Vehicle.Speed');
 const diff = answered(await sigcat.diffCatalogues({ path: { catalogue: 'vss' }, query: { to: catalogue } }));
 assert.equal(diff.summary.total, diff.changes.length);
 
+const query: sigcat.ExportRos2InterfaceData['query'] = { mode: 'leaf', topics: ['Vehicle.Speed'] };
+assert('Vehicle' in answered(await sigcat.exportJson({ path: { catalogue }, query: { pretty: true } })));
+assert(answered(await sigcat.exportCsv({ path: { catalogue } })).startsWith('Signal,'));
+assert((await answered(await sigcat.exportYaml({ path: { catalogue } })).text()).startsWith('Vehicle'));
+assert(answered(await sigcat.exportRos2Interface({ path: { catalogue }, query })).size > 0);
+
 const text = file(readFileSync(declaration));
 const built = answered(await sigcat.buildFunctionJson({ body: text, query: { catalogue } }));
 assert(answered(await sigcat.validateFunction({ body: file(JSON.stringify(built)) })).ok);
 const integrated = answered(await sigcat.integrateFunctions({ path: { platform: 'autosar-adaptive' }, body: text }));
-const arxml = answered(
-  await sigcat.generateArxml({ body: file(JSON.stringify(integrated)), parseAs: 'arrayBuffer' }),
-) as unknown as ArrayBuffer;
-assert.equal(Buffer.from(arxml).subarray(0, 2).toString(), 'PK');
+const arxml = answered(await sigcat.generateArxml({ body: file(JSON.stringify(integrated)) }));
+assert.equal((await arxml.text()).slice(0, 2), 'PK');

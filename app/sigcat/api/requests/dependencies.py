@@ -49,7 +49,6 @@ __all__ = [
 ]  # fmt: skip
 
 _NEVER_CHANGES = "max-age=31536000, immutable"
-TEXT_TYPES = ("application/yaml", "text/yaml")
 
 
 def library_of(request: Request) -> Library:
@@ -254,11 +253,11 @@ PostedBody = Annotated[bytes, Depends(posted_body)]
 
 def text_body(description: str, example: str) -> dict[str, Any]:
     """The OpenAPI description of a posted text. It is sent as it stands in its file, whatever it is called."""
-    schema = {"type": "string"}
-    content: dict[str, Any] = {"application/octet-stream": {"schema": {**schema, "format": "binary"}}}
-    for media_type in TEXT_TYPES:
-        content[media_type] = {"schema": schema, **({"example": example} if example else {})}
-    return {"requestBody": {"required": True, "description": description, "content": content}}
+    content: dict[str, Any] = {"schema": {"type": "string", "format": "binary"}}
+    if example:
+        content["example"] = example
+    body = {"required": True, "description": description, "content": {"application/octet-stream": content}}
+    return {"requestBody": body}
 
 
 def _check_length(length: int, settings: Settings) -> None:

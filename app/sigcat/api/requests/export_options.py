@@ -8,6 +8,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
 from sigcat.api.requests.enumerations import enumeration
 from sigcat.catalogue.exporting.exporter import Exporter, Option
+from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.limits import PARAMETER_CHARACTERS, PARAMETER_VALUES
 from sigcat.names import camel_case
 
@@ -45,7 +46,7 @@ def _spelled(option: Option) -> str:
 
 
 def _field(option: Option) -> tuple[Any, Any]:
-    kind: Any = _choices(option.name, option.choices) if option.choices else _TYPES[option.kind]
+    kind: Any = _choices(option) if option.choices else _TYPES[option.kind]
     description = f"{option.text[:1].upper()}{option.text[1:]}."
     if option.kind == "texts":
         return list[kind] | None, Field(None, max_length=PARAMETER_VALUES, description=description)
@@ -54,7 +55,12 @@ def _field(option: Option) -> tuple[Any, Any]:
     return kind, Field(option.default, description=description)
 
 
+def _choices(option: Option) -> Any:
+    """The same enumeration for all options that have these choices: in Go, values of two would be one name twice."""
+    alike = (each for exporter in EXPORTERS.values() for each in exporter.options if each.choices == option.choices)
+    return _enumeration(next(alike).name, option.choices)
+
+
 @cache
-def _choices(name: str, choices: tuple[str, ...]) -> Any:
-    """The same enumeration for all formats that have the option."""
-    return enumeration(f"Export{camel_case(name)}", choices, f"What `{name}` of an export may be.")
+def _enumeration(name: str, choices: tuple[str, ...]) -> Any:
+    return enumeration(f"Export{camel_case(name)}", choices, "What an option of an export may be.")

@@ -63,7 +63,7 @@ def _documentation(exporter: Exporter) -> dict[str, Any]:
         return {**described, "content": {exporter.media_type: {"schema": {"$ref": "#/components/schemas/JsonSchema"}}}}
     if exporter.is_folder:
         return {**described, "description": "The files, as a zip.", "content": {_ZIP: _BYTES}}
-    is_text = exporter.media_type != "application/octet-stream"
+    is_text = exporter.media_type.startswith("text/")  # clients read nothing else as text
     content = {exporter.media_type: {"schema": {"type": "string"}} if is_text else _BYTES}
     if exporter.has_types_beside:
         content[_ZIP] = _BYTES

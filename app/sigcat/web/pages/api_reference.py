@@ -51,10 +51,11 @@ class Field(NamedTuple):
 
 
 class SchemaEntry(NamedTuple):
-    """A schema with its fields."""
+    """A schema with its fields, or, if it has none, with what it allows."""
 
     name: str
     description: str
+    type: str
     fields: tuple[Field, ...]
 
 
@@ -90,7 +91,10 @@ def operations(document: Mapping[str, Any], base: str) -> list[Operation]:
 def schemas(document: Mapping[str, Any]) -> list[SchemaEntry]:
     """The schemas of an OpenAPI document, by name."""
     entries = sorted(document.get("components", {}).get("schemas", {}).items())
-    return [SchemaEntry(name, str(entry.get("description", "")), tuple(_fields(entry))) for name, entry in entries]
+    return [
+        SchemaEntry(name, str(entry.get("description", "")), type_name(entry), tuple(_fields(entry)))
+        for name, entry in entries
+    ]
 
 
 def _operation(method: str, path: str, entry: Mapping[str, Any], base: str) -> Operation:
