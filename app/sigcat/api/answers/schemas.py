@@ -4,57 +4,28 @@ A name has one type wherever it stands, and is there always: generated clients h
 field whether it is there. `tests/api/test_contract_shape.py` has the rules.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, RootModel
-from typing_extensions import TypeAliasType
 
+from sigcat.api.answers.named_types import (
+    CatalogueDigests,
+    ChangeEvidence,
+    ChangeKind,
+    Compatibility,
+    Count,
+    Cursor,
+    Digest,
+    Facets,
+    HealthState,
+    Moment,
+    NodeValues,
+    RuleOptions,
+    Severity,
+    TypeCounts,
+    VissNodes,
+)
 from sigcat.limits import ANSWER_FINDINGS
-
-# -- enumerations and mappings: schemas with a name of their own, which generated clients would make up otherwise -----
-
-Severity = TypeAliasType(
-    "Severity", Annotated[Literal["error", "warning", "info"], Field(description="How bad a finding is.")]
-)
-Compatibility = TypeAliasType(
-    "Compatibility",
-    Annotated[
-        Literal["breaking", "risky", "compatible", "text"], Field(description="Whom a change breaks, the worst first.")
-    ],
-)
-ChangeKind = TypeAliasType(
-    "ChangeKind", Annotated[Literal["removed", "moved", "changed", "added"], Field(description="What happened.")]
-)
-ChangeEvidence = TypeAliasType(
-    "ChangeEvidence",
-    Annotated[
-        Literal["fka", "deprecation", "same definition"],
-        Field(description="What says that a node moved; `same definition` is a guess."),
-    ],
-)
-TextKind = TypeAliasType(
-    "TextKind", Annotated[Literal["overlay", "tree", "function"], Field(description="What a posted text is.")]
-)
-HealthState = TypeAliasType(
-    "HealthState", Annotated[Literal["alive", "ready"], Field(description="What a health check answers.")]
-)
-TypeCounts = TypeAliasType("TypeCounts", Annotated[dict[str, int], Field(description="Nodes by type.")])
-ValueCounts = TypeAliasType(
-    "ValueCounts", Annotated[dict[str, int], Field(description="Results by value of a filter.")]
-)
-Facets = TypeAliasType(
-    "Facets", Annotated[dict[str, ValueCounts], Field(description="How many results have each value of each filter.")]
-)
-NodeValues = TypeAliasType(
-    "NodeValues", Annotated[dict[str, Any], Field(description="Values of a node by name of the attribute.")]
-)
-RuleOptions = TypeAliasType("RuleOptions", Annotated[dict[str, Any], Field(description="What a check is told.")])
-CatalogueDigests = TypeAliasType(
-    "CatalogueDigests", Annotated[dict[str, str], Field(description="Content hash of each hosted catalogue by id.")]
-)
-VissNodes = TypeAliasType(
-    "VissNodes", Annotated[dict[str, Any], Field(description="Attributes of a node by its name, with `children`.")]
-)
 
 
 class Schema(BaseModel):
@@ -67,8 +38,8 @@ class Place(Schema):
     """Where something was written. Lines and columns count from 1; 0 means the file as a whole."""
 
     file: str
-    line: int
-    column: int
+    line: Count
+    column: Count
     overlay: str = Field("", description="The overlay that the file belongs to; empty in the base tree.")
 
 
@@ -79,8 +50,8 @@ class Finding(Schema):
     severity: Severity
     message: str
     file: str = ""
-    line: int = Field(0, description="From 1; 0: the file as a whole.")
-    column: int = Field(0, description="From 1; 0: the file as a whole.")
+    line: Count = Field(0, description="From 1; 0: the file as a whole.")
+    column: Count = Field(0, description="From 1; 0: the file as a whole.")
     path: str = Field("", description="Path of the node, or name of the interface, that the finding is about.")
     pointer: str = Field("", description="RFC 6901 pointer into the document, where there is one.")
     fix: str = Field("", description="What to do; empty if the message already says it.")
@@ -107,9 +78,9 @@ class Problem(Schema):
 class FindingCounts(Schema):
     """How many findings there are of each severity."""
 
-    errors: int
-    warnings: int
-    infos: int
+    errors: Count
+    warnings: Count
+    infos: Count
 
 
 class Layer(Schema):
@@ -117,8 +88,8 @@ class Layer(Schema):
 
     name: str
     is_overlay: bool
-    file_count: int
-    digest: str
+    file_count: Count
+    digest: Digest
 
 
 class CatalogueSummary(Schema):
@@ -126,9 +97,11 @@ class CatalogueSummary(Schema):
 
     id: str
     title: str
-    digest: str = Field(description="SHA-256 of the content: equal for equal trees.")
-    version: str = Field(description="Hash of all that is shown. Below `ID@VERSION` no address ever changes.")
-    node_count: int
+    digest: Digest = Field(description="SHA-256 of the content: equal for equal trees.")
+    version: str = Field(
+        pattern=r"^[0-9a-f]{24}$", description="Hash of all that is shown. Below `ID@VERSION` no address ever changes."
+    )
+    node_count: Count
     types: TypeCounts
     roots: list[str]
     finding_counts: FindingCounts
@@ -175,7 +148,7 @@ class NodeSummary(Schema):
         "groups interfaces of a function."
     )
     deprecated: bool
-    child_count: int
+    child_count: Count
 
 
 class HistoryEntry(Schema):
@@ -251,7 +224,7 @@ class TreeNode(NodeSummary):
 class SearchHit(NodeSummary):
     """A node that a search found."""
 
-    instance_count: int = Field(
+    instance_count: Count = Field(
         description="How many nodes that share a definition were found; this is the first of them."
     )
 
@@ -259,19 +232,19 @@ class SearchHit(NodeSummary):
 class SearchPage(Schema):
     """One page of search results, best first."""
 
-    total: int = Field(description="How many hits there are.")
+    total: Count = Field(description="How many hits there are.")
     hits: list[SearchHit]
     facets: Facets
     did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
-    next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+    next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
 class NodePage(Schema):
     """One page of nodes with the fields that were asked for."""
 
-    total: int
+    total: Count
     rows: list[NodeValues] = Field(description="Value by field; a field that a node lacks is null.")
-    next_cursor: str | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+    next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
 class AttributeChange(Schema):
@@ -295,7 +268,7 @@ class Change(Schema):
     type: str
     paths: list[str] = Field(description="Every path that the change concerns; of a subtree, its topmost path.")
     former_paths: list[str] = Field(description="Where these paths were before, if they moved.")
-    leaves: int = Field(description="Signals in the subtrees that came, went or moved with them.")
+    leaves: Count = Field(description="Signals in the subtrees that came, went or moved with them.")
     evidence: ChangeEvidence | None
     is_guess: bool
     attribute_changes: list[AttributeChange]
@@ -308,11 +281,11 @@ class ChangeCounts(Schema):
     """How many changes there are of each class."""
 
     worst: Compatibility | None = Field(description="The worst class; null without changes.")
-    total: int
-    breaking: int
-    risky: int
-    compatible: int
-    text: int
+    total: Count
+    breaking: Count
+    risky: Count
+    compatible: Count
+    text: Count
 
 
 class Diff(Schema):
@@ -336,7 +309,7 @@ class Trial(Schema):
 
     ok: bool = Field(description="Whether the overlay brings no error.")
     findings: Findings = Field(description="What the overlay would add to the findings of the catalogue.")
-    node_count: int = Field(description="Nodes that would be new or have other attributes.")
+    node_count: Count = Field(description="Nodes that would be new or have other attributes.")
     nodes: list[TrialNode] = Field(description="The first of them.")
     summary: ChangeCounts
     changes: list[Change]
@@ -383,7 +356,7 @@ class VissMetadata(Schema):
     """Metadata of a node and of all below it, as VISS has it."""
 
     metadata: VissNodes
-    ts: str = Field(description="When it was answered.")
+    ts: Moment = Field(description="When it was answered.")
 
 
 class VissError(Schema):
@@ -398,7 +371,7 @@ class VissRefusal(Schema):
     """An error in the form of VISS."""
 
     error: VissError
-    ts: str
+    ts: Moment
 
 
 class SchemaList(Schema):

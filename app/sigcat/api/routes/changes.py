@@ -7,6 +7,7 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
+from sigcat.api.answers.named_types import Compatibility
 from sigcat.api.answers.negotiation import (
     JSON,
     YAML,
@@ -69,7 +70,7 @@ async def diff_catalogues(
         str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=NAME_CHARACTERS)
     ],
     only: Annotated[
-        list[schemas.Compatibility] | None,
+        list[Compatibility] | None,
         Query(max_length=PARAMETER_VALUES, description="Classes to show; all without it."),
     ] = None,
 ) -> Response:
@@ -103,7 +104,7 @@ async def try_overlay(
 
 
 def _report(
-    old: Catalogue, new: Catalogue, names: tuple[str, str], only: Collection[schemas.Compatibility] | None, form: str
+    old: Catalogue, new: Catalogue, names: tuple[str, str], only: Collection[Compatibility] | None, form: str
 ) -> bytes:
     """The changes of these classes, or of all, in one of the forms."""
     changes = compare(old, new)

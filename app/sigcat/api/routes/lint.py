@@ -6,6 +6,7 @@ from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
+from sigcat.api.answers.named_types import TextKind
 from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
@@ -50,7 +51,7 @@ async def lint(
     settings: TheSettings,
     queue: TheWorkQueue,
     kind: Annotated[
-        schemas.TextKind,
+        TextKind,
         Query(description="An overlay over the catalogue, a tree by itself, or functions."),
     ] = "overlay",
     name: FileName = "posted.vspec",
@@ -60,9 +61,7 @@ async def lint(
     return Response(report, media_type=JSON)
 
 
-def _report(
-    kind: schemas.TextKind, text: bytes, name: str, catalogue: Catalogue, rules: ServiceRules, limits: Limits
-) -> bytes:
+def _report(kind: TextKind, text: bytes, name: str, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> bytes:
     if kind == "function":
         findings = check_posted(text, name, catalogue, limits)
     else:
