@@ -19,6 +19,8 @@ Planning = Generator[Problem, None, T]
 """Gives a part of the plan, and on the way what is wrong with it."""
 
 NANOSECONDS_IN_MILLISECOND = 10**6
+_LONGEST = 10**12
+"""In ms: some thirty years, so that sums of times do not overflow."""
 
 
 class Context(NamedTuple):
@@ -59,7 +61,12 @@ def context_of(function: FunctionJson) -> Context:
 def nanoseconds(value: str | float | None, at: Pointer) -> Planning[int | None]:
     """A duration of the wire format, in ms, as whole ns; None if there is none."""
     number = milliseconds(value) if isinstance(value, str) else value
+    if number is None and value is not None:
+        yield Problem(codes.TIME_NOT_WHOLE, at, f"The time must be a number of milliseconds, not {value!r}.")
     if number is None:
+        return None
+    if not 0 <= number <= _LONGEST:
+        yield Problem(codes.TIME_NOT_WHOLE, at, f"The time must be between 0 and {_LONGEST} ms, not {number!r} ms.")
         return None
     exact = Fraction(repr(number)) * NANOSECONDS_IN_MILLISECOND
     if exact.denominator != 1:

@@ -76,6 +76,11 @@ _FINEST = 345
 
 def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Planning[Value | None]:
     """The value of an interface, from the catalogue to the code or back. None if the core cannot carry it."""
+    for key, text in (("Factor", getattr(item, "factor", None)), ("ConversionFactor", item.conversion_factor)):
+        if text is not None and not _number(text):
+            message = f"{key} of {item.name} must be a number other than 0, not {text!r}."
+            yield Problem(codes.VALUE_NOT_CARRIED, (*at, key), message)
+            return None
     members = {member.name: member.member for member in item.members or ()}
     parts, what = parts_of(item.datatype, members, context)
     if not parts:
@@ -112,6 +117,8 @@ class _NotCarried(Exception):
 
 
 _DEEPEST = 16
+MOST_ELEMENTS = 65_535
+"""Elements of an array: no control unit has more in one signal, and start values of each are written out."""
 
 
 def _parts(
@@ -128,6 +135,8 @@ def _parts(
             deeper = _parts(field.datatype, *ends, (*path, field.name), length, members, context, depth + 1)
             yield from (_limited(part, field.min, field.max) for part in deeper)
     elif datatype.kind == "array":
+        if datatype.length is not None and datatype.length > MOST_ELEMENTS:
+            raise _NotCarried(f"its array has more than {MOST_ELEMENTS:,} elements")
         if length is not None or datatype.length is None:
             raise _NotCarried("arrays within arrays are not carried" if length else "the length of its array is open")
         ends = f"{wire}[i]", f"{code}[i]"

@@ -31,7 +31,8 @@ def smallest_integer(symbols: Symbols) -> str:
     """The smallest VSS integer that holds every number of an enumeration."""
     low, high = min(symbols.values(), default=0), max(symbols.values(), default=0)
     names = sorted(INTEGER_RANGES, key=lambda n: (INTEGER_RANGES[n][1] - INTEGER_RANGES[n][0], n.startswith("i")))
-    return next(n for n in names if INTEGER_RANGES[n][0] <= low and high <= INTEGER_RANGES[n][1])
+    fitting = (n for n in names if INTEGER_RANGES[n][0] <= low and high <= INTEGER_RANGES[n][1])
+    return next(fitting, names[-1])  # numbers beyond 64 bits are a finding of the catalogue
 
 
 class TypeList:

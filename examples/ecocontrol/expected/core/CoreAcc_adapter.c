@@ -241,7 +241,7 @@ static void CoreAcc_Adapter_Take_Step_SteerWhlAg(CoreAcc_Adapter *self)
     }
 }
 
-static bool CoreAcc_Adapter_Step_SpdLimUnit_Named(uint8_t source, uint8_t *target)
+static bool CoreAcc_Adapter_Step_SpdLimUnit_Named(int64_t source, uint8_t *target)
 {
     bool is_known = true;
 

@@ -21,6 +21,8 @@ from sigcat.adapter.core.c.values import (
 from sigcat.adapter.core.plan import Call, Input, Port
 from sigcat.function.function_json.conversion import IDENTITY
 
+UINT8_MOST = 255
+
 
 def is_timed(port: Port) -> bool:
     """Whether the time of its values counts."""
@@ -353,12 +355,13 @@ def _shown(call: Call, item: Input, scope: Scope) -> Lines:
         replaced = constant(item.value, "replacement", ends)
         ways.append((f"{queue}.origin[{place}] == {scope.constant('REPLACEMENT')}", replaced))
     count = scope.variable(item.queue.count_variable) if item.queue.count_variable else ""
+    narrow = "uint8_t" if places(item) <= UINT8_MOST else "uint16_t"  # so that it fits whatever holds the count
     if item.time_out and item.time_out.substitute != "Last":
         substitute = constant(item.value, item.time_out.substitute.lower(), ends)
         ways.insert(0, (f"{queue}.clock.is_late", substitute))
-        counted = f"{count} = {queue}.clock.is_late ? 0 : taken;"
+        counted = f"{count} = {queue}.clock.is_late ? ({narrow})0 : ({narrow})taken;"
     else:
-        counted = f"{count} = taken;"
+        counted = f"{count} = ({narrow})taken;"
     each = choice([*ways, ("", constant(item.value, "init", ends))])
     if places(item) > 1:
         each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])

@@ -202,9 +202,10 @@ def names_functions(value: Value, ends: Ends) -> list[Lines]:
 def _names_function(element: Element, name: str, wire: WireType) -> Lines:
     texts = {number: text for text, number in wire.symbols}
     cases = [_case(source, target, element, texts) for source, target in (element.names or {}).items()]
+    wide = "uint64_t" if element.source.name == "uint64" else "int64_t"  # a wider variable is not cut
     switch = block("switch (source)", [*cases, lines("default:\n    is_known = false;\n    break;")])
     body = [lines("bool is_known = true;"), switch, lines("return is_known;")]
-    return function(f"static bool {name}({element.source.c} source, {element.target.c} *target)", body)
+    return function(f"static bool {name}({wide} source, {element.target.c} *target)", body)
 
 
 def _case(source: int, target: int, element: Element, texts: dict[int, str]) -> Lines:
