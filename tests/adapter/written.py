@@ -4,6 +4,7 @@ import json
 from typing import Any
 
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.walk import parts
 
 FLOAT, DOUBLE, BOOL = "DT_Float32", "DT_Float64", "DT_Bool"
 U8, S8, U16, S16, U32, S32, U64, S64 = (f"DT_{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in "US")
@@ -178,7 +179,10 @@ def function(
         "ModeInterfaceList": list(modes),
         **fields,
     }
-    return FunctionJson.model_validate_json(json.dumps(document))
+    made = FunctionJson.model_validate_json(json.dumps(document))
+    unknown = [(*at, key) for at, part in parts(made) for key in part.model_extra or ()]
+    assert not unknown, f"Function JSON does not have {unknown}"
+    return made
 
 
 def _numbered(modes: list[str]) -> dict[str, int]:

@@ -1,10 +1,11 @@
 """A script, done by a generated core: compiled with a driver, run, and what it printed."""
 
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.plan import CLASS
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.driver import HELPERS, header, program
 from tests.adapter.core.script import Script, written
@@ -22,16 +23,28 @@ def write(subject: Subject, folder: Path) -> Path:
         (folder / file.name).write_bytes(file.data)
     (folder / "f.h").write_text(header(subject))
     (folder / HELPERS.name).write_text(HELPERS.read_text())
-    source = folder / "program.c"
+    source = folder / ("program.cpp" if subject.signature == CLASS else "program.c")
     source.write_text(program(subject, [files.source.name]))
     return source
 
 
-def compiled(source: Path, command: Sequence[str] = (), flags: Sequence[str] = ("-std=c99", "-O0")) -> Path:
-    """Compile a program."""
-    result = source.with_suffix("")
-    line = [*(command or toolchain().c), *flags, *EXACT, source.name, "-o", result.name]
-    done = subprocess.run(line, cwd=source.parent, capture_output=True, text=True, check=False)
+def compiled(
+    subject: Subject,
+    folder: Path,
+    flags: Sequence[str] = ("-O0",),
+    exact: Sequence[str] = EXACT,
+    change: Callable[[str], str] | None = None,
+) -> Path:
+    """Write a program and compile it; `change` may break the core before."""
+    source, result = write(subject, folder), folder / "program"
+    if change is not None:
+        core = next(folder.glob("*_adapter.c*"))
+        core.write_text(change(core.read_text()))
+    is_class = subject.signature == CLASS
+    command = toolchain().cpp if is_class else toolchain().c
+    standard = "-std=c++17" if is_class else "-std=c99"
+    line = [*command, standard, *flags, *exact, source.name, "-o", result.name]
+    done = subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{' '.join(line)}\n{done.stderr}"
     return result
 

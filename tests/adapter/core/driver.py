@@ -4,31 +4,44 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.plan import CLASS, GLOBALS, POINTERS
 from tests.adapter.core.subject import Item, Leaf, Method, Subject
 
 HELPERS = Path(__file__).with_name("driver.h")
 
 
+OBJECT = "io"
+"""The object that has all variables, where calls take a pointer to one."""
+CLASS_NAME = "F_Code"
+
+
 def header(subject: Subject) -> str:
     """What the function declares: its variables and its calls."""
-    structs = "\n".join(subject.structs)
-    variables = "\n".join(f"extern {item.declared};" for item in subject.variables)
-    calls = "\n".join(f"{_result(subject, name)} {name}(void);" for name in subject.symbols)
     return f"""#ifndef F_H
 #define F_H
 #include <stdbool.h>
 #include <stdint.h>
-#ifdef __cplusplus
-extern "C" {{
-#endif
-{structs}
-{variables}
-{calls}
-#ifdef __cplusplus
-}}
-#endif
+{chr(10).join(subject.structs)}
+{_declared(subject)}
 #endif
 """
+
+
+def _declared(subject: Subject) -> str:
+    members = "".join(f"    {item.declared};\n" for item in subject.variables) or "    int nothing;\n"
+    heads = [_head(subject, name) for name in subject.symbols]
+    if subject.signature == CLASS:
+        return f"class {CLASS_NAME} {{\npublic:\n{members}{''.join(f'    {head};{chr(10)}' for head in heads)}}};"
+    if subject.signature == POINTERS:
+        data = f"typedef struct {{\n{members}}} F_Io;\n"
+    else:
+        data = "".join(f"extern {item.declared};\n" for item in subject.variables)
+    calls = "".join(f"{head};\n" for head in heads)
+    return f'#ifdef __cplusplus\nextern "C" {{\n#endif\n{data}{calls}#ifdef __cplusplus\n}}\n#endif'
+
+
+def _head(subject: Subject, name: str, owner: str = "") -> str:
+    return f"{_result(subject, name)} {owner}{name}({f'F_Io *{OBJECT}' if subject.signature == POINTERS else 'void'})"
 
 
 def _result(subject: Subject, symbol: str) -> str:
@@ -38,7 +51,7 @@ def _result(subject: Subject, symbol: str) -> str:
 
 def code(subject: Subject) -> str:
     """The function itself: each of its calls prints what it sees, and does what the script said before."""
-    variables = "\n".join(_definition(item) for item in subject.variables)
+    variables = "".join(f"{item.declared};\n" for item in subject.variables) if subject.signature == GLOBALS else ""
     calls = "\n".join(_call(subject, name) for name in subject.symbols)
     hooks = "\n".join(
         f'void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n    work("{name}");\n}}\n'
@@ -48,13 +61,14 @@ def code(subject: Subject) -> str:
 
 static void print_variables(void)
 {{
-{_indented(_printed(item.name, item, item.c) for item in subject.variables)}
+{_indented(_printed(item.name, item, subject.place(item)) for item in subject.variables)}
 }}
 
 static void assign(int variable, const char *text)
 {{
+    (void)text;
     switch (variable) {{
-{_cases((_taken(item.leaves, item.c)) for item in subject.variables)}
+{_cases((_taken(item.leaves, subject.place(item))) for item in subject.variables)}
     default: break;
     }}
 }}
@@ -76,14 +90,11 @@ static void work(const char *symbol)
 """
 
 
-def _definition(item: Item) -> str:
-    return f"{item.declared};"
-
-
 def _call(subject: Subject, name: str) -> str:
-    result = _result(subject, name)
-    end = "" if result == "void" else "    return (int32_t)pending_result;\n"
-    return f'{result} {name}(void)\n{{\n    work("{name}");\n{end}}}\n'
+    head = _head(subject, name, f"{CLASS_NAME}::" if subject.signature == CLASS else "")
+    own = f"    (void){OBJECT};\n" if subject.signature == POINTERS else ""
+    end = "    return (int32_t)pending_result;\n" if _result(subject, name) != "void" else ""
+    return f'{head}\n{{\n{own}    work("{name}");\n{end}}}\n'
 
 
 # -- the program --------------------------------------------------------------------------------------------------
@@ -95,10 +106,11 @@ def program(subject: Subject, sources: Iterable[str]) -> str:
     return f"""{"".join(f'#include "{name}"{chr(10)}' for name in sources)}
 #include "driver.h"
 
-{code(subject)}
 static {own} adapter;
 static {own}_Stored kept;
 static {own} *const self = &adapter;
+
+{code(subject)}
 static int stages[{max(len(subject.calls), 1)}];
 
 static int is_idle(void)
@@ -166,7 +178,8 @@ def _sent(item: Item) -> str:
 
 def _state(subject: Subject, own: str) -> str:
     """Print all that can be seen."""
-    lines = [f'printf("next=%llu", (unsigned long long){own}_NextTime(self));', "print_variables();"]
+    times = f"(unsigned long long)self->now, (unsigned long long){own}_NextTime(self)"
+    lines = [f'printf("now=%llu next=%llu", {times});', "print_variables();"]
     for item in subject.outs:
         lines.append(_sent(item))
         lines.append(f'if (self->publish.{item.c}) {{ printf("!"); }}')
@@ -334,6 +347,13 @@ CALLS
     } else if (strcmp(word, "advance") == 0) {
         const int call = (int)next_number();
         advance(call, next_number());
+    } else if (strcmp(word, "finish") == 0) {
+        const int call = (int)next_number();
+        const uint64_t begin = next_number();
+        const uint64_t end = next_number();
+        while (stages[call] != 0) {
+            advance(call, stages[call] == 4 ? end : begin);
+        }
     } else if (strcmp(word, "set") == 0) {
         const int variable = (int)next_number();
         assign(variable, next_word());

@@ -1,11 +1,14 @@
 """Functions that Hypothesis makes: small, and with every combination of what a declaration can say of an adapter."""
 
-from collections.abc import Callable
+import json
+import re
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from hypothesis import strategies as st
 
 from sigcat.function.function_json.model import FunctionJson
+from tests.adapter.core.driver import CLASS_NAME, OBJECT
 from tests.adapter.written import (
     BOOL,
     DOUBLE,
@@ -69,6 +72,14 @@ NUMBERS = (0, 1, 3, -2.5, 0.1, 100, 69.44444444444444, 1e9)
 TIMES = ("10", "0", "25", "7.5", "0.000001")
 
 
+SIGNATURES: dict[str, Json] = {
+    "Globals": {},
+    "Pointers": {"Objects": [{"Name": OBJECT, "Type": "F_Io"}]},
+    "Class": {"ClassName": CLASS_NAME},
+}
+_VARIABLE = re.compile(r'("(?:\w*Variable)": ")')
+
+
 class Choice:
     """What Hypothesis draws: the first of a list is the simplest."""
 
@@ -107,15 +118,23 @@ def functions(draw: Callable[..., Any]) -> FunctionJson:
     contents = {name: _contents(choice, name, errors) for name in names}
     _add_errors(choice, contents, errors)
     calls = [_call(choice, name, kinds[name], contents[name], names, errors) for name in names]
+    calls += [call("Terminate", "Shutdown", **_checkpoint(choice, names))] if choice.is_so() else []
+    interfaces = _modes(choice, modes, errors)
+    signature = choice.one("Globals", "Globals", "Pointers", "Class")
+    calls = [*_init(choice), *calls]
     return function(
-        *_init(choice),
-        *calls,
-        *([call("Terminate", "Shutdown", **_checkpoint(choice, names))] if choice.is_so() else []),
+        *(with_objects(calls) if signature == "Pointers" else calls),
         datatypes=DATATYPES,
         active={mode: choice.some(tuple(names), 3) for mode in modes[: choice.count(0, 3)]} if modes else None,
-        modes=_modes(choice, modes, errors),
-        Code={"Signature": "Globals", "Headers": ["f.h"]},
+        modes=tuple(with_objects(interfaces) if signature == "Pointers" else interfaces),
+        Code={"Signature": signature, "Headers": ["f.h"], **SIGNATURES[signature]},
     )
+
+
+def with_objects(items: Iterable[Json]) -> list[Json]:
+    """The same with all variables in one object, to which calls take a pointer."""
+    text = _VARIABLE.sub(rf"\1{OBJECT}.", json.dumps(list(items)))
+    return [{**item, "Arguments": [OBJECT]} if "Runtype" in item else item for item in json.loads(text)]
 
 
 def _init(choice: Choice) -> list[Json]:

@@ -4,6 +4,7 @@ import copy
 import math
 from collections.abc import Iterator
 
+from sigcat.adapter.core.plan import POINTERS
 from sigcat.adapter.model.adapter import Adapter
 from sigcat.adapter.model.parts.errors import Counts, is_confirmed
 from sigcat.adapter.model.parts.methods import Reply
@@ -26,15 +27,15 @@ class ModelSide:
 
     def __init__(self, subject: Subject) -> None:
         self._subject = subject
-        self._variables: Variables = {
-            item.name: 0 if item.is_single else tuple(0 for _ in item.leaves) for item in subject.variables
-        }
+        self._variables: Variables = {item.name: numbers_zero(item) for item in subject.variables}
         self._adapter = Adapter(subject.function, self._work, self._variables)
         self._kept = Stored()
         self._stages = [0] * len(subject.calls)
         self._pending: list[tuple[int, str]] = []
         self._result = 0
         self._printed: list[str] = []
+        self._texts: dict[str, tuple[Value | None, str]] = {}
+        """What was shown last, and how: most values stay from one line to the next."""
 
     def run(self, script: Script) -> Iterator[list[str]]:
         """What each line prints."""
@@ -87,6 +88,10 @@ class ModelSide:
         elif stage == 4:
             self._adapter.get_output(name, t)
 
+    def _finish(self, index: int, begin: int, end: int) -> None:
+        while self._stages[index]:
+            self._advance(index, end if self._stages[index] == 4 else begin)
+
     def _set(self, index: int, given: str) -> None:
         self._assign(index, given)
 
@@ -127,6 +132,8 @@ class ModelSide:
             self._printed.append(f"set={int(self._adapter.set_parameters(values))}")
 
     def _init(self, is_kept: int, cycle: int) -> None:
+        if self._subject.signature == POINTERS:
+            self._variables.update({item.name: numbers_zero(item) for item in self._subject.variables})
         good = self._adapter.init(copy.deepcopy(self._kept) if is_kept else None, cycle)
         self._printed.append(f"good={int(good)}")
 
@@ -146,11 +153,18 @@ class ModelSide:
 
     def _seen(self) -> str:
         items = self._subject.variables
-        return "".join(f" {item.name}={_all_seen(self._variables[item.name], item)}" for item in items)
+        return "".join(f" {item.name}={self._shown(item.name, self._variables[item.name], item)}" for item in items)
+
+    def _shown(self, label: str, given: Value | None, item: Item, *, is_sent: bool = False) -> str:
+        known = self._texts.get(label)
+        if known is None or known[0] is not given:
+            known = given, _all_sent(given, item) if is_sent or given is None else _all_seen(given, item)
+            self._texts[label] = known
+        return known[1]
 
     def _state(self) -> str:
         adapter = self._adapter
-        parts = [f"next={adapter.next_time()}{self._seen()}"]
+        parts = [f"now={adapter.running.now} next={adapter.next_time()}{self._seen()}"]
         parts += [self._sent(item, f"out.{item.name}", adapter.out.get(item.name)) for item in self._subject.outs]
         parts += [self._error(name) for name, _ in self._subject.errors]
         for name, _ in self._subject.calls:
@@ -166,12 +180,9 @@ class ModelSide:
         return " ".join(parts)
 
     def _sent(self, item: Item, label: str, given: Value | None) -> str:
-        shown = text(numbers_zero(item) if given is None else given, item.leaves) if not item.length else ""
-        if item.length:
-            numbers = () if given is None else numbers_of(given)
-            count = len(numbers) // len(item.leaves)
-            shown = f"{count}:{text(numbers, item.leaves * count)}"
-        return f"{label}={shown}" + ("!" if item.name in self._adapter.publish else "")
+        return f"{label}={self._shown(label, given, item, is_sent=True)}" + (
+            "!" if item.name in self._adapter.publish else ""
+        )
 
     def _error(self, name: str) -> str:
         running = self._adapter.running
@@ -193,6 +204,15 @@ def _all_seen(given: Value, item: Item) -> str:
     """Bits, but one NaN is as good as another."""
     numbers = zip(numbers_of(given), item.leaves, strict=True)
     return "".join("nan" if math.isnan(each) else bits(each, leaf.format) for each, leaf in numbers)
+
+
+def _all_sent(given: Value | None, item: Item) -> str:
+    """Bits; of a queue, how many values and then all of them."""
+    if not item.length:
+        return text(numbers_zero(item) if given is None else given, item.leaves)
+    numbers = () if given is None else numbers_of(given)
+    count = len(numbers) // len(item.leaves)
+    return f"{count}:{text(numbers, item.leaves * count)}"
 
 
 def numbers_zero(item: Item) -> Value:

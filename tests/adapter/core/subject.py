@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.plan import Argument as PlannedArgument
 from sigcat.adapter.core.plan import CorePlan, WireType
@@ -78,6 +79,15 @@ class Subject:
     parameters: tuple[Item, ...]
     offered: tuple[Method, ...]
     used: tuple[Method, ...]
+
+    @property
+    def signature(self) -> str:
+        """How calls take their data: Globals, Pointers or Class."""
+        return self.plan.code.signature
+
+    def place(self, item: Item) -> str:
+        """Where a variable is, seen from the driver."""
+        return Scope(self.plan).variable(item.c)
 
     @property
     def calls(self) -> tuple[tuple[str, str], ...]:
@@ -180,7 +190,8 @@ def _variable(reading: _Reading, variable: str, reference: str, count: int) -> I
     places = [f"[{index}]{place}" for index in range(count) for place in own] if count else own
     formats = [leaf.format for leaf in shape_of(reference, reading.table).leaves] * (count or 1)
     leaves = tuple(Leaf(place, each) for place, each in zip(places, formats, strict=True))
-    declared = reading.declared(reference, f"{variable}[{count}]" if count else variable)
+    name = variable.rpartition(".")[2]
+    declared = reading.declared(reference, f"{name}[{count}]" if count else name)
     return Item(variable, variable, leaves, declared, is_single=places == [""])
 
 

@@ -6,17 +6,18 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from random import Random
 
+from sigcat.adapter.model.parts.schedule import Timing
 from sigcat.adapter.model.values.number_format import Number, NumberFormat
 from sigcat.adapter.model.values.transfer import Element
 from tests.adapter.core.script import Line, Script, bits, size
-from tests.adapter.core.subject import Item, Leaf, Method, Subject
+from tests.adapter.core.subject import Item, Leaf, Subject
 
 MS = 10**6
 _BITS = {4: (0x7FC01234, 0xFFC00000, 0x80000000, 0x00000001, 0x7F7FFFFF, 0x7F800000, 0xFF800000, 0x807FFFFF),
          8: (0x7FF8000000001234, 0xFFF8000000000000, 1 << 63, 1, 0x7FEFFFFFFFFFFFFF, 0x7FF0000000000000,
              0xFFF0000000000000, 0x47EFFFFFF0000000)}  # fmt: skip
 """NaN, −0.0, denormal, largest and infinite numbers, and what a float just does not hold."""
-_USUAL = (0, 1, -1, 0.5, 2.5, 3, 100, -99.995, 250, 1e9, 1e300)
+_USUAL = (0, 1, -1, 0.5, 1.5, 2.5, 3.5, -0.5, -1.5, -2.5, 3, 100, -99.995, 123.45, 250, 1e9, 1e300)
 
 
 class Tracer:
@@ -24,10 +25,12 @@ class Tracer:
 
     def __init__(self, subject: Subject, seed: int) -> None:
         self._subject, self._random = subject, Random(seed)
-        self._now = 0
+        self._now = self._started = 0
         self._recent = [0]
+        self._durations = _durations(subject)
+        self._grid = [step.timing for step in subject.function.steps if step.timing.cycle]
         self._spans = sorted(_spans(subject))
-        self._free = [index for index, item in enumerate(subject.variables) if _is_given(item, subject)]
+        self._written = _written(subject)
 
     def script(self, lines: int) -> Script:
         """A script of so many lines, or a few more."""
@@ -41,13 +44,17 @@ class Tracer:
             yield from self._store()
         yield ("returns", self._random.choice((0, 0, 0, 3)))
         yield from self._assignments("set")
-        yield ("init", self._random.randrange(2), cycle)
-        yield ("start", self._time())
+        yield ("init", int(self._random.random() < 0.8), cycle)
+        self._started = self._time()
+        yield ("start", self._started)
+        if self._subject.ports and self._random.random() < 0.4:
+            yield ("receive", len(self._subject.ports) - 1, self._port_value(self._subject.ports[-1]), self._now)
 
     def _something(self) -> list[Line]:
         kinds = (
-            (30, self._step), (30, self._reception), (12, self._one_stage), (6, self._supervision), (5, self._offer),
-            (5, self._answer), (4, self._set), (6, self._publishing), (1, self._starting), (1, self._restart),
+            (10, self._drive), (30, self._step), (30, self._reception), (12, self._one_stage), (6, self._supervision),
+            (5, self._offer), (5, self._answer), (4, self._set), (6, self._publishing), (3, self._starting),
+            (8, self._restart),
         )  # fmt: skip
         (made,) = self._random.choices([kind for _, kind in kinds], [weight for weight, _ in kinds])
         return list(made())
@@ -69,16 +76,40 @@ class Tracer:
         self._recent = [*self._recent[-5:], self._now]
         return self._now
 
+    def _release(self) -> int:
+        """The next release of any call, sometimes a little late."""
+        self._now = self._upcoming(self._random.choice(self._grid)) + self._random.choice((0, 0, 0, 0, 1, MS))
+        self._recent = [*self._recent[-5:], self._now]
+        return self._now
+
+    def _upcoming(self, timing: Timing) -> int:
+        first, cycle = self._started + timing.offset, timing.cycle or MS
+        return first if first > self._now else first + ((self._now - first) // cycle + 1) * cycle
+
     # -- calls ----------------------------------------------------------------------------------------------------
+
+    def _drive(self) -> Iterator[Line]:
+        """Everything as it should be for a while: calls are made when they are due."""
+        for _ in range(self._random.randrange(20) if self._grid else 0):
+            if self._random.random() < 0.5:
+                yield from self._reception(self._now)
+            t = self._release()
+            if self._random.random() < 0.2:
+                yield from self._assignments("then")
+            for index in range(len(self._subject.calls)):
+                yield ("next", t)
+                end = t + self._random.choice(self._durations)
+                if self._random.random() < 0.1:
+                    yield from (("advance", index, t) for _ in range(3))
+                    yield ("supervise", end)
+                yield ("finish", index, t, end)
 
     def _step(self) -> Iterator[Line]:
         """What is due, from its answer to its end."""
         yield ("next", self._time())
         yield from self._assignments("then")
-        call = self._random.randrange(len(self._subject.calls))
         for index in range(len(self._subject.calls)):
-            for _ in range(4):
-                yield ("advance", (call + index) % len(self._subject.calls), self._time())
+            yield ("finish", index, self._time(), self._time())
 
     def _one_stage(self) -> Iterator[Line]:
         if self._random.random() < 0.4:
@@ -86,10 +117,11 @@ class Tracer:
         yield ("advance", self._random.randrange(len(self._subject.calls)), self._time())
 
     def _assignments(self, word: str) -> Iterator[Line]:
-        for index in self._free:
-            if self._random.random() < 0.6:
-                item = self._subject.variables[index]
-                yield (word, index, self._value(item, _sources(item, self._subject)))
+        """What the code writes; now and then to what the adapter writes, too."""
+        for index, item in enumerate(self._subject.variables):
+            elements = self._written.get(item.name)
+            if self._random.random() < (0.02 if elements is None else 0.6):
+                yield (word, index, self._value(item, elements or ()))
 
     def _supervision(self) -> Iterator[Line]:
         yield ("supervise", self._time())
@@ -99,12 +131,15 @@ class Tracer:
 
     # -- from outside ---------------------------------------------------------------------------------------------
 
-    def _reception(self) -> Iterator[Line]:
-        if not self._subject.ports:
+    def _reception(self, t: int | None = None) -> Iterator[Line]:
+        """Values of one or more signals; with them often the mode, or whatever else is the last of the list."""
+        ports = self._subject.ports
+        if not ports:
             return
-        port = self._random.randrange(len(self._subject.ports))
-        for _ in range(self._random.choice((1, 1, 1, 2, 4))):
-            yield ("receive", port, self._port_value(self._subject.ports[port]), self._time())
+        some = [self._random.randrange(len(ports)) for _ in range(len(ports) // 8 + 1)]
+        for port in [*some, *([len(ports) - 1] if self._random.random() < 0.15 else [])]:
+            for _ in range(self._random.choice((1, 1, 1, 2, 4))):
+                yield ("receive", port, self._port_value(ports[port]), self._time() if t is None else t)
 
     def _port_value(self, item: Item) -> str:
         mode = self._subject.function.mode_in
@@ -121,12 +156,12 @@ class Tracer:
             yield ("request", index, self._members(self._subject.offered[index].arguments) or "-")
 
     def _answer(self) -> Iterator[Line]:
-        if self._subject.used:
-            index = self._random.randrange(len(self._subject.used))
-            given = self._members(self._subject.used[index].results) or "-"
-            for number in range(self._random.randrange(12)):
-                is_ok = int(self._random.random() < 0.8)
-                yield ("answer", index, number, is_ok, given, self._time())
+        """Answers to requests that may have been made, some of them twice."""
+        for index, method in enumerate(self._subject.used):
+            for number in range(self._random.randrange(40)):
+                for _ in range(self._random.choice((0, 1, 1, 2))):
+                    given = self._members(method.results) or "-"
+                    yield ("answer", index, number, int(self._random.random() < 0.8), given, self._now)
 
     def _members(self, items: Sequence[Item]) -> str:
         return "".join(self._value(item, item.transfer.elements if item.transfer else ()) for item in items)
@@ -146,16 +181,26 @@ class Tracer:
     # -- beginning anew -------------------------------------------------------------------------------------------
 
     def _starting(self) -> Iterator[Line]:
-        yield ("start", self._time())
+        """A later Start: at any time, or at the very time of a release after one that was answered."""
+        if self._grid and self._random.random() < 0.7:
+            t = self._release()
+            for index in range(len(self._subject.calls)):
+                yield ("next", t)
+                yield ("finish", index, t, t)
+            self._now = min(self._upcoming(timing) for timing in self._grid)
+            yield ("start", self._now)
+        else:
+            yield ("start", self._time())
 
     def _restart(self) -> Iterator[Line]:
         """An end of calls that run, perhaps Terminate, perhaps storing, and Init."""
         for index in range(len(self._subject.calls)):
-            for _ in range(4):
-                yield ("advance", index, self._time())
-        if self._random.random() < 0.7:
+            yield ("finish", index, self._now, self._time())
+        for _ in range(self._random.choice((0, 1, 1, 2))):
             yield ("terminate", self._time())
-        if self._random.random() < 0.7:
+        if self._random.random() < 0.2:
+            yield ("start", self._time())
+        if self._random.random() < 0.9:
             yield ("keep",)
         self._now, self._recent = self._random.choice(((self._now, self._recent), (0, [0])))
         yield from self._beginning(self._random.randrange(3))
@@ -182,14 +227,16 @@ class Tracer:
         return bits(self._usual(element, format_), format_)
 
     def _beside_limit(self, element: Element, format_: NumberFormat) -> Number:
-        limits = [each for each in (element.least, element.greatest, *_ends(format_)) if each is not None]
-        limit = format_.nearest(self._random.choice(limits))
-        step = self._random.choice((-1, 0, 1))
+        own = [each for each in (element.least, element.greatest) if each is not None]
+        limit = format_.nearest(self._random.choice([*own, *own, *_ends(format_)]))
+        step = self._random.choice((-1, 0, 0, 1))
         if not format_.is_floating:
             return _within(int(limit) + step, format_)
         return _beside(float(limit), step, format_)
 
     def _usual(self, element: Element | None, format_: NumberFormat) -> Number:
+        if self._random.random() < 0.15:
+            return format_.nearest(Fraction(0))
         low = None if element is None else element.least
         high = None if element is None else element.greatest
         if low is not None and high is not None and self._random.random() < 0.7:
@@ -238,9 +285,11 @@ def _spans(subject: Subject) -> set[int]:
     return found | {method.time_out for method in subject.function.methods if method.time_out is not None}
 
 
-def _is_given(item: Item, subject: Subject) -> bool:
-    """Whether the code writes a variable: nothing else of an adapter does, or it is learned."""
-    return item.name in _written(subject)
+def _durations(subject: Subject) -> list[int]:
+    """How long calls take: on the limits of a supervision, beside them, or any time."""
+    limits = [step.deadline for step in subject.function.steps if step.deadline]
+    bounds = [bound + nudge for each in limits for bound in (each.least, each.most) for nudge in (-1, 0, 1)]
+    return [0, 0, MS, 3 * MS, *(bound for bound in bounds if bound >= 0)]
 
 
 def _written(subject: Subject) -> dict[str, Sequence[Element]]:
@@ -250,25 +299,20 @@ def _written(subject: Subject) -> dict[str, Sequence[Element]]:
     for step in function.steps:
         found |= {output.variable: output.transfer.elements for output in step.outputs}
         queues = [output.queue for output in step.outputs if output.queue]
-        found |= {queue.count_variable: (_count(queue.length),) for queue in queues if queue.count_variable}
+        found |= {queue.count_variable: (_whole(0, queue.length),) for queue in queues if queue.count_variable}
     found |= {each.variable: each.outgoing.elements for each in function.parameters if each.is_learned}
-    found |= {error.variable: () for error in function.errors if error.variable}
-    found |= {function.mode_out.variable: ()} if function.mode_out else {}
+    found |= {error.variable: (_whole(0, 1),) for error in function.errors if error.variable}
+    if function.mode_out:
+        codes = function.mode_out.numbers
+        found[function.mode_out.variable] = (_whole(min(codes) - 1, max(codes)),)
     for method in function.methods:
         read = method.outputs if method.is_offered else method.inputs
         found |= {argument.variable: argument.transfer.elements for argument in read}
-        found |= {method.request_variable: ()} if method.request_variable else {}
+        found |= {method.request_variable: (_whole(0, 1),)} if method.request_variable else {}
     return found
 
 
-def _count(most: int) -> Element:
-    """How many values a call gives of a queue: sometimes too many."""
-    format_ = NumberFormat("uint32")
-    return Element(format_, format_, least=Fraction(0), greatest=Fraction(most))
-
-
-def _sources(item: Item, subject: Subject) -> Sequence[Element]:
-    return _written(subject)[item.name]
-
-
-__all__ = ["MS", "Method", "Tracer"]
+def _whole(low: int, high: int) -> Element:
+    """A whole number, usually one of these."""
+    format_ = NumberFormat("int32")
+    return Element(format_, format_, least=Fraction(low), greatest=Fraction(high))

@@ -5,6 +5,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.c.header import header
 from sigcat.adapter.core.c.lines import Lines, lines, wrapped
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.plan import CLASS, CorePlan
 from sigcat.adapter.files import GeneratedFile
@@ -27,11 +28,10 @@ class CoreFiles(NamedTuple):
 
 def core_files(plan: CorePlan) -> CoreFiles:
     """The files of a core. The same plan gives the same bytes."""
-    scope = Scope(plan)
     end = "cpp" if plan.code.signature == CLASS else "c"
     names = f"{plan.function}_adapter.h", f"{plan.function}_adapter.{end}"
     title = _title(plan)
-    parts = wrapped(header(scope, title)), wrapped(source(scope, title, names[0]))
+    parts = wrapped(header(Scope(plan), title)), wrapped(_source(plan, title, names[0]))
     origins = {
         (name, number): line.source
         for name, part in zip(names, parts, strict=True)
@@ -40,6 +40,12 @@ def core_files(plan: CorePlan) -> CoreFiles:
     }
     made = [GeneratedFile(name, _text(part)) for name, part in zip(names, parts, strict=True)]
     return CoreFiles(made[0], made[1], origins)
+
+
+def _source(plan: CorePlan, title: Lines, header_name: str) -> Lines:
+    part = source(Scope(plan), title, header_name)
+    names = shadowed(plan, part)
+    return renamed(source(Scope(plan, names), title, header_name), names) if names else part
 
 
 def _text(part: Lines) -> bytes:

@@ -101,9 +101,9 @@ def _publish_all(running: Running) -> None:
 
 def terminate(running: Running, t: int) -> None:
     """End, once."""
+    running.tick(t)
     if not running.is_good:
         return
-    running.tick(t)
     for call in running.function.terminate:
         running.graph.report(call.name)
         running.execute(call)

@@ -287,10 +287,13 @@ def _is_set(call: Call, item: Input, scope: Scope) -> Lines:
     place, variable = f"{place_of(call.name, item)}.is_set", scope.variable(item.variable)
     found = [lines(f"{place} = false;")]
     for leaf in item.value.leaves:
-        target = f"{variable}{'[0]' if places(item) > 1 else ''}{leaf.target}"
+        target = f"{variable}{'[place]' if places(item) > 1 else ''}{leaf.target}"
         zero = literal(0, leaf.element.target)
         test = target if zero == "false" else f"({target} != {zero})"
-        found.append(looped(leaf, lines(f"{place} = {place} || {test};", item.named.pointer)))
+        each = looped(leaf, lines(f"{place} = {place} || {test};", item.named.pointer))
+        if places(item) > 1:
+            each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+        found.append(each)
     return joined(found)
 
 

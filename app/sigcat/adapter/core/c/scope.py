@@ -6,11 +6,16 @@ from typing import NamedTuple
 from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan
 from sigcat.names import screaming_snake_case
 
+MARK = "\x02"
+"""Stands before a name of the code that functions of the adapter have for something else, until that is renamed."""
+
 
 class Scope(NamedTuple):
     """The plan of a core, on its way to C."""
 
     plan: CorePlan
+    shadowed: frozenset[str] = frozenset()
+    """Such names."""
 
     @property
     def prefix(self) -> str:
@@ -31,13 +36,18 @@ class Scope(NamedTuple):
         """Where a variable of the code is, seen from a function of the adapter."""
         code = self.plan.code
         if code.signature == GLOBALS:
-            return expression
+            return self._marked(expression)
         names = "|".join(re.escape(each.name) for each in code.objects)
         if names:
             expression, count = re.subn(rf"(?<![\w.>])({names})\b", r"self->code.\1", expression)
             if count:
                 return expression
         return f"self->object.{expression}" if code.signature == CLASS else expression
+
+    def _marked(self, expression: str) -> str:
+        if not self.shadowed:
+            return expression
+        return re.sub(rf"(?<![\w.>])({'|'.join(sorted(self.shadowed))})\b", rf"{MARK}\1", expression)
 
     def constant(self, name: str) -> str:
         """A constant of the adapter: `PRESENT` → `CORE_ACC_ADAPTER_PRESENT`."""

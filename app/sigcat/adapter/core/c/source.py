@@ -70,9 +70,9 @@ def _variables(scope: Scope) -> list[Lines]:
     plan = scope.plan
     if plan.code.signature != GLOBALS:
         return []
-    held = [lines(f"{each.type} {each.name};", ("Code",)) for each in plan.code.objects]
-    here = [_extern(each) for each in plan.code.externs if each.is_defined_here]
-    there = [_extern(each) for each in plan.code.externs if not each.is_defined_here]
+    held = [lines(f"{each.type} {scope.variable(each.name)};", ("Code",)) for each in plan.code.objects]
+    here = [_extern(each, scope) for each in plan.code.externs if each.is_defined_here]
+    there = [_extern(each, scope) for each in plan.code.externs if not each.is_defined_here]
     calls = [] if plan.code.headers else plan.calls
     prototypes = [
         lines(f"extern {'int' if call.success is not None else 'void'} {call.symbol}(void);", call.pointer)
@@ -85,9 +85,9 @@ def _variables(scope: Scope) -> list[Lines]:
     ]
 
 
-def _extern(each: Extern) -> Lines:
+def _extern(each: Extern, scope: Scope) -> Lines:
     before = "" if each.is_defined_here else "extern "
-    return lines(f"{before}{declared(WireType(each.c, each.length), each.name)};")
+    return lines(f"{before}{declared(WireType(each.c, each.length), scope.variable(each.name))};")
 
 
 def _without_unused_tables(parts: list[Lines]) -> list[Lines]:

@@ -1,0 +1,56 @@
+"""Variables of the code whose names the functions of the adapter have for something of their own: that is renamed."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.scope import MARK
+from sigcat.adapter.core.plan import GLOBALS, Call, CorePlan
+
+_LOCAL = re.compile(r"\s+(?:const )?[A-Za-z_]\w* \*?([A-Za-z_]\w*)(?:\[[^]]*\])?(?: = .*)?;")
+_HEAD = re.compile(r"(?:static )?[A-Za-z_][\w ]* \*?\w+\((.*)\)")
+_ARGUMENT = re.compile(r"(\w+)(?:,|$)")
+_NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w*")
+
+
+def shadowed(plan: CorePlan, part: Lines) -> frozenset[str]:
+    """Names of the code that stand for something else within a function."""
+    if plan.code.signature != GLOBALS:
+        return frozenset()
+    own = {name for text in _expressions(plan) for name in _NAME.findall(text)}
+    return frozenset(own.intersection(_locals(part)))
+
+
+def renamed(part: Lines, names: Iterable[str]) -> Lines:
+    """Lines in which these names are the code's where they are marked, and others where they are not."""
+    taken = re.compile(rf"(?<![\w.>{MARK}])({'|'.join(sorted(names))})\b")
+    return tuple(line._replace(text=taken.sub(r"\1_", line.text).replace(MARK, "")) for line in part)
+
+
+def _locals(part: Lines) -> Iterator[str]:
+    for line in part:
+        head, local = _HEAD.fullmatch(line.text), _LOCAL.fullmatch(line.text)
+        if head:
+            yield from _ARGUMENT.findall(head[1])
+        elif local:
+            yield local[1]
+
+
+def _expressions(plan: CorePlan) -> Iterator[str]:
+    """Every expression of the code."""
+    found = [each for call in plan.calls for each in _of_call(call)]
+    found += [each.variable for each in plan.parameters]
+    for error in plan.errors:
+        found += [error.variable, error.status_variable]
+    found += [each.variable for each in (*plan.reactions, plan.mode_in, plan.mode_out) if each]
+    for method in plan.methods:
+        arguments = (*method.arguments, *method.results)
+        found += [method.request_variable, method.status_variable, *(each.variable for each in arguments)]
+    return (text for text in found if text is not None)
+
+
+def _of_call(call: Call) -> Iterator[str | None]:
+    yield from (each.variable for each in call.inputs)
+    yield from (each.variable for each in call.outputs)
+    queues = [*(each.queue for each in call.inputs), *(each.queue for each in call.outputs)]
+    yield from (queue.count_variable for queue in queues if queue)

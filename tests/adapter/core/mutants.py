@@ -1,0 +1,261 @@
+"""Cores that are broken on purpose: each has a name, and replaces a text of the generated C of one function."""
+
+from typing import NamedTuple
+
+
+class Mutant(NamedTuple):
+    """One fault."""
+
+    name: str
+    function: str
+    """Of `fixed.py`: the function that has the text."""
+    pattern: str
+    """Regular expression."""
+    replacement: str
+    most: int = 0
+    """How many are replaced; 0: all."""
+
+
+def _m(function: str, *rows: tuple[str, str, str] | tuple[str, str, str, int]) -> list[Mutant]:
+    return [Mutant(row[0], function, *row[1:]) for row in rows]
+
+
+MUTANTS = [
+    *_m(
+        "time_outs",
+        ("equal is late", r"\(t - (last_?)\) > time_out", r"(t - \1) >= time_out"),
+        ("clocks do not begin anew", r"is_there && \(reception->time > entered\)", "is_there"),
+        ("recovery takes one value more", r">= recovery\)", "> recovery)"),
+        ("recovery does not begin anew", r"clock->count = reception->count;", ""),
+        ("the first value is awaited by all but those that should", r"is_there \|\| !starts", "is_there || starts"),
+        (
+            "nothing received is in time",
+            r"(clock->verdict = is_there \? F_ADAPTER_ABSENT) : \w+",
+            r"\1 : F_ADAPTER_ABSENT",
+        ),
+        ("values are not counted", r"(self->received\.\w+\.)reception\.count\+\+;", r"\1reception.count += 0U;"),
+        ("the default is the init", r"origin = F_ADAPTER_DEFAULT;", "origin = F_ADAPTER_INIT;"),
+        ("a late value is seen", r"if \(self->Step\.in\.\w+\.clock\.is_late\)", "if (false)"),
+        ("another input is taken", r"standing = self->received\.Standing", "standing = self->received.Last"),
+        ("the other call's clock decides", r"Second\.in\.SharedToo\.clock\.is_late", "Step.in.Shared.clock.is_late"),
+        ("the clock of a reaction is forgotten", r" \|\| self->Step\.reaction\.\w+\.is_late", ""),
+        ("a reaction begins inactive", r"self->out\.Silence = 1U;", "self->out.Silence = 0U;"),
+        ("time goes back", r"if \(t > self->now\)", "if (t != 0U)"),
+    ),
+    *_m(
+        "queues",
+        ("a queue has one place less", r"Oldest\.waiting == 3U", "Oldest.waiting == 2U"),
+        (
+            "the newest is dropped for the oldest",
+            r"(Oldest\.)first = \(.*\n(\s+self->Step\.in\.Oldest\.waiting--)",
+            r"\1is_overflown = true;\n\2",
+        ),
+        ("a lost value is not told", r"is_overflown = true;", "is_overflown = false;"),
+        ("an overflow is never over", r"\n.*is_overflown = false;", ""),
+        ("one value less is taken", r"taken < 2U", "taken < 1U"),
+        ("one more is counted", r"oldest_n = \(uint8_t\)taken;", "oldest_n = (uint8_t)(taken + 1U);"),
+        ("hidden values are counted", r"hid_n = .* \? \(uint8_t\)0 : ", "hid_n = "),
+        (
+            "the oldest is taken twice",
+            r"(self->Step\.in\.Newest\.)first = \(.*;\n(\s+.*waiting--;\n\s+\})",
+            r"\1first += 0U;\n\2",
+        ),
+        ("events do not merge", r"(self->Merge\.events) < 1U", r"\1 < 2U"),
+        ("events merge", r"self->Event\.events--;", "self->Event.events = 0U;"),
+        (
+            "values stay when events are dropped",
+            r"(Exclude_Event\(.*\n\{(?:\n.*)*?)\n\s+self->Event\.in\.Trigger\.waiting = 0U;",
+            r"\1",
+        ),
+        ("more is given than there is room for", r"\n\s+count_? = 3U;", "\n        count = 2U;"),
+        ("too many is no overflow", r"\(count > 3U\) \? F_ADAPTER_PRESENT", "(count > 3U) ? F_ADAPTER_ABSENT"),
+        ("one bad value of several is forgotten", r"are_within = are_within && is_within;", "are_within = is_within;"),
+    ),
+    *_m(
+        "conversions",
+        ("ties go up", r"\(rest == 0\.5\) && is_odd", "rest == 0.5"),
+        ("ties are cut off", r" \|\| \(\(rest == 0\.5\) && is_odd\)", ""),
+        ("negative ties go down", r" \|\| \(\(rest == -0\.5\) && is_odd\)", " || (rest == -0.5)"),
+        ("NaN is 0", r"(\w+) = instead_of_nan;", r"\1 = 0;"),
+        ("saturated one too low", r"= 65535U;", "= 65534U;"),
+        ("the smallest is one too large", r"= -32768;", "= -32767;"),
+        ("too large is infinite", r"found = FLT_MAX;", "found = INFINITY;"),
+        ("infinite is large", r"found = INFINITY;", "found = FLT_MAX;"),
+        ("a NaN keeps its bits", r"\((\w+) == \1\) \? \1 : \(double\)NAN", r"\1"),
+        ("the offset is taken away", r"product \+ offset", "product - offset"),
+        (
+            "a product is a float",
+            r"const double product = (\w+ \* factor);",
+            r"const double product = (double)(float)(\1);",
+        ),
+        ("a boolean is the number", r"self->received\.In20\.value != 0\.0F", "self->received.In20.value > 0.5F"),
+        ("a factor is inverted", r"\* 3\.6\)", "* 0.2777777777777778)"),
+        ("a factor is a float", r"0\.2777777777777778", "(double)0.2777777777777778F"),
+    ),
+    *_m(
+        "ranges",
+        ("the largest is outside", r"(value\)? <= 69\.4444\w+)", r"value < 69.44444F", 1),
+        ("a limit is exclusive", r"(is_within = [^\n]*)<= ", r"\1< ", 1),
+        ("the lower limit is exclusive", r"(is_within = [^\n]*)>= ", r"\1> "),
+        ("what is outside passes", r"is_within \? F_ADAPTER_RECEIVED : F_ADAPTER_REPLACEMENT", "F_ADAPTER_RECEIVED"),
+        (
+            "outside is within",
+            r"is_within \? F_ADAPTER_ABSENT : F_ADAPTER_PRESENT",
+            "is_within ? F_ADAPTER_PRESENT : F_ADAPTER_ABSENT",
+        ),
+        ("members are swapped", r"(point\.)x = (.*)\.x;", r"\1x = \2.y;"),
+        ("elements are the first one", r"(floats\[i\] = .*)\[i\](.*;)", r"\1[0]\2", 1),
+        ("the last element is forgotten", r"i < 3U", "i < 2U"),
+        ("another name", r"\*target = 5U;", "*target = 2U;"),
+        ("an unnamed number is taken", r"is_known = false;", "is_known = true;"),
+        ("an input is dropped", r"\n    F_Adapter_Take_Step_Start\(self\);", ""),
+        ("an output is dropped", r"\n    F_Adapter_Give_Step_OutStart\(self\);", ""),
+        ("an output is not published", r"self->publish\.OutPlain = true;", "self->publish.OutPlain = false;"),
+        ("one bad element of several is forgotten", r"is_within = is_within && ", "is_within = "),
+    ),
+    *_m(
+        "errors",
+        ("maturation takes longer", r">= maturation\)", "> maturation)"),
+        ("the reset takes longer", r">= reset\)", "> reset)"),
+        (
+            "healing goes on when it is present",
+            r"if \(error->state == F_ADAPTER_HEALING\) \{\n\s+error->state = F_ADAPTER_FAILED;\n\s+\}\n(\s+if \(\(error->state == F_ADAPTER_PREFAILED)",
+            r"\1",
+        ),
+        (
+            "failing again while healing counts",
+            r"(if \(error->state == F_ADAPTER_HEALING\) \{\n\s+)error->state = F_ADAPTER_FAILED;(\n\s+\}\n\s+if \(\(error->state == F_ADAPTER_PREFAILED)",
+            r"\1F_Adapter_Fail(error, counts);\2",
+        ),
+        ("dependencies do nothing", r"if \(is_dependency_failed\)", "if (false)"),
+        (
+            "a dependency counts each time",
+            r"if \(\(error->state != F_ADAPTER_FAILED\) && \(error->state != F_ADAPTER_HEALING\)\)",
+            "if (true)",
+        ),
+        ("the reset condition holds always", r"self->Step\.in\.Heal\.is_set,", "true,"),
+        ("restart is not needed", r"verdict, false, false,", "verdict, false, true,"),
+        ("healing ends without its condition", r"(\(error->state == F_ADAPTER_HEALING\)) && !may_heal", r"\1 && false"),
+        ("before was always passed", r"error->before = error->state;", "error->before = F_ADAPTER_PASSED;"),
+        ("a failure of this cycle is forgotten", r"counts->has_failed = counts->has_failed.*;", ""),
+        ("cycles without a failure count on", r"counts->ignition_cycles = 0U;", ""),
+        ("flags of the last cycle stay", r"counts->has_failed = false;", ""),
+        ("confirmed one later", r"occurrences >= (\d)U", r"occurrences > \1U"),
+        ("the first verdict is not sent", r"!self->error\.\w+\.is_sent \|\| ", ""),
+        ("a change is not sent", r" \|\| \(self->out\.Plain != status\)", ""),
+        ("healing is not failed", r" \|\| \(error->state == F_ADAPTER_HEALING\);", ";"),
+        ("the better verdict counts", r"return \(a > b\) \? a : b;", "return (a < b) ? a : b;"),
+        ("the variable is turned round", r"\.variable = \((\w+) != 0\)", r".variable = (\1 == 0)"),
+        (
+            "the outside is not heard",
+            r" \|\| \(self->reaction\.Outside\.outside == F_ADAPTER_PRESENT\)|\(self->reaction\.Outside\.outside == F_ADAPTER_PRESENT\)",
+            "false",
+        ),
+        ("a stranger is not heard", r"self->received\.Stranger\.value != 0U", "false"),
+        ("a status is not written", r"\n\s+early_sts = .*;", ""),
+        ("errors of excluded calls go on", r"F_Adapter_Suspend\(&self->error\.\w+\);", ""),
+        ("suspended is passed", r"error->state = error->before;", "error->state = F_ADAPTER_PASSED;"),
+    ),
+    *_m(
+        "schedules",
+        ("all releases are missed", r"releases - 1U", "releases"),
+        ("each step is an overrun", r"\(releases > 1U\)", "(releases > 0U)"),
+        ("the grid moves", r"(self->Step\.)release \+= releases \* (\S+);", r"\1release = t + \2;"),
+        ("a burst", r"self->Fast\.release \+= releases \*", "self->Fast.release +="),
+        ("the debounce time is exclusive", r">= UINT64_C\(30000000\)", "> UINT64_C(30000000)"),
+        ("due is later", r"t >= self->Step\.release\)", "t > self->Step.release)"),
+        ("a call that runs is answered", r" && !self->Step\.is_active", ""),
+        ("the previous call is not awaited", r" && !F_Adapter_Waits_Fast\(self\)", ""),
+        ("an excluded previous call is awaited", r" && F_Adapter_Runs_Step\(self->mode\.now\)\);", ");"),
+        ("the offset is forgotten", r"release = t \+ UINT64_C\(12500000\)", "release = t"),
+        ("the later time is next", r"return \(a < b\) \? a : b;", "return (a < b) ? b : a;"),
+        (
+            "the last start is forgotten",
+            r"self->Event\.begun = F_Adapter_Now\(self, t\);",
+            "(void)F_Adapter_Now(self, t);",
+        ),
+        ("a mode does not exclude", r" && \(mode != 12U /\* FEW \*/\)", ""),
+        (
+            "an unknown mode is known",
+            r"self->mode\.unknown = F_ADAPTER_PRESENT;",
+            "self->mode.unknown = F_ADAPTER_ABSENT;",
+        ),
+        (
+            "an unknown mode keeps the last one",
+            r"self->mode\.now = 11U /\* ALL \*/;\n\s+self->mode\.unknown",
+            "self->mode.unknown",
+        ),
+        ("dropped releases are not counted", r"(\.dropped = F_Adapter_Added\(.*), releases\)", r"\1, 0U)"),
+        ("dropped events are not counted", r"(\.dropped = F_Adapter_Added\(.*), self->Event\.events\)", r"\1, 0U)"),
+        ("a mode without a name is sent", r"is_named = false;", "is_named = true;"),
+        ("the code has another number", r"70000", "70001"),
+        (
+            "another order",
+            r"IsDue_Slow(\(.*\n.*)_SLOW;(\n.*)IsDue_Event(\(.*\n.*)_EVENT;",
+            r"IsDue_Event\1_EVENT;\2IsDue_Slow\3_SLOW;",
+        ),
+        ("a hook is forgotten", r"\n\s+after_step\(self\);", ""),
+        ("a start drops what is due now", r"\(t > self->(Step|Fast)\.release\)", r"(t >= self->\1.release)"),
+    ),
+    *_m(
+        "supervision",
+        ("the end of a window belongs to it", r"t >= \(self->Step\.alive\.window", "t > (self->Step.alive.window"),
+        ("too many by one", r"ends > 3U", "ends >= 3U"),
+        ("too few by one", r"ends < 2U", "ends <= 2U"),
+        ("empty windows are forgotten", r" \|\| \(windows > 1U\)", ""),
+        ("only the last window counts", r"is_bad = self->Second\.alive\.is_bad\s+\|\| ", "is_bad = "),
+        ("ends are not counted", r"self->Step\.alive\.ends\+\+;", ""),
+        ("windows move", r"window \+= windows \* \S+;", "window = t;"),
+        ("the longest duration is too long", r"> UINT64_C\(5000000\)", ">= UINT64_C(5000000)"),
+        ("the shortest duration is too short", r"< UINT64_C\(2000000\)", "<= UINT64_C(2000000)"),
+        ("a call that hangs is not found", r"(self->Step\.is_running && )\(\(t - ", r"false && \1((t - "),
+        ("any checkpoint follows", r"(Report_Second\(.*\n\{\n\s+if )\(.*\) \{", r"\1(true) {"),
+        ("the active checkpoint is another one", r"self->checkpoint\.active = 2U;", "self->checkpoint.active = 3U;"),
+        (
+            "a right checkpoint clears its own error alone",
+            r"(active = 2U;\n.*\n)\s+self->checkpoint\.Second = F_ADAPTER_ABSENT;\n",
+            r"\1",
+        ),
+        (
+            "supervise evaluates nothing",
+            r"(void F_Adapter_Supervise(?:.*\n)*?)(.*)F_Adapter_Evaluate_Alive\(self, t\);",
+            r"\1\2",
+        ),
+    ),
+    *_m(
+        "life",
+        ("init is always good", r"is_ready = \(.* == 0\);", "(void)F_Init(&self->code.io);"),
+        ("terminate runs twice", r"self->is_terminated = true;", ""),
+        (
+            "what is out of range is learned",
+            r"(Learn_Mass\(.*\n\{(?:\n.*)*?)if \(is_within\)",
+            r"\1if (is_within || true)",
+        ),
+        ("one out of range does not matter", r"if \(are_within\)", "if (are_within || true)"),
+        ("stored values are not taken", r"if \(self->stored\.Gain\.is_there\)", "if (false)"),
+        ("a bad stored value is taken", r"if \(F_Adapter_IsWithin_Size\(self->stored\.Size\.value\)\)", "if (true)"),
+        (
+            "a bad stored value is no error",
+            r"(self->parameter\.Gain\.range) = F_ADAPTER_PRESENT;",
+            r"\1 = F_ADAPTER_ABSENT;",
+        ),
+        ("an old answer is taken", r"\(number == self->method\.Fetch\.number\) && ", ""),
+        ("the second answer counts", r" && !self->method\.Fetch\.is_answered", ""),
+        ("an answer is ok", r"self->method\.Fetch\.is_ok && ", ""),
+        ("a request stays", r"self->code\.io\.ask = (0|false);\n(\s+self->method)", r"\2"),
+        ("two requests are pending", r" && \(self->method\.Fetch\.status != 1U\)", ""),
+        ("no request is too old", r"> UINT64_C\(20000000\)", "> UINT64_C(20000000000)"),
+        ("a request is too old one nanosecond sooner", r"> UINT64_C\(20000000\)", ">= UINT64_C(20000000)"),
+        ("an excluded method answers", r" \|\| !F_Adapter_Runs_Step\(self->mode\.now\)", ""),
+        ("a bad argument is good", r"reply = F_ADAPTER_BAD_ARGUMENT;", "reply = F_ADAPTER_OK;"),
+        ("published stays", r"\(void\)memset\(&self->publish, 0, sizeof\(self->publish\)\);\n\}", "(void)self;\n}"),
+        ("objects are not zeroed", r"\(void\)memset\(&self->code, 0, .*;", ""),
+        ("a failed init is safe", r"self->out\.Stop = 1U;", "self->out.Stop = 0U;"),
+        ("learned parameters are not read", r"\n\s+F_Adapter_Learn_Learned\(self\);", ""),
+        (
+            "parameters are not written in steps",
+            r"(void F_Adapter_SetInput_Step(?:.*\n)*?)\s+F_Adapter_Write_Size\(self\);",
+            r"\1",
+        ),
+    ),
+]
