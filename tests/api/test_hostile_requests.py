@@ -35,7 +35,8 @@ run(create_app(Library(SOURCES), settings), settings)
 SMALL = "/api/v1/catalogues/small"
 LINT, TRIAL, BUILD = "/api/v1/lint", f"{SMALL}/trial", "/api/v1/functions/build"
 VALIDATE, INTEGRATE, ARXML = "/api/v1/functions/validate", "/api/v1/integrate/ros2", "/api/v1/generate/arxml"
-ADDRESSES = (LINT, f"{LINT}?kind=tree", TRIAL, BUILD, VALIDATE, INTEGRATE, ARXML)
+CORE = "/api/v1/generate/core"
+ADDRESSES = (LINT, f"{LINT}?kind=tree", TRIAL, BUILD, VALIDATE, INTEGRATE, ARXML, CORE)
 
 
 class Service:

@@ -87,6 +87,22 @@ def test_arxml_is_of_the_release_that_is_asked_for(shipped):
     assert all(b"AUTOSAR_00049.xsd" in archive.read(name) for name in archive.namelist())
 
 
+def test_the_core_of_each_function_is_an_archive(shipped):
+    answers = [posted(shipped, "/api/v1/generate/core", {"functions": [CORE_ACC, MPC]}) for _ in range(2)]
+    assert [answer.status_code for answer in answers] == [200, 200], answers[0].text
+    assert answers[0].content == answers[1].content
+    archive = zipfile.ZipFile(io.BytesIO(answers[0].content))
+    names = [f"{name}_adapter.{end}" for name in ("CoreAcc", "EcoControlMpc") for end in ("h", "c")]
+    assert archive.namelist() == names
+    assert b"bool EcoControlMpc_Adapter_Init(" in archive.read("EcoControlMpc_adapter.h")
+
+
+def test_a_function_without_its_variables_has_no_core(shipped):
+    answer = posted(shipped, "/api/v1/generate/core", {"functions": [DISPLAY, CORE_ACC]})
+    assert answer.status_code == 422
+    assert {finding["rule"] for finding in answer.json()["findings"]} >= {"F010"}
+
+
 @pytest.mark.parametrize(
     ("address", "body", "status"),
     [
@@ -100,6 +116,9 @@ def test_arxml_is_of_the_release_that_is_asked_for(shipped):
         ("/api/v1/integrate/ros2", {"functions": [CORE_ACC], "deployment": {"nme": 1}}, 422),
         ("/api/v1/integrate/ros2", {"functions": [CORE_ACC, CORE_ACC]}, 400),
         ("/api/v1/integrate/ros2", b"\xff\xfe", 422),
+        ("/api/v1/generate/core", {"functions": [CORE_ACC], "deployment": {}}, 422),
+        ("/api/v1/generate/core", {"functions": [CORE_ACC, CORE_ACC]}, 400),
+        ("/api/v1/generate/core", "function: [", 422),
         ("/api/v1/generate/arxml", "{}", 422),
         ("/api/v1/generate/arxml", '"><script>', 422),
         ("/api/v1/generate/arxml?release=R19-11", "{}", 422),

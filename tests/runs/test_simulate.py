@@ -114,6 +114,10 @@ def test_without_a_compiler_one_line_says_so(case, monkeypatch):
     assert not Path("out.csv").exists()
 
 
+def test_a_function_is_given_once(case):
+    assert main(["simulate", "filter.yaml", *RUN[1:]]) == 2
+
+
 # -- calls that do not return --------------------------------------------------------------------------------------
 
 LAST = "    filter_out.mode = filter_in.mode;"

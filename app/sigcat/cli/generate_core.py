@@ -28,16 +28,14 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the files; findings go to standard error. Raises InputRefused if a function cannot be used."""
-    from sigcat.adapter.core.derive import derive
-    from sigcat.adapter.core.generate import core_files
+    from sigcat.adapter.core.cores import cores
     from sigcat.integration.reading import read_functions
 
     sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
     functions, findings = read_functions(sources, read_tree(arguments))
-    plans = [derive(function) for function in functions]
-    for finding in (*findings, *(finding for planned in plans for finding in planned.findings)):
+    files, warnings = cores(functions)
+    for finding in (*findings, *warnings):
         print(finding.line_of_text, file=sys.stderr)
-    files = [file for planned in plans for file in core_files(planned.plan).files]
     refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
     make_folder(arguments.output)
     for file in files:

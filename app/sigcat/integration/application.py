@@ -61,7 +61,7 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
     ordered = tuple(sorted(functions, key=lambda function: function.name))
     wholes = [function.function for function in ordered]
     infos = [function.info for function in wholes]
-    _refuse_doubles([info.function_name for info in infos])
+    refuse_doubles([info.function_name for info in infos])
     return Application(
         functions=ordered,
         name=deployment.name or " and ".join(info.function_name for info in infos),
@@ -82,7 +82,8 @@ def joined(texts: Iterable[str | None], separator: str = "; ") -> str:
     return separator.join(dict.fromkeys(text for text in texts if text))
 
 
-def _refuse_doubles(names: Sequence[str]) -> None:
+def refuse_doubles(names: Sequence[str]) -> None:
+    """Raise UsageError if a function is given twice."""
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise UsageError(f"Each function must be given once, not twice: {', '.join(twice)}.")

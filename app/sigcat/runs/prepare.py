@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.core.derive import Planned, derive
+from sigcat.adapter.core.cores import plans
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.code_files import is_on_disk, missing_files
@@ -43,7 +43,7 @@ def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
     ]
     if missing:
         raise InputRefused("The functions cannot be run: files of their code are missing.", in_order(missing))
-    planned = _planned(functions)
+    planned = plans(functions)
     members = [
         Member(function, each.plan, Path(function.document.name).parent)
         for function, each in zip(functions, planned, strict=True)
@@ -51,16 +51,3 @@ def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
     connections = connect(members)
     findings = tuple(finding for each in planned for finding in each.findings)
     return Prepared(connections, numbers_of(connections), findings)
-
-
-def _planned(functions: Sequence[ResolvedFunction]) -> list[Planned]:
-    planned, refused = [], []
-    for function in functions:
-        try:
-            planned.append(derive(function))
-        except InputRefused as error:
-            refused.append(error)
-    if refused:
-        findings = in_order([finding for error in refused for finding in error.findings])
-        raise InputRefused(" ".join(map(str, refused)), findings)
-    return planned

@@ -1,16 +1,14 @@
 """Routes that take functions to Integration JSON, and to the files of a platform."""
 
-import io
 import json
-import zipfile
-from collections.abc import Mapping
-from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
+from sigcat.adapter.core.cores import cores
 from sigcat.api.answers import schemas
+from sigcat.api.answers.archives import ZIP, archive
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.enumerations import enumeration
@@ -39,9 +37,6 @@ _BODY = (
 _PLATFORM = enumeration("PlatformName", PLATFORMS, "A platform.")
 PlatformName = Annotated[_PLATFORM, Path(description="The platform.")]  # type: ignore[valid-type]
 _COUNTED = {"Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}}
-_ZIP = {"application/zip": {"schema": {"type": "string", "format": "binary"}}}
-_MOMENT = (1980, 1, 1, 0, 0, 0)
-"""Time of every file in an archive: the same request gives the same bytes."""
 
 
 @router.post(
@@ -69,7 +64,7 @@ async def integrate_functions(
     "/integrate/{platform}/archive",
     response_class=Response,
     responses={
-        200: {"description": "A zip of Integration JSON, report and findings.", "content": _ZIP, "headers": _COUNTED},
+        200: {"description": "A zip of Integration JSON, report and findings.", "content": ZIP, "headers": _COUNTED},
         **problem_documentation(400, 404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
@@ -83,7 +78,7 @@ async def integrate_functions_archive(
     name: FileName = "function.yaml",
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions, with the report of every field and the findings."""
-    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, archive=True)
+    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, is_whole=True)
 
 
 def _add_generator(platform: Platform, generator: Generator) -> None:
@@ -111,7 +106,7 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
         description=f"Generate the {generator.title} of {generator.target}.",
         response_class=Response,
         responses={
-            200: {"description": f"The {generator.title} files as a zip.", "content": _ZIP},
+            200: {"description": f"The {generator.title} files as a zip.", "content": ZIP},
             **problem_documentation(408, 413, 415, 422, 503),
         },
         openapi_extra=text_body(f"The Integration JSON of {platform.title}.", ""),
@@ -121,6 +116,26 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
 for each in PLATFORMS.values():
     for one in each.generators:
         _add_generator(each, one)
+
+
+@router.post(
+    "/generate/core",
+    response_class=Response,
+    responses={
+        200: {"description": "A header and a source for each function, as a zip.", "content": ZIP, "headers": _COUNTED},
+        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+    },
+    openapi_extra=text_body(f"One function, as `function.yaml` or Function JSON; or a set: {SET}.", DECLARATION),
+)
+async def generate_core(
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    queue: TheWorkQueue,
+    name: FileName = "function.yaml",
+) -> Response:
+    """Generate the core of the adapter of each function in C, which every platform calls. Nothing is compiled."""
+    return await queue.run(_core, text, name, hosted.catalogue, settings.limits)
 
 
 @router.get("/schemas")
@@ -139,21 +154,28 @@ def get_schema(
 
 
 def _integrated(
-    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, archive: bool = False
+    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, is_whole: bool = False
 ) -> Response:
     posted = posted_functions(text, name, limits, deployment=True)
     functions, findings = read_functions(posted.files, catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
     integrated = integrate(PLATFORMS[platform], functions, deployment)
     count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}
-    if not archive:
+    if not is_whole:
         return Response(integrated.document, media_type="application/json", headers=count)
-    return _archive(_files(platform, integrated, findings), f"{platform}.zip", count)
+    return archive(_files(platform, integrated, findings), f"{platform}.zip", count)
 
 
 def _generated(generator: Generator, text: bytes, name: str, limits: Limits, release: str | None) -> Response:
     files = generator.generate(text, name, limits, release)
-    return _archive({file.name: file.data for file in files}, f"{generator.name}.zip", {})
+    return archive({file.name: file.data for file in files}, f"{generator.name}.zip", {})
+
+
+def _core(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> Response:
+    functions, findings = read_functions(posted_functions(text, name, limits).files, catalogue, limits)
+    files, warnings = cores(functions)
+    count = {"Sigcat-Warnings": str(len(findings) + len(warnings))}
+    return archive({file.name: file.data for file in files}, "core.zip", count)
 
 
 def _files(platform: str, integrated: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
@@ -164,14 +186,3 @@ def _files(platform: str, integrated: Integrated, findings: tuple[Finding, ...])
         f"{platform}.report.md": to_markdown(integrated.report).encode(),
         f"{platform}.findings.json": (json.dumps(rows, indent=2, ensure_ascii=False) + "\n").encode(),
     }
-
-
-def _archive(files: Mapping[str, bytes], name: str, headers: Mapping[str, str]) -> Response:
-    """A zip of files. The same files give the same bytes."""
-    buffer = io.BytesIO()
-    entry = partial(zipfile.ZipInfo, date_time=_MOMENT)
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path, data in files.items():
-            archive.writestr(entry(path), data, zipfile.ZIP_DEFLATED)
-    disposition = {"Content-Disposition": f'attachment; filename="{name}"'}
-    return Response(buffer.getvalue(), media_type="application/zip", headers={**headers, **disposition})

@@ -6,6 +6,7 @@ from urllib.parse import quote
 
 from starlette.responses import Response
 
+from sigcat.adapter.core.cores import cores
 from sigcat.errors import InputRefused, NotFound
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionJson, to_json
@@ -33,7 +34,9 @@ class GeneratedDocument(NamedTuple):
 
 JSON = "application/json"
 FUNCTION_JSON = "function-json"
+CORE = "core"
 SET_VIEWS = {
+    CORE: "Core in C",
     **{platform.name: platform.title for platform in PLATFORMS.values()},
     **{generator.name: generator.title for platform in PLATFORMS.values() for generator in platform.generators},
 }
@@ -56,10 +59,11 @@ def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedD
 
 
 def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
-    """What is made from functions for each platform, as it is without a deployment file."""
+    """What is made from functions for all platforms, and for each, as it is without a deployment file."""
     platforms = PLATFORMS.values()
     pairs = [(platform, generator) for platform in platforms for generator in platform.generators]
     return (
+        *(document for function in functions if view in ("", CORE) for document in _core(function)),
         *(_integration(platform, functions, name) for platform in platforms if view in ("", platform.name)),
         *(
             document
@@ -80,6 +84,17 @@ def attached(document: GeneratedDocument) -> Response:
 def _function_json(function: FunctionJson) -> GeneratedDocument:
     name = f"{function.info.function_name}.json"
     return GeneratedDocument(FUNCTION_JSON, FUNCTION_JSON, name, JSON, _text(to_json(function)))
+
+
+def _core(function: ResolvedFunction) -> tuple[GeneratedDocument, ...]:
+    """Header and source of the core of an adapter."""
+    try:
+        files, findings = cores((function,))
+    except InputRefused as refused:
+        name = f"{function.name}_adapter"
+        return (GeneratedDocument(name, CORE, name, "", "", tuple(refused.findings)),)
+    made = [GeneratedDocument(file.name, CORE, file.name, "text/plain", _text(file.data)) for file in files]
+    return (made[0]._replace(findings=findings), *made[1:])
 
 
 def _integration(platform: Platform, functions: Sequence[ResolvedFunction], name: str) -> GeneratedDocument:

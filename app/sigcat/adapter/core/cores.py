@@ -1,0 +1,42 @@
+"""The cores of several functions together: their plans, and their files."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.derive import Planned, derive
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.files import GeneratedFile
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, in_order
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.application import refuse_doubles
+
+
+class Cores(NamedTuple):
+    """Files, and warnings about what they were made from."""
+
+    files: tuple[GeneratedFile, ...]
+    findings: tuple[Finding, ...]
+
+
+def cores(functions: Sequence[ResolvedFunction]) -> Cores:
+    """Header and source of each function. Raises InputRefused with everything that stands in the way of any."""
+    planned = plans(functions)
+    files = tuple(file for each in planned for file in core_files(each.plan).files)
+    return Cores(files, tuple(finding for each in planned for finding in each.findings))
+
+
+def plans(functions: Sequence[ResolvedFunction]) -> tuple[Planned, ...]:
+    """The plan of each function. Raises InputRefused with everything that stands in the way of any."""
+    refuse_doubles([function.name for function in functions])
+    planned: list[Planned] = []
+    refused: list[InputRefused] = []
+    for function in functions:
+        try:
+            planned.append(derive(function))
+        except InputRefused as error:
+            refused.append(error)
+    if refused:
+        findings = in_order([finding for error in refused for finding in error.findings])
+        raise InputRefused(" ".join(map(str, refused)), findings)
+    return tuple(planned)
