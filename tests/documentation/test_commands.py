@@ -114,11 +114,17 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+TITLED = re.compile(r'```\w+ title="([^"]+)"\n(.*?)```', re.DOTALL)
+"""Files that a page shows whole, by their names."""
+
+
 @pytest.mark.parametrize(("page", "block"), SHELL_BLOCKS, ids=lambda text: text.splitlines()[0])
 def test_the_commands_run(page, block, environment, service, folder):
     if not shutil.which("curl"):
         pytest.skip("curl: install it")
     address, token = service
+    for name, text in TITLED.findall((ROOT / page).read_text("utf-8")):
+        (folder / name).write_text(text, encoding="utf-8")
     done = subprocess.run(
         ["bash", "-c", PRELUDE + block.replace(SHOWN_AT, address)],
         check=False,
