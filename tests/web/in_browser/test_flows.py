@@ -187,7 +187,7 @@ def test_the_wiring_tells_what_happens_to_each_value(open_page: Opener) -> None:
     assert inside.get_by_role("columnheader").all_inner_texts() == ["Signal", "From", "To", "Conversion", "Fits"]
     outside = page.get_by_role("region", name="Signals from outside")
     assert outside.get_by_role("columnheader").all_inner_texts() == ["Signal", "Function", "Call", "Conversion"]
-    speed = outside.get_by_role("row", name="Vehicle.Speed")
+    speed = outside.get_by_role("row", name="Vehicle.Speed EcoControlMpc")
     expect(speed).to_contain_text("EgoSpd m/s")
     expect(speed).to_contain_text("km/h → m/s: ×\u00a00.277778")
     expect(outside.get_by_role("row", name="Vehicle.Mass")).to_contain_text("none")
