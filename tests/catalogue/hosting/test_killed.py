@@ -51,7 +51,7 @@ def served(*arguments: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
 def hosted_in(address: str) -> Mapping[str, str]:
     """Content hashes of what a service hosts, by id."""
     with urllib.request.urlopen(f"{address}/health/ready", timeout=10) as answer:
-        hosted: Mapping[str, str] = json.load(answer)["catalogues"]
+        hosted: Mapping[str, str] = json.load(answer)["digests"]
     return hosted
 
 

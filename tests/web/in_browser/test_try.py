@@ -75,6 +75,7 @@ def test_a_completion_is_undone_like_what_is_typed(open_page: Opener) -> None:
     field = page.get_by_role("textbox", name="Overlay")
     field.fill("")
     field.press_sequentially("Vehicle.Spe")
+    expect(page.get_by_role("listbox", name="Completions").get_by_role("option").first).to_contain_text("Speed")
     field.press("Tab")
     expect(field).to_have_value("Vehicle.Speed:")
     field.press("Control+z")
