@@ -266,7 +266,8 @@ def _substitutes(choice: Choice, datatype: str) -> Json:
     if datatype in ENUMERATIONS:
         number = 5 if datatype == "DT_Gear" else 300
         return choice.maybe(Default=lambda: number, InitValue=lambda: number)
-    fields = choice.maybe(Default=lambda: choice.one(*NUMBERS), InitValue=lambda: choice.one(*NUMBERS))
+    numbers = (5, 2) if datatype == "DT_Gears" else NUMBERS
+    fields = choice.maybe(Default=lambda: choice.one(*numbers), InitValue=lambda: choice.one(*numbers))
     elements = {
         "DT_Floats": "[1, 2.5]", "DT_Bytes": "[1, 2]", "DT_Gears": "[5, 2]", "DT_Point": '{"x": 0.5, "y": 7}',
         "DT_Mixed": '{"gear": "DRIVE", "values": [1, 2, 3], "flag": true, "big": 18446744073709551615}',
