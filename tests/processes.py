@@ -11,10 +11,11 @@ PROC = Path("/proc")
 def family(process: int) -> Sequence[int]:
     """A process and all below it, as they are now."""
     children: dict[int, list[int]] = {}
-    for folder in PROC.glob("[0-9]*"):
-        with suppress(OSError):
-            parent = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
-            children.setdefault(parent, []).append(int(folder.name))
+    for folder in PROC.iterdir():
+        if folder.name.isdecimal():
+            with suppress(OSError):
+                parent = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
+                children.setdefault(parent, []).append(int(folder.name))
     found = [process]
     for each in found:
         found += children.get(each, ())

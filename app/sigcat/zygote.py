@@ -152,22 +152,14 @@ def read_message(connection: socket.socket) -> bytes | None:
     return None if head is None else _exactly(LENGTH.unpack(head)[0], connection)
 
 
-def write_message(connection: socket.socket, *parts: bytes) -> None:
-    """Send a message in one piece."""
-    connection.sendall(LENGTH.pack(sum(map(len, parts))))
-    for part in parts:
-        connection.sendall(part)
+def write_message(connection: socket.socket, data: bytes) -> None:
+    """Send a message."""
+    connection.sendall(LENGTH.pack(len(data)) + data)
 
 
 def _exactly(size: int, connection: socket.socket) -> bytes | None:
-    data = bytearray(size)
-    view, filled = memoryview(data), 0
-    while filled < size:
-        count = connection.recv_into(view[filled:])
-        if not count:
-            return None
-        filled += count
-    return bytes(data)
+    data = connection.recv(size, socket.MSG_WAITALL)
+    return data if len(data) == size else None
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 import asyncio
 import ctypes
 import gc
+import io
 import itertools
 import os
 import re
@@ -292,7 +293,7 @@ def test_a_catalogue_is_not_sent_with_the_work_but_named(library: Library) -> No
     folded = find_hosted(library, "small~folded").catalogue
     data, values = pickled(Work(zip, (catalogue, folded, catalogue), {}), lambda _: 7)
     assert (len(data) < 500, values) == (True, {7: catalogue})
-    assert unpickled(data, {7: catalogue}).arguments == (catalogue, folded, catalogue)
+    assert unpickled(io.BytesIO(data), {7: catalogue}).arguments == (catalogue, folded, catalogue)
 
 
 def test_a_catalogue_that_nobody_holds_is_forgotten(queue: WorkQueue) -> None:

@@ -70,7 +70,7 @@ class Settings(BaseModel):
     )
     body_seconds: float = Field(default=20.0, description="Seconds in which a body has to arrive; later: 408.", gt=0)
     bodies_bytes: int = Field(
-        default=64 * _MEBIBYTE,
+        default=24 * _MEBIBYTE,
         description="Bytes of bodies that are held at once, of one client a quarter; more: 503 with `Retry-After`.",
         ge=1,
     )
@@ -84,7 +84,7 @@ class Settings(BaseModel):
         ge=1_000,
     )
     nodes: int = Field(
-        default=200_000, description="Nodes of a tree that a posted text may make; more is a finding.", ge=1_000
+        default=100_000, description="Nodes of a tree that a posted text may make; more is a finding.", ge=1_000
     )
     compared: int = Field(
         default=20_000_000,

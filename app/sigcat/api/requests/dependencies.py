@@ -204,9 +204,13 @@ FileName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="What fi
 
 
 async def posted_body(request: Request) -> AsyncIterator[bytes]:
-    """The body, whatever it is, not longer than the limit and within its time. It counts until the request is answered."""
+    """The body, whatever it is, not longer than the limit and within its time. It counts until the request is answered.
+
+    Raises Busy at once where there is no room for the work that it is for.
+    """
+    queue_of(request).refuse_more()
     held: HeldBodies = request.app.state.held_bodies
-    with held.of(request.client.host if request.client else "") as hold:
+    with held.of(client_of(request)) as hold:
         yield await _body(request, hold)
 
 

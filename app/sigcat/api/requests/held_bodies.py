@@ -4,7 +4,6 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from sigcat.api.client_network import network_of
 from sigcat.api.work.refusals import Busy
 
 _SHARE = 4
@@ -22,10 +21,9 @@ class HeldBodies:
         self._by_client: Counter[str] = Counter()
 
     @contextmanager
-    def of(self, address: str) -> Iterator[Hold]:
-        """Bytes of one request of a client, which its address names; they are given back in the end."""
+    def of(self, client: str) -> Iterator[Hold]:
+        """Bytes of one request of a client; they are given back in the end."""
         held = 0
-        client = network_of(address)
 
         def hold(size: int) -> None:
             nonlocal held

@@ -47,6 +47,10 @@ class WorkQueue:
         """Have all workers ready, with the modules and values that work is going to need."""
         await self._workers.warm(self._at_once, modules, values)
 
+    def refuse_more(self, client: str) -> None:
+        """Raises Busy if there is no room for work of a client now."""
+        self._turns.refuse_more(client)
+
     def close(self) -> None:
         """End the workers."""
         self._workers.close()
@@ -101,6 +105,10 @@ class ClientQueue:
     def __init__(self, queue: WorkQueue, client: str) -> None:
         self._queue = queue
         self._client = client
+
+    def refuse_more(self) -> None:
+        """Raises Busy if there is no room for work now: before anything is read that it would need."""
+        self._queue.refuse_more(self._client)
 
     async def run(
         self,

@@ -45,9 +45,10 @@ def pickled(work: Work, number_of: Callable[[object], int]) -> PickledWork:
     return PickledWork(buffer.getvalue(), pickler.values)
 
 
-def unpickled(data: bytes, kept: Mapping[int, Any]) -> Work:
-    """The work, with what is kept here in place of the references."""
-    work: Work = _Unpickler(io.BytesIO(data), kept).load()
+def unpickled(data: io.BytesIO, kept: Mapping[int, Any]) -> Work:
+    """The work, with what is kept here in place of the references. The bytes, which may be many, are given up."""
+    with data:
+        work: Work = _Unpickler(data, kept).load()
     return work
 
 

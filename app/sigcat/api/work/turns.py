@@ -30,14 +30,15 @@ class Turns:
     @asynccontextmanager
     async def turn(self, client: str) -> AsyncIterator[None]:
         """Wait for the turn of a client, and have it. Raises Busy where too many wait, or too many of this client."""
-        self._refuse_more(client)
+        self.refuse_more(client)
         await self._begin(client)
         try:
             yield
         finally:
             self._end(client)
 
-    def _refuse_more(self, client: str) -> None:
+    def refuse_more(self, client: str) -> None:
+        """Raises Busy where too many wait, or too many of this client."""
         if self.pending >= self._most:
             raise Busy("The queue of the service is full. Try again later.")
         if self._working[client] + len(self._waiting.get(client, ())) >= self._most_for_one:

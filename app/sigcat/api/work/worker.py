@@ -6,6 +6,7 @@ The module of the zygote of the service: `keep` and `prepare` run in that, `serv
 import fcntl
 import gc
 import importlib
+import io
 import os
 import pickle
 import resource
@@ -27,7 +28,7 @@ _kept: dict[int, Any] = {}
 """Catalogues and rules by number."""
 EXPORTS = "exports"
 """The kind of workers that export."""
-_GROWTH = 32 * 1024 * 1024
+_GROWTH = 8 * 1024 * 1024
 """Bytes of memory that a worker may keep from work that is done; one with more is replaced."""
 _STATUS = Path("/proc/self/status")
 _FIRST_TO_END = "1000"
@@ -43,14 +44,6 @@ class Told(NamedTuple):
     """Values to keep."""
     forgotten: tuple[int, ...] = ()
     """Values that nobody refers to any more."""
-
-
-class Order(NamedTuple):
-    """A piece of work for a worker."""
-
-    work: bytes
-    memory: int
-    """Bytes that it may take."""
 
 
 class Outcome(NamedTuple):
@@ -80,24 +73,29 @@ def prepare(kind: str) -> None:
 
 
 def serve(connection: socket.socket) -> None:
-    """Do what comes over the connection."""
+    """Do what comes over the connection, after the bytes of memory that each piece of work may take."""
+    memory = int(read_message(connection) or 0)
     with suppress(OSError):
         Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_END)
     warm = _memory()
-    while (message := read_message(connection)) is not None:
-        order: Order = pickle.loads(message)  # noqa: S301 - from the service that asked for this process
+    while (work := _next_work(connection)) is not None:
         with _ended_with(connection):
-            outcome = _outcome(order, warm)
+            outcome = _outcome(work, warm, memory)
             data = pickle.dumps(outcome, pickle.HIGHEST_PROTOCOL)
         write_message(connection, data)
         if outcome.is_last:
             return
 
 
-def _outcome(order: Order, warm: "_Memory") -> Outcome:
+def _next_work(connection: socket.socket) -> io.BytesIO | None:
+    message = read_message(connection)
+    return None if message is None else io.BytesIO(message)
+
+
+def _outcome(work: io.BytesIO, warm: "_Memory", memory: int) -> Outcome:
     try:
-        with _bounded_memory(warm.data + order.memory), bounded_proposals(COMPARED_NAMES):
-            function, arguments, options = unpickled(order.work, _kept)
+        with _bounded_memory(warm.data + memory), bounded_proposals(COMPARED_NAMES):
+            function, arguments, options = unpickled(work, _kept)
             result = function(*arguments, **options)
     except MemoryError as error:
         return Outcome(error=MemoryError(*error.args), is_last=True)

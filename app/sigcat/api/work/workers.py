@@ -5,13 +5,14 @@ import pickle
 import socket
 import weakref
 from collections.abc import Iterable
+from contextlib import suppress
 from typing import Any
 
 from sigcat.api.work.references import Work
 from sigcat.api.work.refusals import WorkFailed
 from sigcat.api.work.warm_zygote import Known, WarmZygote, zygote_of_this_process
-from sigcat.api.work.worker import Order, Outcome
-from sigcat.zygote import LENGTH
+from sigcat.api.work.worker import Outcome
+from sigcat.zygote import LENGTH, write_message
 
 
 class Workers:
@@ -34,7 +35,9 @@ class Workers:
         ready = await self._zygote.ready(work)
         worker = self._idle_one(ready.needs) or self._forked()
         try:
-            outcome = await worker.outcome(Order(ready.data, self._memory))
+            await worker.begin(ready.data)
+            del ready  # it may be large, and is not needed any more
+            outcome = await worker.outcome()
         except BaseException:
             worker.close()
             raise
@@ -60,13 +63,14 @@ class Workers:
         return None
 
     def _forked(self) -> "_Worker":
-        return _Worker(self._zygote.child(self._kind), self._zygote.known)
+        return _Worker(self._zygote.child(self._kind), self._zygote.known, self._memory)
 
 
 class _Worker:
     """A worker process, as the service sees it."""
 
-    def __init__(self, connection: socket.socket, known: Known) -> None:
+    def __init__(self, connection: socket.socket, known: Known, memory: int) -> None:
+        write_message(connection, str(memory).encode())
         connection.setblocking(False)
         self._connection = connection
         self.known = known
@@ -81,12 +85,16 @@ class _Worker:
         except OSError:
             return False
 
-    async def outcome(self, order: Order) -> Outcome:
-        """What comes of a piece of work. Raises WorkFailed if the process ended over it."""
-        message = pickle.dumps(order, pickle.HIGHEST_PROTOCOL)
+    async def begin(self, work: bytes) -> None:
+        """Let it do a piece of work."""
         loop = asyncio.get_running_loop()
+        with suppress(ConnectionError):  # what comes of that is told next
+            await loop.sock_sendall(self._connection, LENGTH.pack(len(work)))
+            await loop.sock_sendall(self._connection, work)
+
+    async def outcome(self) -> Outcome:
+        """What comes of the work. Raises WorkFailed if the process ended over it."""
         try:
-            await loop.sock_sendall(self._connection, LENGTH.pack(len(message)) + message)
             (length,) = LENGTH.unpack(await self._received(LENGTH.size))
             outcome: Outcome = pickle.loads(await self._received(length))  # noqa: S301 - of a process of our own
         except ConnectionError:
