@@ -8,6 +8,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from urllib.parse import urlsplit
 
+import httpx
 import pytest
 
 from sigcat.api.answers.problems import KINDS
@@ -15,6 +16,7 @@ from sigcat.api.client_network import network_of
 from sigcat.api.connections.http import HEAD_BYTES
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.trusted_proxies import trusted_by
+from sigcat.api.connections.unread_answers import UnreadAnswers
 from tests import plain_http
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
@@ -160,6 +162,66 @@ def test_a_client_that_leaves_in_the_middle_of_its_body_is_no_failure(service: S
     assert "Traceback" not in service.log.read_text()
 
 
+# -- what a client invents ------------------------------------------------------------------------------------------
+
+NODE = "/api/v1/catalogues/small/nodes/Vehicle.Speed"
+
+
+def invented(number: int) -> dict[str, tuple[str, str, dict[str, str]]]:
+    """Requests of which one part is new each time: method, address and headers."""
+    word = f"invented{number}"
+    return {
+        "methods": (f"{word.upper()}", NODE, {}),
+        "paths": ("GET", f"/{word}/{'%0A' * 3000}", {}),
+        "nodes": ("GET", f"/api/v1/catalogues/small/nodes/{word}{'ä' * 2000}", {}),
+        "catalogues": ("GET", f"/api/v1/catalogues/{word}/tree", {}),
+        "parameters": ("GET", f"{NODE}?{word}=1", {}),
+        "values": ("GET", f"/api/v1/catalogues/small/search?q={word}&limit=1", {}),
+        "agents": ("GET", NODE, {"User-Agent": word * 1000}),
+        "hosts": ("GET", NODE, {"Host": word}),
+        "headers": ("GET", NODE, {word: word * 1000}),
+        "ids": ("GET", NODE, {"X-Request-Id": word * 1000}),
+        "addresses": ("GET", NODE, {"X-Forwarded-For": word * 1000}),
+        "protocols": ("GET", NODE, {"X-Forwarded-Proto": word}),
+        "tokens": ("POST", "/api/v1/catalogues/small/reload", {"Authorization": f"Bearer {word}"}),
+        "forms": ("GET", NODE, {"Accept": f"application/{word}, */*"}),
+    }
+
+
+@pytest.fixture(scope="module")
+def trusting() -> Iterator[Service]:
+    """A service that believes what any proxy says of its clients."""
+    with served(TREE / "tree.vspec", SIGCAT_TRUSTED_PROXIES="*") as service:
+        yield service
+
+
+def series(service: Service) -> set[str]:
+    """Names of all series of the metrics, with their labels."""
+    lines = plain_http.get(f"{service.address}/metrics").text.splitlines()
+    return {line.rpartition(" ")[0] for line in lines if not line.startswith("#")}
+
+
+def send(service: Service, client: httpx.Client, kind: str, number: int) -> None:
+    method, address, headers = invented(number)[kind]
+    with suppress(httpx.RemoteProtocolError):  # what is no method of HTTP is refused and closes the connection
+        client.request(method, f"{service.address}{address.replace('small', 'local')}", headers=headers)
+
+
+@pytest.mark.parametrize("kind", invented(0))
+def test_nothing_that_a_client_invents_makes_series_or_long_lines(trusting: Service, kind: str) -> None:
+    with httpx.Client(timeout=DEADLINE, verify=False) as client:
+        send(trusting, client, kind, 0)
+        series(trusting)
+        before = series(trusting)
+        for number in range(1, 30):
+            send(trusting, client, kind, number)
+    assert series(trusting) == before
+    wait_until(lambda: len(trusting.logged(path="/metrics")) % 3 == 0, "all lines of the log are written")
+    lines = trusting.log.read_text().splitlines()
+    assert max(map(len, lines)) < 4_500, "a path of 500 characters may take six times as many in JSON"
+    assert "invented" not in "".join(before)
+
+
 # -- how many -------------------------------------------------------------------------------------------------------
 
 
@@ -230,6 +292,31 @@ def answer_unless_200(service: Service) -> bytes:
     return b"" if statuses(answer) == [200] else answer
 
 
+def test_of_many_answers_that_wait_the_one_left_longest_is_cut_off(tmp_path: Path) -> None:
+    tree = tmp_path / "tree.vspec"
+    lines = (f"Vehicle.S{n}: {{type: sensor, datatype: float, description: {'Long. ' * 500}}}\n" for n in range(3_000))
+    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + "".join(lines))
+    long = b"GET /api/v1/catalogues/local/tree HTTP/1.1\r\nHost: a\r\nAccept-Encoding: identity\r\n\r\n"
+    with served(tree, SIGCAT_UNREAD_BYTES=str(12 * 1024 * 1024)) as service, ExitStack() as stack:
+        held = []
+        for _ in range(6):
+            held.append(stack.enter_context(connected(service, long)))
+            assert held[-1].recv(10)
+        sizes = [len(received_in_time(each)) for each in held]
+        assert sizes[0] < sizes[-1], "the first one is cut off, the last one is whole"
+        assert sizes[-1] > 9_000_000
+
+
+def received_in_time(connection: socket.socket) -> bytes:
+    """What comes until the service closes, or sends no more."""
+    connection.settimeout(1)
+    answer = b""
+    with suppress(OSError):
+        while part := connection.recv(1 << 20):
+            answer += part
+    return answer
+
+
 def test_who_reads_slowly_reads_all(narrow: Service) -> None:
     with connected(narrow, b"GET /api/v1/catalogues/local/export/json HTTP/1.0\r\n\r\n") as connection:
         size, reading = 0, time.monotonic() + 3
@@ -297,6 +384,36 @@ def test_a_trusted_proxy_has_all_connections() -> None:
         assert all(added(connections, *((address, Held(waits=False)) for _ in range(count))))
         assert len(connections) == before + count
     assert not connections.add(Held(waits=False), "192.0.2.8")
+
+
+class Answer:
+    """An answer that is read as far as the test says."""
+
+    def __init__(self, unread: int) -> None:
+        self.unread = unread
+        self.is_cut_off = False
+
+    def cut_off(self) -> None:
+        self.is_cut_off = True
+
+
+def test_who_leaves_most_unread_loses_what_it_left_longest() -> None:
+    small, first, second, third = Answer(30), Answer(30), Answer(10), Answer(40)
+    answers = UnreadAnswers(100)
+    for client, answer in (("10.0.0.1", small), ("10.0.0.2", first), ("10.0.0.2", second), ("10.0.0.2", third)):
+        answers.add(answer, client)
+    assert [each.is_cut_off for each in (small, first, second, third)] == [False, True, False, False]
+
+
+def test_what_was_read_meanwhile_does_not_count() -> None:
+    first, second, third = Answer(60), Answer(60), Answer(60)
+    answers = UnreadAnswers(100)
+    answers.add(first, "10.0.0.1")
+    first.unread = 0
+    answers.add(second, "10.0.0.1")
+    answers.remove(second)
+    answers.add(third, "10.0.0.1")
+    assert not any(each.is_cut_off for each in (first, second, third))
 
 
 @pytest.mark.parametrize(

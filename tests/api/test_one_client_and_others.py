@@ -1,10 +1,12 @@
 """What one client sends changes nothing for others: what is kept, what is counted, what is held in memory."""
 
+import asyncio
 import contextlib
 import socket
 import subprocess
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -13,7 +15,9 @@ import pytest
 
 from sigcat.api.answers.negotiation import accepts_gzip, liked_types
 from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.web.site import create_site
 from tests import plain_http
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.clients.generating import ROOT
@@ -21,6 +25,7 @@ from tests.waiting import DEADLINE, wait_until
 
 SPEED = "/api/v1/catalogues/small/nodes/Vehicle.Speed"
 LISTED = "/api/v1/catalogues/small/nodes?limit=3"
+METADATA = "%7B%22type%22%3A%22static-metadata%22%2C%22parameter%22%3A%22%22%7D"
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
 
 
@@ -109,6 +114,30 @@ def test_an_exporter_refuses_options_that_it_does_not_have(sound: Ask) -> None:
     answer = sound("/api/v1/catalogues/sound/export/json?colour=red")
     assert answer.status_code == 422
     assert "colour" in answer.json()["detail"]
+
+
+def test_of_answers_of_many_nodes_a_few_are_made_at_once(tmp_path: Path) -> None:
+    signals = "".join(f"Vehicle.S{n}: {{type: sensor, datatype: float, description: X.}}\n" for n in range(1_000))
+    (tmp_path / "tree.vspec").write_text("Vehicle: {type: branch, description: A vehicle.}\n" + signals)
+    library = Library([Source("wide", "A wide tree", tmp_path / "tree.vspec")])
+    app = create_site(library, Settings(long_answers=1, heavy_waiting=0, client_share=1))
+
+    async def together(address: str) -> list[int]:
+        transport = httpx.ASGITransport(app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://sigcat") as client:
+            answers = await asyncio.gather(
+                *(client.get(address) for _ in range(3)), client.get("/tree/wide/Vehicle.S1")
+            )
+        return [each.status_code for each in answers]
+
+    with ThreadPoolExecutor(1) as thread:
+        for address in (
+            "/api/v1/catalogues/wide/tree",
+            f"/api/v1/catalogues/wide/viss/Vehicle?filter={METADATA}",
+            "/rows/wide?depth=2",
+        ):
+            found = thread.submit(asyncio.run, together(address)).result()
+            assert sorted(found) == [200, 200, 503, 503], address
 
 
 def test_a_head_of_an_export_runs_none(sound: Ask, fresh: Ask, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,6 +5,7 @@ import logging
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
 
+from anyio.to_thread import current_default_thread_limiter
 from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.middleware.gzip import GZipMiddleware
@@ -17,6 +18,7 @@ from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.open_files import connections_allowed
 from sigcat.api.connections.refusals import Refusals
 from sigcat.api.connections.trusted_proxies import trusted_by
+from sigcat.api.connections.unread_answers import UnreadAnswers
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
@@ -32,6 +34,7 @@ from sigcat.api.routes.shortcuts import SHORTCUTS
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.queue import WorkQueue
+from sigcat.api.work.turns import Turns
 from sigcat.api.work.worker import EXPORTS
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
@@ -46,6 +49,8 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 
 
 _log = logging.getLogger("sigcat")
+_THREADS = 4
+"""Pages that are made at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router,
@@ -75,6 +80,7 @@ def create_app(
     app.state.modules_of_work = [*_MODULES_OF_WORK]
     app.state.work_queue = _queue(settings.heavy_requests, settings)
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
+    app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
@@ -121,6 +127,7 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
 @asynccontextmanager
 async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
     """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
+    current_default_thread_limiter().total_tokens = _THREADS
     with _ready_for_work(app):
         yield {"connection_rules": _connection_rules(app)}
 
@@ -147,7 +154,8 @@ def _connection_rules(app: FastAPI) -> ConnectionRules:
     connections = OpenConnections(most, settings.client_connections, trusted_by(settings.trusted_proxies))
     app.state.metrics.watch_connections(connections.__len__)
     refusals = Refusals(app.state.request_notes, settings.root_path)
-    return ConnectionRules(connections, refusals, settings.head_seconds, settings.unread_seconds)
+    unread = UnreadAnswers(settings.unread_bytes)
+    return ConnectionRules(connections, unread, refusals, settings.head_seconds, settings.unread_seconds)
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -65,6 +65,11 @@ class Settings(BaseModel):
     unread_seconds: float = Field(
         default=20.0, description="Seconds in which a client has to read some of its answer; else it is cut off.", gt=0
     )
+    unread_bytes: int = Field(
+        default=64 * _MEBIBYTE,
+        description="Bytes of answers that wait until clients read them, in all; beyond, the client with most of them is cut off.",
+        ge=_MEBIBYTE,
+    )
     body_bytes: int = Field(
         default=4 * _MEBIBYTE, description="Bytes of a posted text; more is answered with 413.", ge=1
     )
@@ -103,7 +108,10 @@ class Settings(BaseModel):
         default=2, description="Compositions, lints and diffs under way at once, each in a process of its own.", ge=1
     )
     exports: int = Field(default=2, description="Exports under way at once, each in processes of its own.", ge=1)
-    heavy_waiting: int = Field(default=32, description="Further ones that wait; more: 503 with `Retry-After`.", ge=0)
+    long_answers: int = Field(default=2, description="Answers of many nodes that are made at once.", ge=1)
+    heavy_waiting: int = Field(
+        default=32, description="Further ones of each kind that wait; more: 503 with `Retry-After`.", ge=0
+    )
     heavy_seconds: float = Field(
         default=60.0,
         description="Seconds that each of them may take, waiting included; what takes longer is ended: 503.",

@@ -112,7 +112,9 @@ async def answer_problem(request: Request, error: Exception) -> Response:
 
 def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
     if problem.status == HTTPStatus.INTERNAL_SERVER_ERROR:
-        _LOG.error("%s %s failed [%s]", request.method, request.scope["path"], problem.request_id, exc_info=error)
+        _LOG.error(
+            "%s %s failed [%s]", request.method[:20], request.scope["path"][:500], problem.request_id, exc_info=error
+        )
     if problem.status == HTTPStatus.INSUFFICIENT_STORAGE:
         _LOG.error("%s [%s]", problem.detail, problem.request_id)
 

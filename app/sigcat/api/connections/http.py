@@ -13,8 +13,10 @@ from uvicorn.config import Config
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from uvicorn.server import ServerState
 
+from sigcat.api.client_network import network_of
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.refusals import Refusals, Refused
+from sigcat.api.connections.unread_answers import UnreadAnswers
 from sigcat.api.work.refusals import RETRY_SECONDS
 
 HEAD_BYTES = 32 * 1024
@@ -29,6 +31,7 @@ class ConnectionRules(NamedTuple):
     """What holds for the connections of a process; in the state that the application gives its server."""
 
     open_connections: OpenConnections
+    unread_answers: UnreadAnswers
     refusals: Refusals
     head_seconds: float
     unread_seconds: float
@@ -65,6 +68,7 @@ class HttpConnection(HttpToolsProtocol):
     def connection_lost(self, exc: Exception | None) -> None:
         """Forget it."""
         self._rules.open_connections.remove(self)
+        self._rules.unread_answers.remove(self)
         self._stop_expecting_head()
         self._stop_expecting_reading()
         super().connection_lost(exc)
@@ -93,7 +97,7 @@ class HttpConnection(HttpToolsProtocol):
     def waits_for_its_client(self) -> bool:
         """Whether nothing is done for it until more comes."""
         is_all_there = self._is_under_way and not self.cycle.more_body
-        return not (is_all_there or self.pipeline or self.transport.get_write_buffer_size())
+        return not (is_all_there or self.pipeline or self.unread)
 
     def give_way(self) -> None:
         """Close it, so that another one has room."""
@@ -233,10 +237,22 @@ class HttpConnection(HttpToolsProtocol):
         super().pause_writing()
         self._expect_reading()
 
+    @property
+    def unread(self) -> int:
+        """Bytes of answers that the client has yet to read."""
+        return self.transport.get_write_buffer_size()
+
+    def cut_off(self) -> None:
+        """End it, whatever of its answer is missing."""
+        self.transport.abort()
+
     def _expect_reading(self) -> None:
         self._stop_expecting_reading()
-        if unread := self.transport.get_write_buffer_size():
+        if unread := self.unread:
             self._unread_timer = self.loop.call_later(self._rules.unread_seconds, self._check_reading, unread)
+            self._rules.unread_answers.add(self, network_of(self._address))
+        else:
+            self._rules.unread_answers.remove(self)
 
     def _stop_expecting_reading(self) -> None:
         if self._unread_timer is not None:
@@ -245,8 +261,8 @@ class HttpConnection(HttpToolsProtocol):
 
     def _check_reading(self, before: int) -> None:
         """Go on as long as the client reads something."""
-        if self.transport.get_write_buffer_size() >= before:
-            self.transport.abort()
+        if self.unread >= before:
+            self.cut_off()
         else:
             self._expect_reading()
 

@@ -9,7 +9,7 @@ from fastapi import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
-from sigcat.api.middleware.request_notes import NO_ROUTE, Note, RequestNotes, new_request_id
+from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
 from sigcat.api.work.refusals import Busy
 
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
@@ -59,7 +59,7 @@ class RequestLog:
         state = scope["state"]
         route = state.get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
         client = scope.get("client") or ("", 0)
-        self._notes.add(Note(state["request_id"], method, scope["path"], route, status, seconds, client[0]))
+        self._notes.add(note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0]))
 
 
 def _request_id(scope: Scope) -> str:

@@ -7,13 +7,11 @@ from typing import NamedTuple
 from sigcat.api.middleware.metrics import Metrics
 
 NO_ROUTE = "(none)"
-_LONGEST_METHOD = 20
-_LONGEST_PATH = 500
 _ids = Random()  # noqa: S311 — an id names a request and keeps no secret; asking the system lets other threads go first
 
 
 class Note(NamedTuple):
-    """A request that was answered. Its route is that of the application: a client must not invent names of series."""
+    """A request that was answered. `note_of` makes it: a client must invent neither long lines nor names of series."""
 
     request_id: str
     method: str
@@ -26,8 +24,15 @@ class Note(NamedTuple):
     """Why it did not come as far as the application."""
 
 
+def note_of(
+    request_id: str, method: str, path: str, route: str, status: int, seconds: float, client: str, refused: str = ""
+) -> Note:
+    """A note in which what a client chose is cut. The route is that of the application, or none."""
+    return Note(request_id, method[:20], path[:500], route, status, seconds, client[:100], refused)
+
+
 class RequestNotes:
-    """Counts requests and hands notes of them to the log, each within a bound, whatever a client sends."""
+    """Counts requests and hands notes of them to the log."""
 
     def __init__(self, metrics: Metrics) -> None:
         self._metrics = metrics
@@ -38,8 +43,6 @@ class RequestNotes:
         """Note a request."""
         self._metrics.count(note.method, note.route, note.status, note.seconds)
         if self.log is not None:
-            if len(note.path) > _LONGEST_PATH or len(note.method) > _LONGEST_METHOD:
-                note = note._replace(path=note.path[:_LONGEST_PATH], method=note.method[:_LONGEST_METHOD])
             self.log(note)
 
 

@@ -12,6 +12,7 @@ from sigcat.api.answers.negotiation import answer, csv_stream, is_table, offered
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
+from sigcat.api.requests.long_reading import has_more, in_turn
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -114,7 +115,7 @@ async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Re
 
 
 @router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
-def get_tree(
+async def get_tree(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
@@ -126,10 +127,10 @@ def get_tree(
 ) -> Response:
     """A node and what stands below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
-    if _is_larger(node, depth, settings.tree_nodes):
+    if has_more([node], depth, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
         raise UsageError(message)
-    return answer(request, serializers.tree_node(node, depth))
+    return await in_turn(request, [node], depth, _tree_answer, request, node, depth)
 
 
 @router.get(
@@ -259,6 +260,10 @@ def node_answer(request: Request, hosted: Hosted, path: str) -> Response:
     return answer(request, serializers.node_data(hosted.catalogue, find_node(hosted.catalogue, path)))
 
 
+def _tree_answer(request: Request, node: Node, depth: int) -> Response:
+    return answer(request, serializers.tree_node(node, depth))
+
+
 def find_node(catalogue: Catalogue, path: str) -> Node:
     """The node at a path. Raises NotFound with the nearest paths."""
     node = catalogue.get(path)
@@ -273,16 +278,3 @@ def _root(catalogue: Catalogue) -> Node:
     if not catalogue.roots:
         raise NotFound(f"Catalogue {catalogue.name!r} has no tree; its findings say why.")
     return catalogue.roots[0]
-
-
-def _is_larger(node: Node, depth: int, limit: int) -> bool:
-    """Whether a tree down to a depth has more nodes than a limit."""
-    level, count = [node], 1
-    for _ in range(depth):
-        level = [child for each in level for child in each.children]
-        count += len(level)
-        if count > limit:
-            return True
-        if not level:
-            break
-    return False

@@ -17,8 +17,9 @@ from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import PROBLEM, problem_documentation
 from sigcat.api.answers.serializers import plain, plain_text
 from sigcat.api.requests.dependencies import TheCatalogue, TheSettings
+from sigcat.api.requests.long_reading import has_more, in_turn
 from sigcat.catalogue.model.catalogue import Node
-from sigcat.limits import PARAMETER_CHARACTERS
+from sigcat.limits import DEFAULT_LIMITS, PARAMETER_CHARACTERS
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"])
 
@@ -35,7 +36,7 @@ _EXAMPLE = '{"type":"static-metadata","parameter":""}'
         **problem_documentation(422),
     },
 )
-def get_viss_metadata(
+async def get_viss_metadata(
     request: Request,
     hosted: TheCatalogue,
     settings: TheSettings,
@@ -53,9 +54,13 @@ def get_viss_metadata(
     node = hosted.catalogue.get(path.strip("/").replace("/", "."))
     if node is None:
         return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")
-    if sum(1 for _ in node.walk()) > settings.tree_nodes:
+    if has_more([node], DEFAULT_LIMITS.path_names, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch."
         return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", message)
+    return await in_turn(request, [node], DEFAULT_LIMITS.path_names, _metadata_answer, request, node)
+
+
+def _metadata_answer(request: Request, node: Node) -> Response:
     return JSONResponse({"metadata": {node.name: _metadata(node)}, "ts": _now()}, headers=caching_headers(request))
 
 

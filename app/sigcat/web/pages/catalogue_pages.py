@@ -1,6 +1,6 @@
 """Pages of a catalogue: its tree, a search in it, its units, its layers and findings."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from http import HTTPStatus
 from typing import Annotated
 
@@ -19,9 +19,11 @@ from sigcat.api.requests.dependencies import (
     functions_of,
     library_of,
 )
+from sigcat.api.requests.long_reading import in_turn
 from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
+from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.search import FACETS
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
@@ -82,7 +84,8 @@ def show_node(
 
 
 @router.get("/rows/{catalogue}")
-def list_rows(
+async def list_rows(
+    request: Request,
     hosted: AnyCatalogue,
     functions: TheFunctions,
     path: str = "",
@@ -91,11 +94,18 @@ def list_rows(
 ) -> Response:
     """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
     nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
+    levels = min(depth, _DEEPEST) - 1
+    return await in_turn(request, nodes, levels, _rows_answer, hosted, functions, nodes, levels, version)
+
+
+def _rows_answer(
+    hosted: Hosted, functions: FunctionLibrary, nodes: Sequence[Node], levels: int, version: str
+) -> Response:
     is_current = version == _state(hosted, functions)
     caching = "private, max-age=31536000, immutable" if is_current else "no-cache"
     counts = {} if hosted.catalogue.is_expanded else instance_counts(hosted.catalogue)
     users = uses_in(functions.files, hosted.catalogue).functions
-    rows = rows_below(nodes, min(depth, _DEEPEST) - 1, counts, users)
+    rows = rows_below(nodes, levels, counts, users)
     return JSONResponse(rows, headers={"Cache-Control": caching})
 
 

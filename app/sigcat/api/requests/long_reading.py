@@ -1,0 +1,45 @@
+"""Answers of thousands of nodes: a few are made at once, in threads, and clients take turns."""
+
+import asyncio
+from collections.abc import Callable, Iterable
+from typing import ParamSpec, TypeVar
+
+from fastapi import Request
+from fastapi.concurrency import run_in_threadpool
+
+from sigcat.api.requests.clients import client_of
+from sigcat.api.work.turns import Turns
+from sigcat.catalogue.model.catalogue import Node
+
+_Arguments = ParamSpec("_Arguments")
+_Result = TypeVar("_Result")
+_MANY = 500
+"""Nodes that take some milliseconds: others can wait for as long."""
+
+
+async def in_turn(
+    request: Request,
+    nodes: Iterable[Node],
+    depth: int,
+    function: Callable[_Arguments, _Result],
+    *arguments: _Arguments.args,
+    **options: _Arguments.kwargs,
+) -> _Result:
+    """What the function makes of nodes and `depth` levels below them, in a thread; if they are many, when it is its turn."""
+    if not has_more(nodes, depth, _MANY):
+        return await run_in_threadpool(function, *arguments, **options)
+    turns: Turns = request.app.state.reading_turns
+    async with turns.turn(client_of(request)):
+        return await asyncio.to_thread(function, *arguments, **options)
+
+
+def has_more(nodes: Iterable[Node], depth: int, limit: int) -> bool:
+    """Whether nodes and those below them, down to a depth, are more than a limit."""
+    level = list(nodes)
+    count = len(level)
+    for _ in range(depth):
+        if count > limit or not level:
+            break
+        level = [child for each in level for child in each.children]
+        count += len(level)
+    return count > limit
