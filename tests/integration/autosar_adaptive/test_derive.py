@@ -46,6 +46,11 @@ def rules(derived):
     return [finding.rule for finding in derived.findings]
 
 
+def test_each_function_is_carried_whole():
+    read = read_integration(to_json(derive(examples()).model), "integration.json")
+    assert read.functions == tuple(examples())
+
+
 # -- the examples -------------------------------------------------------------------------------------------------
 
 

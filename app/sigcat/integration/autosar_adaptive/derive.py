@@ -82,6 +82,7 @@ def derive(
         deployment=_arxml_deployment(context),
         provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
         or None,
+        functions=tuple(each.function for each in app.functions),
     )
     report_unused(sides, all_services, context)
     report_units(units_of(integration), context)

@@ -11,6 +11,7 @@ from pydantic import Field
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
@@ -374,6 +375,11 @@ class IntegrationModel(WireModel):
     datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
     provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
+    functions: tuple[FunctionJson, ...] | None = own(
+        "SourceFunctionList",
+        "The Function JSON of each function that was integrated: what adapters are generated from.",
+        strict=False,
+    )
 
 
 def to_json(model: IntegrationModel) -> bytes:

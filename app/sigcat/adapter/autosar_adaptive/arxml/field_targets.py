@@ -14,6 +14,7 @@ _PORT = "components.arxml: admin data of the port"
 _CALL = FieldTarget("components.arxml: admin data of the component", "the manifests have no element for calls")
 _PARAMETER = FieldTarget("components.arxml: admin data of the PERSISTENCY-DATA-ELEMENT")
 _TRACED = FieldTarget("components.arxml: admin data of the outermost package")
+_GENERATED = FieldTarget("none", "the components say it all; adapters are generated from the functions")
 _VALUE = "PERSISTENCY-DATA-ELEMENT"
 _PRESENTED = "SW-DATA-DEF-PROPS: {}"
 _COMPONENT = "components.arxml: ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE, "
@@ -33,7 +34,7 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
     model.FunctionInformation: (
         "document", dict.fromkeys(("FunctionName", "Responsible", "Description", "Functions"), _TRACED),
     ),
-    model.IntegrationModel: ("document", {"Provenance": _TRACED}),
+    model.IntegrationModel: ("document", {"Provenance": _TRACED, "SourceFunctionList": _GENERATED}),
     model.ArxmlDeployment: ("deployment", {
         "Package": "the outermost AR-PACKAGE of each file", "FunctionGroup": "deployment.arxml: the function group",
         "Release": "the schema of each file", "Namespace": _INTERFACE + "NAMESPACES",
