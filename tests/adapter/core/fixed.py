@@ -212,6 +212,7 @@ def schedules() -> FunctionJson:
         step(name="Fast", cycle=4, Priority="9", PrevRunnable="F_Step", ExecOffset="3"),
         step(name="Slow", cycle=25, DebounceDelay="30", ExecOffset="12.5", PrevRunnable="F_Fast, F_Init"),
         on_event(signal("Event"), error("Unknown"), name="Event", DebounceDelay="7", PreProcessing=["before_event"]),
+        step(name="Alone", cycle=10, ExecOffset="1", ParallelProcessing=False),
         active={"ALL": ["Step", "Fast", "Slow", "Event"], "FEW": ["Slow", "Fast"], "NONE": []},
         modes=(
             mode_interface("In", "NONE", "ALL", "FEW", "MORE", Initial="ALL", UnknownAction="Initial", UnknownError="Unknown",

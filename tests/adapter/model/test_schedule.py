@@ -67,6 +67,24 @@ def test_a_slower_previous_call_of_lower_priority_has_to_end_once():
     assert run.step(20) == "F_Fast"
 
 
+@pytest.mark.parametrize("alone", ["Step", "Other"])
+def test_a_call_that_is_not_parallel_has_the_function_for_itself(alone):
+    step_, other = (step(name=name, ParallelProcessing=False if name == alone else None) for name in ("Step", "Other"))
+    run = Driven(function(step_, other)).start()
+    name = run.due(0)
+    assert run.adapter.next_call(0) is None
+    assert run.adapter.next_time() == NEVER
+    run.make(name, 0, until=12)
+    assert run.adapter.next_time() == 0
+    assert [run.step(12), run.step(12), run.step(12)] == ["F_Step", "F_Other", None]
+    assert counts(run, "F_Other").missed == 1
+
+
+def test_calls_that_say_nothing_may_overlap():
+    run = Driven(function(step(), step(name="Other"))).start()
+    assert [run.due(0), run.due(0)] == ["F_Step", "F_Other"]
+
+
 def test_the_debounce_time_is_between_two_starts():
     run = Driven(function(on_event(signal("A"), DebounceDelay="5"))).start()
     run.receive("A", 1.0, 0)

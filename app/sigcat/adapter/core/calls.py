@@ -50,6 +50,7 @@ def planned_call(
         previous=tuple(short_name(name, context.name) for name in previous),
         most_events=max((item.queue_length for item in events if isinstance(item, DataQueue)), default=1),
         triggers=frozenset(ports[port_key(item)] for item in events),
+        is_exclusive=call.parallel_processing is False,
         modes=excluded_in(call.name, context),
         inputs=inputs,
         outputs=outputs,

@@ -44,6 +44,8 @@ class Call:
     success: int | None = None
     priority: int = 0
     previous: tuple[str, ...] = ()
+    is_alone: bool = False
+    """Whether nothing runs at the same time."""
     triggers: frozenset[str] = frozenset()
     """Ports that trigger it."""
     excluding_modes: frozenset[str] = frozenset()

@@ -34,9 +34,12 @@ def _apply_mode(running: Running, call: CallState, t: int) -> None:
 
 
 def _waits(running: Running, call: CallState) -> bool:
-    """Whether a previous call has to end first."""
+    """Whether a previous call has to end first, or one that may not run at the same time."""
     previous = [each for each in running.steps if each.call.name in call.call.previous]
-    return any(not (each.has_ended or each.is_excluded) for each in previous)
+    active = [each for each in running.steps if each is not call and each.activations.is_active]
+    return any(not (each.has_ended or each.is_excluded) for each in previous) or any(
+        call.call.is_alone or each.call.is_alone for each in active
+    )
 
 
 def next_time(running: Running) -> int:

@@ -30,7 +30,7 @@ def _enter(call: Call, scope: Scope) -> Lines:
 
 def due_functions(scope: Scope) -> list[Lines]:
     """Which call is due."""
-    waits = [_waits(call, scope) for call in scope.plan.steps if _previous(call, scope)]
+    waits = [_waits(call, scope) for call in scope.plan.steps if _may_wait(call, scope)]
     return [*waits, *(_is_due(call, scope) for call in scope.plan.due), _next_call(scope), _next_time(scope)]
 
 
@@ -38,8 +38,18 @@ def _previous(call: Call, scope: Scope) -> list[Call]:
     return [step for step in scope.plan.steps if step.name in call.previous and step.name != call.name]
 
 
+def _excluding(call: Call, scope: Scope) -> list[Call]:
+    """Calls that do not run at the same time as this one."""
+    others = (step for step in scope.plan.steps if step.name != call.name)
+    return [step for step in others if call.is_exclusive or step.is_exclusive]
+
+
+def _may_wait(call: Call, scope: Scope) -> bool:
+    return bool(_previous(call, scope) or _excluding(call, scope))
+
+
 def _waits(call: Call, scope: Scope) -> Lines:
-    conditions = []
+    conditions = [f"self->{other.name}.is_active" for other in _excluding(call, scope)]
     for other in _previous(call, scope):
         runs = modes.condition(other, scope)
         ended = f"!self->{other.name}.has_ended"
@@ -54,7 +64,7 @@ def _conditions(call: Call, scope: Scope) -> list[str]:
     runs = modes.condition(call, scope)
     when = f"(t >= {place}.release)" if call.cycle is not None else f"({place}.events > 0U)"
     rested = f"(!{place}.has_begun || ((t - {place}.begun) >= {time(call.debounce)}))" if call.debounce else ""
-    waits = f"!{scope.prefix}_Waits_{call.name}(self)" if _previous(call, scope) else ""
+    waits = f"!{scope.prefix}_Waits_{call.name}(self)" if _may_wait(call, scope) else ""
     return [each for each in ("" if runs == "true" else runs, when, f"!{place}.is_active", rested, waits) if each]
 
 
@@ -117,7 +127,7 @@ def _next_of(call: Call, scope: Scope) -> Lines:
     rested = f"{p}_Later({release}, {place}.has_begun ? ({place}.begun + {time(call.debounce)}) : 0U)"
     due = lines(f"next = {p}_Earlier(next, {rested if call.debounce else release});")
     ready = [f"!{place}.is_active"] + ([] if call.cycle is not None else [f"({place}.events > 0U)"])
-    waiting = [f"!{p}_Waits_{call.name}(self)"] if _previous(call, scope) else []
+    waiting = [f"!{p}_Waits_{call.name}(self)"] if _may_wait(call, scope) else []
     window = lines(f"next = {p}_Earlier(next, {place}.alive.window + {time(call.alive.window)});") if call.alive else ()
     first = joined([block(f"if ({' && '.join([*ready, *waiting])})", [due]), window])
     if runs == "true":

@@ -61,6 +61,8 @@ class Call:
     """Events that wait: each is a call of its own if one of its triggers is a queue."""
     triggers: frozenset[str] = frozenset()
     """Names of the ports whose values are its events."""
+    is_exclusive: bool = False
+    """Whether it never runs at the same time as another one."""
     modes: frozenset[str] | None = None
     """Modes in which it does not run."""
     inputs: tuple[Input, ...] = ()
