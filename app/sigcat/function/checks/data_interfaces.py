@@ -11,6 +11,7 @@ from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
 
 Problems = Iterator[Problem]
@@ -164,10 +165,22 @@ def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, su
         message = f"The timeout of {item.name!r} must not be shorter than the cycle, {runnable.cycle_time} ms; got {duration:g} ms."
         fix = "Make it at least the cycle time: it would pass before the value can be looked at twice."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
+    elif duration is not None and _is_only_trigger(item, runnable):
+        message = f"The timeout of {item.name!r} must be that of a call which runs without it; {runnable.name} waits for it."
+        fix = "Have a cyclic call consume the signal with the timeout, or let another signal trigger this call too."
+        yield Problem(codes.TIMEOUT_OF_ONLY_TRIGGER, (*pointer, "Timeout"), message, fix, subject)
     if item.timeout_error and duration is None and item.timeout is None:
         message = f"{item.name!r} has the timeout error {item.timeout_error!r}, but no timeout that would set it."
         fix = "Give `timeout`, the longest time between two values in ms, or remove the error."
         yield Problem(codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, "TimeoutError"), message, fix, subject)
+
+
+def _is_only_trigger(item: Signal | DataQueue, runnable: Runnable) -> bool:
+    """Whether a call runs on the values of one signal, and on nothing else."""
+    if runnable.run_type != EVENT_TRIGGERED:
+        return False
+    keys = {each.vss_path or each.name for each in triggers(runnable)}
+    return keys == {item.vss_path or item.name}
 
 
 def declared_or_meant(name: str, declared: Collection[str], known: Collection[str], hint: Hints) -> str:
