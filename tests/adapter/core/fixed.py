@@ -284,6 +284,35 @@ def life() -> FunctionJson:
     )
 
 
+def classes() -> FunctionJson:
+    """A class of C++, whose enumerations no number turns into by itself."""
+    other: Json = {"VssDatatype": "string", "VssSymbols": OTHER_NUMBERS["DT_Gear"]}
+    return function(
+        step(
+            signal("Gear", "DT_Gear", **other, Timeout="20", TimeoutValue="Default", Default=5),
+            signal("Heal", "DT_Gear"),
+            signal("Gears", "DT_Gears", InitElements="[5, 2]"),
+            signal("Mixed", "DT_Mixed", **DEFAULT, DefaultElements='{"gear": 2, "values": [1], "flag": 1, "big": 3}'),
+            queue("Row", 3, "DT_Gear", ValuesPerStep=2, CountVariable="row_n"),
+            output("OutGear", "DT_Gear", **other),
+            output("OutLevel", "DT_Level", RangeErrorAction="Default", Default=300),
+            output("OutMixed", "DT_Mixed"),
+            parameter("Kind", "DT_Gear", Attribute="LearningParameter", VssDatatype="uint16", VssSymbols=OTHER_NUMBERS["DT_Gear"]),
+            parameter("Level", "DT_Level", InitValue=300),
+            error("E0", Variable="e0", StatusVariable="e0_sts", Reset="Heal", ResetTime=5),
+            reaction("Stop", "E0"),
+            method("Offer", "Provider", {"Gear1": "DT_Gear"}, {"Level1": "DT_Level"}, Symbol="offer"),
+            method("Fetch", "Consumer", {"Gear2": "DT_Gear", "Gears2": "DT_Gears"}, {"Level2": "DT_Level"},
+                   RequestVariable="ask", StatusVariable="status", Timeout="20"),
+        ),
+        datatypes=DATATYPES,
+        active={"ON": ["Step"], "OFF": []},
+        modes=(mode_interface("In", "ON", "OFF"), mode_interface("Out", "OFF", "ON", Values=symbols(OFF=5, ON=6))),
+        Code={"Signature": "Class", "Headers": ["f.h"], "ClassName": "F_Code"},
+    )  # fmt: skip
+
+
 FIXED: dict[str, Callable[[], FunctionJson]] = {
-    made.__name__: made for made in (conversions, ranges, queues, time_outs, errors, schedules, supervision, life)
+    made.__name__: made
+    for made in (conversions, ranges, queues, time_outs, errors, schedules, supervision, life, classes)
 }

@@ -154,7 +154,7 @@ def _call(
     fields = choice.maybe(
         Priority=lambda: choice.one("1", "9", "high"),
         DebounceDelay=lambda: choice.one("5", "12", "0"),
-        ParallelProcessing=lambda: choice.is_so(),
+        ParallelProcessing=choice.is_so,
         PrevRunnable=lambda: f"F_{choice.one(*others, 'Init')}",
         PreProcessing=lambda: [f"before_{name.lower()}"],
         PostProcessing=lambda: [f"after_{name.lower()}"],

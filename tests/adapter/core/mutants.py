@@ -167,7 +167,11 @@ MUTANTS = [
         ("a call that runs is answered", r" && !self->Step\.is_active", ""),
         ("the previous call is not awaited", r" && !F_Adapter_Waits_Fast\(self\)", ""),
         ("a call that has to be alone is not", r"return self->Alone\.is_active;", "return false;"),
-        ("a call runs beside one that has to be alone", r"(Waits_Alone\(.*\n\{\n\s+return )self->Step\.is_active \|\| ", r"\1"),
+        (
+            "a call runs beside one that has to be alone",
+            r"(Waits_Alone\(.*\n\{\n\s+return )self->Step\.is_active \|\| ",
+            r"\1",
+        ),
         ("an excluded previous call is awaited", r" && F_Adapter_Runs_Step\(self->mode\.now\)\);", ");"),
         ("the offset is forgotten", r"release = t \+ UINT64_C\(12500000\)", "release = t"),
         ("the later time is next", r"return \(a < b\) \? a : b;", "return (a < b) ? b : a;"),

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.derive import derive
+from sigcat.adapter.core.plan import CLASS, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
-from sigcat.adapter.core.plan import CorePlan, WireType
 from sigcat.adapter.model.function import Function
 from sigcat.adapter.model.parts.methods import Argument
 from sigcat.adapter.model.reading.read import read
@@ -15,9 +15,10 @@ from sigcat.adapter.model.values.number_format import NumberFormat
 from sigcat.adapter.model.values.transfer import Transfer
 from sigcat.function.function_json import walk
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from tests.adapter.written import BOOL, S32, U8, U32
+from tests.adapter.written import BOOL, U32, enumeration
 from tests.function.shipped import resolved
 
 C_NAMES = {
@@ -25,6 +26,11 @@ C_NAMES = {
     "uint32": "uint32_t", "int32": "int32_t", "uint64": "uint64_t", "int64": "int64_t", "float": "float",
     "double": "double",
 }  # fmt: skip
+STATUS8, STATUS32 = "DT_Status8", "DT_Status32"
+"""Datatypes of variables that hold states and modes: enumerations, where the code has types for them."""
+STATUSES = tuple(
+    Datatype.model_validate(enumeration(name, c, NONE=0)) for name, c in ((STATUS8, "uint8_t"), (STATUS32, "int32_t"))
+)
 VSS_NAMES = {c: vss for vss, c in C_NAMES.items()}
 
 
@@ -124,8 +130,10 @@ class _Reading:
 
     def __init__(self, document: FunctionJson) -> None:
         self.function, self.plan = read(document), derive(resolved(document)).plan
-        self.table = {each.reference: each for each in document.datatypes}
+        self.table = {each.reference: each for each in (*document.datatypes, *STATUSES)}
         self.document = document
+        self.has_enumerations = self.plan.code.signature == CLASS
+        """Whether the code has types for enumerations, as C++ does: scoped ones, which no number turns into by itself."""
         self.data = [item for _, _, item in walk.data(document)]
         self.parameters = [item for _, _, item in walk.parameters(document)]
         self.methods = [item for _, _, item in walk.methods(document)]
@@ -140,12 +148,18 @@ class _Reading:
         datatype = self.table[reference]
         if datatype.kind == "array":
             return self.declared(datatype.element or "", f"{name}[{datatype.length}]")
-        return f"{reference if datatype.kind == 'struct' else datatype.c_definition} {name}"
+        is_named = datatype.kind == "struct" or (self.has_enumerations and datatype.symbols)
+        return f"{reference if is_named else datatype.c_definition} {name}"
 
     @property
     def structs(self) -> tuple[str, ...]:
         """Definitions of the structs of the code; members of a struct are defined before it."""
-        return tuple(
+        enumerations = tuple(
+            f"enum class {name} : {each.c_definition} {{}};"
+            for name, each in self.table.items()
+            if self.has_enumerations and each.symbols
+        )
+        return enumerations + tuple(
             f"typedef struct {{ {' '.join(f'{self.declared(f.datatype, f.name)};' for f in each.fields or ())} }} {name};"
             for name, each in self.table.items()
             if each.kind == "struct"
@@ -203,14 +217,14 @@ def _named_variables(reading: _Reading) -> Iterator[tuple[str | None, str, int]]
             yield item.count_variable, U32, 0
     yield from ((item.variable, item.datatype, 0) for item in reading.parameters)
     for _, _, error in walk.errors(reading.document):
-        yield error.variable, S32, 0
-        yield error.status_variable, U8, 0
-    yield from ((each.variable, U8, 0) for _, _, each in walk.safety_reactions(reading.document))
+        yield error.variable, STATUS32, 0
+        yield error.status_variable, STATUS8, 0
+    yield from ((each.variable, STATUS8, 0) for _, _, each in walk.safety_reactions(reading.document))
     for method in reading.methods:
         yield method.request_variable, BOOL, 0
-        yield method.status_variable, U8, 0
+        yield method.status_variable, STATUS8, 0
         yield from ((each.variable, each.datatype, 0) for each in (*method.inputs, *method.outputs))
-    yield from ((mode.variable, S32, 0) for mode in reading.document.mode_interfaces or ())
+    yield from ((mode.variable, STATUS32, 0) for mode in reading.document.mode_interfaces or ())
 
 
 def _places(item: Signal | DataQueue) -> int:

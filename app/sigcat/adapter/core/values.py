@@ -172,6 +172,7 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         source=source.type,
         target=target.type,
         conversion=IDENTITY if part.symbols else source.scale.inverse.then(target.scale),
+        is_enumeration=part.symbols is not None,
         names=_names(source, target),
         is_checked=is_checked and not part.symbols,
         **(_on_source(low, high, source) if is_checked and not part.symbols else {}),

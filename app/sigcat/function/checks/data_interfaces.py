@@ -166,7 +166,9 @@ def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, su
         fix = "Make it at least the cycle time: it would pass before the value can be looked at twice."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
     elif duration is not None and _is_only_trigger(item, runnable):
-        message = f"The timeout of {item.name!r} must be that of a call which runs without it; {runnable.name} waits for it."
+        message = (
+            f"The timeout of {item.name!r} must be that of a call which runs without it; {runnable.name} waits for it."
+        )
         fix = "Have a cyclic call consume the signal with the timeout, or let another signal trigger this call too."
         yield Problem(codes.TIMEOUT_OF_ONLY_TRIGGER, (*pointer, "Timeout"), message, fix, subject)
     if item.timeout_error and duration is None and item.timeout is None:

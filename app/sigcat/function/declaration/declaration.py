@@ -207,7 +207,9 @@ class RunnableItem(DeclarationModel):
     )
     overrun_error: Text | None = Field(None, description="Error that missed activations set: interface name or path.")
     contract: Text | None = Field(None, description="How data is handed over, such as: Global variables.")
-    parallel: bool | None = Field(None, description="Whether the call may run at the same time as others; yes if absent.")
+    parallel: bool | None = Field(
+        None, description="Whether the call may run at the same time as others; yes if absent."
+    )
     events: list[Text] = Field(
         [],
         description="Events that trigger the call: paths or names of signals that it consumes; all of them if absent.",

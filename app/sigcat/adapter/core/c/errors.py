@@ -234,12 +234,11 @@ def reaction_written(reaction: Reaction, scope: Scope) -> Lines:
     """A reaction in its variable, if it has one."""
     if reaction.variable is None:
         return ()
-    target = scope.variable(reaction.variable)
-    return lines(f"{target} = self->out.{reaction.named.name};", reaction.named.pointer)
+    return lines(scope.assigned(reaction.variable, f"self->out.{reaction.named.name}"), reaction.named.pointer)
 
 
 def status_written(error: Error, scope: Scope) -> Lines:
     """What is sent of an error, in its variable, if it has one."""
     if error.status_variable is None:
         return ()
-    return lines(f"{scope.variable(error.status_variable)} = self->out.{error.named.name};", error.named.pointer)
+    return lines(scope.assigned(error.status_variable, f"self->out.{error.named.name}"), error.named.pointer)

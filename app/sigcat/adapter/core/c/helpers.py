@@ -21,6 +21,8 @@ def _helpers(prefix: str, macro: str) -> dict[str, Lines]:
     """Every helper by its name, each after those that it calls."""
     integers = [found for name in INTEGER_RANGES if (found := number_type(name))]
     return {
+        "Put": _put(prefix),
+        "IsSet": _is_set(prefix),
         "Now": _now(prefix),
         "Earlier": _earlier(prefix),
         "Added": _added(prefix),
@@ -39,6 +41,28 @@ def _helpers(prefix: str, macro: str) -> dict[str, Lines]:
         **{f"Int64To{each.name.capitalize()}": _from_signed(each, prefix) for each in integers},
         **{f"Uint64To{each.name.capitalize()}": _from_unsigned(each, prefix) for each in integers},
     }
+
+
+def _put(prefix: str) -> Lines:
+    return lines(f"""
+        /* A number, put into a variable of the function that may be an enumeration. */
+        template <typename T, typename N>
+        static inline void {prefix}_Put(T &variable, N number)
+        {{
+            variable = static_cast<T>(number);
+        }}
+    """)
+
+
+def _is_set(prefix: str) -> Lines:
+    return lines(f"""
+        /* Whether a variable of the function, which may be an enumeration, is not 0. */
+        template <typename T>
+        static inline bool {prefix}_IsSet(const T &variable)
+        {{
+            return variable != static_cast<T>(0);
+        }}
+    """)
 
 
 def _now(prefix: str) -> Lines:

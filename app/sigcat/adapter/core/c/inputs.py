@@ -156,7 +156,7 @@ def ends_of(call: Call, item: Input, scope: Scope, place: str = "place") -> Ends
         source = f"{place_of(call.name, item)}.kept[{place if places(item) > 1 else '0'}]"
     if places(item) > 1:
         target = f"{target}[{place}]"
-    return Ends(source, target, f"{scope.prefix}_{call.name}_{item.named.name}", item.named.pointer)
+    return Ends(source, target, f"{scope.prefix}_{call.name}_{item.named.name}", item.named.pointer, put=scope.put)
 
 
 def taken(call: Call, item: Input, scope: Scope) -> Lines:
@@ -289,7 +289,9 @@ def _is_set(call: Call, item: Input, scope: Scope) -> Lines:
     for leaf in item.value.leaves:
         target = f"{variable}{'[place]' if places(item) > 1 else ''}{leaf.target}"
         zero = literal(0, leaf.element.target)
-        test = target if zero == "false" else f"({target} != {zero})"
+        is_cast = scope.is_cpp and leaf.element.is_enumeration
+        number = f"({leaf.element.target.c}){target}" if is_cast else target
+        test = number if zero == "false" else f"({number} != {zero})"
         each = looped(leaf, lines(f"{place} = {place} || {test};", item.named.pointer))
         if places(item) > 1:
             each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])

@@ -104,7 +104,7 @@ def _write_all(scope: Scope) -> Lines:
     items = [(call, item) for call in plan.calls for item in call.inputs]
     runs_over_values = any(inputs.places(item) > 1 for _, item in items)
     requests = [
-        lines(f"{scope.variable(each.request_variable)} = 0;", each.named.pointer)
+        lines(scope.assigned(each.request_variable, "0"), each.named.pointer)
         for each in plan.methods
         if each.request_variable and not each.is_offered
     ]

@@ -60,7 +60,9 @@ def method_functions(scope: Scope) -> list[Lines]:
 
 
 def _ends(argument: Argument, method: Method, scope: Scope, source: str = "", target: str = "") -> Ends:
-    return Ends(source, target, f"{scope.prefix}_{method.named.name}_{argument.name}", method.named.pointer)
+    names, own = f"{scope.prefix}_{method.named.name}_{argument.name}", scope.variable(argument.variable)
+    put, is_read = scope.put if target == own else "", scope.is_cpp and source == own
+    return Ends(source, target, names, method.named.pointer, put, is_read)
 
 
 def _offered(method: Method, scope: Scope) -> Lines:
@@ -187,8 +189,8 @@ def status_written(method: Method, scope: Scope) -> Lines:
     """What became of a request, in its variable, if it has one."""
     if method.status_variable is None:
         return ()
-    target = scope.variable(method.status_variable)
-    return lines(f"{target} = self->method.{method.named.name}.status;", method.named.pointer)
+    status = f"self->method.{method.named.name}.status"
+    return lines(scope.assigned(method.status_variable, status), method.named.pointer)
 
 
 def _answered(result: Argument, method: Method, scope: Scope) -> Lines:
@@ -207,7 +209,7 @@ def requested(call: Call, scope: Scope) -> Lines:
 def _requested(method: Method, scope: Scope) -> Lines:
     assert method.request_variable is not None
     name = method.named.name
-    place, variable = f"self->method.{name}", scope.variable(method.request_variable)
+    place, variable = f"self->method.{name}", method.request_variable
     arguments = [
         assigned(each.value, _ends(each, method, scope, scope.variable(each.variable), f"{place}.arguments.{each.name}"),
                  scope.prefix, quiet=True)
@@ -215,7 +217,7 @@ def _requested(method: Method, scope: Scope) -> Lines:
     ]  # fmt: skip
     asked = joined([
         *arguments,
-        lines(f"{variable} = 0;", method.named.pointer),
+        lines(scope.assigned(variable, "0"), method.named.pointer),
         lines(f"""
             {place}.status = {STATUS['PENDING']}U;
             {place}.since = t;
@@ -224,5 +226,7 @@ def _requested(method: Method, scope: Scope) -> Lines:
         """),
     ])  # fmt: skip
     return block(
-        f"if (({variable} != 0) && ({place}.status != {STATUS['PENDING']}U))", [asked], source=method.named.pointer
+        f"if ({scope.is_set(variable)} && ({place}.status != {STATUS['PENDING']}U))",
+        [asked],
+        source=method.named.pointer,
     )

@@ -110,11 +110,12 @@ def written(scope: Scope) -> Lines:
     mode = scope.plan.mode_in
     if mode is None or mode.variable is None:
         return ()
-    target = scope.variable(mode.variable)
+    variable = mode.variable
     if all(each.number == each.code for each in mode.modes):
-        return (Line(f"{target} = self->mode.now; /* {mode.named.comment} */", mode.named.pointer),)
+        text = f"{scope.assigned(variable, 'self->mode.now')} /* {mode.named.comment} */"
+        return (Line(text, mode.named.pointer),)
     ways = [
-        (f"self->mode.now == {_constant(each)}", lines(f"{target} = {each.code};", mode.named.pointer))
+        (f"self->mode.now == {_constant(each)}", lines(scope.assigned(variable, str(each.code)), mode.named.pointer))
         for each in mode.modes
     ]
     return choice([*ways[:-1], ("", ways[-1][1])])
@@ -130,7 +131,7 @@ def mode_out_functions(scope: Scope) -> list[Lines]:
         return []
     out, name = f"self->out.{mode.named.name}", mode.named.name
     switch = block(
-        f"switch ({scope.variable(mode.variable)})",
+        f"switch ({'(int64_t)' if scope.is_cpp else ''}{scope.variable(mode.variable)})",
         [
             *(_out_case(each, mode) for each in _first_of_each_code(mode)),
             lines("default:\n    is_named = false;\n    break;"),

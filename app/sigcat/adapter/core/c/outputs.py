@@ -28,7 +28,8 @@ def ends_of(call: Call, output: Output, scope: Scope) -> Ends:
     if output.queue:
         target = f"{target}.values[given]"
         source = f"{source}[given]" if output.queue.count_variable else source
-    return Ends(source, target, f"{scope.prefix}_{call.name}_{output.named.name}", output.named.pointer)
+    names = f"{scope.prefix}_{call.name}_{output.named.name}"
+    return Ends(source, target, names, output.named.pointer, is_read=scope.is_cpp)
 
 
 def given(call: Call, output: Output, scope: Scope) -> Lines:

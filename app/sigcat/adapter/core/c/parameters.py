@@ -21,7 +21,8 @@ def ends_of(parameter: Parameter, scope: Scope) -> Ends:
     """From the catalogue's value to the variable."""
     name = parameter.named.name
     source = f"self->parameter.{name}.value"
-    return Ends(source, scope.variable(parameter.variable), f"{scope.prefix}_{name}", parameter.named.pointer)
+    names = f"{scope.prefix}_{name}"
+    return Ends(source, scope.variable(parameter.variable), names, parameter.named.pointer, put=scope.put)
 
 
 def parameter_functions(scope: Scope) -> list[Lines]:
@@ -157,7 +158,7 @@ def set_function(scope: Scope) -> Lines:
 def _back(parameter: Parameter, scope: Scope) -> Ends:
     name = f"{scope.prefix}_{parameter.named.name}_Learned"
     target = f"self->stored.{parameter.named.name}.value"
-    return Ends(scope.variable(parameter.variable), target, name, parameter.named.pointer)
+    return Ends(scope.variable(parameter.variable), target, name, parameter.named.pointer, is_read=scope.is_cpp)
 
 
 def _learn(parameter: Parameter, learned_value: Value, scope: Scope) -> Lines:

@@ -210,7 +210,7 @@ def _get_output(call: Call, scope: Scope) -> Lines:
         supervision.ended(call, scope),
         *(outputs.given(call, output, scope) for output in call.outputs),
         outputs.published(call),
-        *(_condition(error.named.name, scope.variable(error.variable), scope)
+        *(_condition(error.named.name, scope.is_set(error.variable), scope)
           for error in plan.errors if error.variable and error.call == call.name),
         errors.evaluated(plan.errors_of(call.name, late=True), scope),
         methods.requested(call, scope),
@@ -223,6 +223,6 @@ def _get_output(call: Call, scope: Scope) -> Lines:
     return function(f"void {p}_GetOutput_{call.name}({scope.self_argument}, uint64_t t)", body)
 
 
-def _condition(name: str, variable: str, scope: Scope) -> Lines:
+def _condition(name: str, is_set: str, scope: Scope) -> Lines:
     pointer = next(error.named.pointer for error in scope.plan.errors if error.named.name == name)
-    return lines(f"self->error.{name}.variable = ({variable} != 0) ? {scope.present} : {scope.absent};", pointer)
+    return lines(f"self->error.{name}.variable = {is_set} ? {scope.present} : {scope.absent};", pointer)

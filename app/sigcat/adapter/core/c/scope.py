@@ -49,6 +49,26 @@ class Scope(NamedTuple):
             return expression
         return re.sub(rf"(?<![\w.>])({'|'.join(sorted(self.shadowed))})\b", rf"{MARK}\1", expression)
 
+    @property
+    def is_cpp(self) -> bool:
+        """Whether the core is C++, where an enumeration is no number."""
+        return self.plan.code.signature == CLASS
+
+    @property
+    def put(self) -> str:
+        """What puts a number into a variable that may be an enumeration; empty where `=` does."""
+        return f"{self.prefix}_Put" if self.is_cpp else ""
+
+    def assigned(self, expression: str, number: str) -> str:
+        """A number assigned to a variable of the code that may be an enumeration."""
+        target = self.variable(expression)
+        return f"{self.put}({target}, {number});" if self.is_cpp else f"{target} = {number};"
+
+    def is_set(self, expression: str) -> str:
+        """The condition that a variable of the code is not 0."""
+        variable = self.variable(expression)
+        return f"{self.prefix}_IsSet({variable})" if self.is_cpp else f"({variable} != 0)"
+
     def constant(self, name: str) -> str:
         """A constant of the adapter: `PRESENT` → `CORE_ACC_ADAPTER_PRESENT`."""
         return f"{self.macro}_{name}"

@@ -39,6 +39,19 @@ class Ends(NamedTuple):
     names: str
     """What the functions of its enumerations begin with: `CoreAcc_Adapter_Step_SpdLimUnit`."""
     pointer: Pointer
+    put: str = ""
+    """What puts a number into an enumeration of C++, where the target is one."""
+    is_read: bool = False
+    """Whether the source is a variable of C++, which may be an enumeration."""
+
+    def assigned(self, target: str, number: str, element: Element) -> str:
+        """A number assigned to a place of the target."""
+        return f"{self.put}({target}, {number});" if self.put and element.is_enumeration else f"{target} = {number};"
+
+    def number(self, source: str, element: Element) -> str:
+        """A number of the source."""
+        is_cast = self.is_read and element.is_enumeration
+        return f"({element.source.c}){source}" if is_cast else source
 
 
 def looped(leaf: Leaf, body: Lines) -> Lines:
@@ -100,8 +113,17 @@ def flag(value: Value) -> Lines:
 def _condition(leaf: Leaf, number: int, ends: Ends) -> str | None:
     source = f"{ends.source}{leaf.source}"
     if leaf.element.names is not None:
-        return f"{names_function(ends, number)}({source}, &known_{number})"
+        return f"{names_function(ends, number)}({_whole(source, leaf, ends)}, &known_{number})"
     return within(source, leaf.element)
+
+
+def _whole(source: str, leaf: Leaf, ends: Ends) -> str:
+    """A number that is looked up: a wider variable than declared is not cut."""
+    return f"({_widest(leaf.element)}){source}" if ends.is_read else source
+
+
+def _widest(element: Element) -> str:
+    return "uint64_t" if element.source.name == "uint64" else "int64_t"
 
 
 def known_values(value: Value) -> Lines:
@@ -119,10 +141,12 @@ def assigned(value: Value, ends: Ends, prefix: str, *, quiet: bool = False, is_n
     for number, leaf in enumerate(value.leaves):
         source, target = f"{ends.source}{leaf.source}", f"{ends.target}{leaf.target}"
         if leaf.element.names is not None:
-            named = f"(void){names_function(ends, number)}({source}, &known_{number});\n"
-            text = f"{named if is_new or leaf.length is not None else ''}{target} = known_{number};"
+            named = f"(void){names_function(ends, number)}({_whole(source, leaf, ends)}, &known_{number});\n"
+            put = ends.assigned(target, f"known_{number}", leaf.element)
+            text = f"{named if is_new or leaf.length is not None else ''}{put}"
         else:
-            text = f"{target} = {_quiet(_converted(source, leaf, number, ends, prefix), leaf.element, prefix, quiet)};"
+            found_number = _converted(ends.number(source, leaf.element), leaf, number, ends, prefix)
+            text = ends.assigned(target, _quiet(found_number, leaf.element, prefix, quiet), leaf.element)
         found.append(looped(leaf, lines(text, ends.pointer)))
     return joined(found)
 
@@ -145,7 +169,8 @@ def constant(value: Value, kind: str, ends: Ends) -> Lines:
     found = []
     for number, leaf in enumerate(value.leaves):
         numbers = _numbers(leaf, kind)
-        text = f"{ends.target}{leaf.target} = {given(numbers, leaf, f'{ends.names}_{kind}_{number}')};"
+        constant_number = given(numbers, leaf, f"{ends.names}_{kind}_{number}")
+        text = ends.assigned(f"{ends.target}{leaf.target}", constant_number, leaf.element)
         found.append(looped(leaf, lines(text, ends.pointer)))
     return joined(found)
 
@@ -202,10 +227,9 @@ def names_functions(value: Value, ends: Ends) -> list[Lines]:
 def _names_function(element: Element, name: str, wire: WireType) -> Lines:
     texts = {number: text for text, number in wire.symbols}
     cases = [_case(source, target, element, texts) for source, target in (element.names or {}).items()]
-    wide = "uint64_t" if element.source.name == "uint64" else "int64_t"  # a wider variable is not cut
     switch = block("switch (source)", [*cases, lines("default:\n    is_known = false;\n    break;")])
     body = [lines("bool is_known = true;"), switch, lines("return is_known;")]
-    return function(f"static bool {name}({wide} source, {element.target.c} *target)", body)
+    return function(f"static bool {name}({_widest(element)} source, {element.target.c} *target)", body)
 
 
 def _case(source: int, target: int, element: Element, texts: dict[int, str]) -> Lines:

@@ -16,6 +16,8 @@ class Element:
     target: NumberType
     conversion: Linear = IDENTITY
     """From the number in the source to that in the target."""
+    is_enumeration: bool = False
+    """Whether the code may have an enumeration for it."""
     names: Mapping[int, int] | None = None
     """Of an enumeration: numbers of the source, and what they are in the target."""
     least: Number | None = None
