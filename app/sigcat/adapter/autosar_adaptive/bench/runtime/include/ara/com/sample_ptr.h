@@ -1,0 +1,47 @@
+// A received sample, which is freed with its pointer (SWS_CM_00306).
+#ifndef ARA_COM_SAMPLE_PTR_H_
+#define ARA_COM_SAMPLE_PTR_H_
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "ara/com/e2e/types.h"
+
+namespace ara::com {
+
+template <typename T>
+class SamplePtr final {
+public:
+    constexpr SamplePtr() noexcept = default;
+    constexpr SamplePtr(std::nullptr_t) noexcept {}
+    SamplePtr(const SamplePtr&) = delete;
+    SamplePtr& operator=(const SamplePtr&) = delete;
+    SamplePtr(SamplePtr&&) noexcept = default;
+    SamplePtr& operator=(SamplePtr&&) noexcept = default;
+    SamplePtr& operator=(std::nullptr_t) noexcept {
+        sample_.reset();
+        return *this;
+    }
+    ~SamplePtr() noexcept = default;
+
+    T& operator*() const noexcept { return *sample_; }
+    T* operator->() const noexcept { return sample_.get(); }
+    explicit operator bool() const noexcept { return sample_ != nullptr; }
+    T* Get() const noexcept { return sample_.get(); }
+    void Swap(SamplePtr& other) noexcept { std::swap(*this, other); }
+    void Reset(std::nullptr_t) noexcept { sample_.reset(); }
+    e2e::ProfileCheckStatus GetProfileCheckStatus() const noexcept { return status_; }
+
+    // For the runtime: what frees the sample also gives its place back to the event.
+    SamplePtr(std::shared_ptr<T> sample, e2e::ProfileCheckStatus status) noexcept
+        : sample_{std::move(sample)}, status_{status} {}
+
+private:
+    std::shared_ptr<T> sample_;
+    e2e::ProfileCheckStatus status_ = e2e::ProfileCheckStatus::kNotAvailable;
+};
+
+}  // namespace ara::com
+
+#endif  // ARA_COM_SAMPLE_PTR_H_

@@ -1,0 +1,64 @@
+// What the ARXML says of a service, as constant tables that the generator writes.
+#ifndef BENCH_DESCRIPTION_H_
+#define BENCH_DESCRIPTION_H_
+
+#include <cstdint>
+#include <string_view>
+
+#include "ara/core/span.h"
+
+namespace bench {
+
+// TransformationProps: how values become bytes.
+struct Serialization {
+    bool is_big_endian;
+    std::uint8_t alignment;  // bytes
+    std::uint8_t array_length;
+    std::uint8_t string_length;
+    std::uint8_t struct_length;
+    bool is_utf16;
+};
+
+// Times of service discovery, in ms; times to live in s.
+struct DiscoveryTimes {
+    double initial_delay_min;
+    double initial_delay_max;
+    std::uint32_t repetitions_max;
+    double repetitions_base_delay;
+    double offer_cyclic_delay;
+    std::uint32_t offer_time_to_live;
+    std::uint32_t find_time_to_live;
+    std::uint32_t subscribe_time_to_live;
+    double response_delay_min;
+    double response_delay_max;
+};
+
+// An event, or the notifier of a field.
+struct EventDescription {
+    std::string_view name;
+    std::uint16_t id;
+    std::uint16_t group;
+    bool is_field;
+};
+
+// The instance that a port of an executable means.
+struct InstanceDescription {
+    std::string_view specifier;
+    std::uint16_t id;
+};
+
+struct ServiceDescription {
+    std::string_view name;
+    std::uint16_t id;
+    std::uint8_t major_version;
+    std::uint32_t minor_version;
+    bool counts_sessions;  // of events; requests are always counted, for their answers
+    Serialization serialization;
+    DiscoveryTimes times;
+    ara::core::Span<const EventDescription> events;
+    ara::core::Span<const InstanceDescription> instances;
+};
+
+}  // namespace bench
+
+#endif  // BENCH_DESCRIPTION_H_
