@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import hypothesis
 import pytest
 
 from tests.judges import Verdicts, note
@@ -32,6 +33,8 @@ def pytest_configure(config: pytest.Config) -> None:
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
+    hypothesis.settings.register_profile("untimed")  # how long an example takes is the machine's load
+    hypothesis.settings.load_profile("untimed")
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -499,7 +499,7 @@ def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
 
 
 @judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
 def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):
     one = function(

@@ -39,7 +39,6 @@ CHECKS = [
 ]
 BOUNDED = settings(
     max_examples=EXAMPLES,
-    deadline=None,
     derandomize=EXAMPLES < 50,
     suppress_health_check=list(HealthCheck),
     database=None,

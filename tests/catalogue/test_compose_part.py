@@ -33,7 +33,7 @@ TREES = OVERLAYS.map(lambda nodes: {"Vehicle": {"type": "branch"}, **nodes})
 
 
 @given(TREES.map(json.dumps), OVERLAYS.map(json.dumps))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_the_findings_of_an_overlay_are_those_that_it_has_in_the_whole(tree, overlay):
     base = catalogue_of(tree)
     layer = layer_from_text(overlay.encode(), "posted")

@@ -21,7 +21,7 @@ LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_s
 ANYTHING = st.recursive(
     LEAVES, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3)
 )
-QUICKLY = settings(max_examples=600 if IS_SLOW_RUN else 60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+QUICKLY = settings(max_examples=600 if IS_SLOW_RUN else 60, suppress_health_check=[HealthCheck.too_slow])
 DECLARATION = FUNCTIONS[0].read_bytes()
 FUNCTION = json.loads(to_json(build_function(DECLARATION, "f.yaml", interfaces())[0]))
 

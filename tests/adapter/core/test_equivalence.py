@@ -48,7 +48,6 @@ def test_functions_at_random(number, tmp_path, flags):
     @seed(number)
     @settings(
         max_examples=20 if FUZZ else 2,
-        deadline=None,
         database=None,
         suppress_health_check=list(HealthCheck),
         phases=[Phase.generate, Phase.shrink] if FUZZ else [Phase.generate],

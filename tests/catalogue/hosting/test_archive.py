@@ -215,7 +215,7 @@ def test_a_zip_that_points_to_before_its_beginning_is_refused(tmp_path):
     assert refusal(tmp_path, bytes(data))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(position=st.integers(0, 10_000), byte=st.integers(0, 255), is_zip=st.booleans())
 def test_a_damaged_archive_is_unpacked_or_refused_and_never_leads_out(tmp_path_factory, position, byte, is_zip):
     folder = tmp_path_factory.mktemp("damaged")

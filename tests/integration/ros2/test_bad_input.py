@@ -53,7 +53,7 @@ def test_nothing_of_a_document_reaches_the_report_unescaped():
     assert all(line.replace("\\|", "").count("|") == 7 for line in table.splitlines())
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.text(max_size=40), st.text(max_size=40), st.text(max_size=20), st.text(max_size=20))
 def test_any_text_anywhere_is_derived_or_refused(name, path, factor, unit):
     made = function(signal(name, path, Factor=factor, VssUnit=unit, Timeout=factor, AsilLevel=unit), name=name)

@@ -19,7 +19,7 @@ EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
 
 
 @given(st.binary(max_size=300) | st.text("VehicleABab:.- \n[]{}#&*!'\"0", max_size=300).map(str.encode))
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_bytes_of_any_kind_never_end_a_lint(data):
     base = compose([])
     for is_tree in (True, False):
@@ -46,7 +46,7 @@ VALUES = st.recursive(
 
 
 @given(st.dictionaries(PATHS, st.dictionaries(ATTRIBUTES, VALUES, max_size=6), max_size=8))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_values_of_any_kind_at_any_place_never_end_a_lint(data):
     base = compose([])
     for is_tree in (True, False):
@@ -64,7 +64,7 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
 
 
 @given(NODES, NODES, NODES)
-@settings(max_examples=600 if IS_SLOW_RUN else 60, deadline=None)
+@settings(max_examples=600 if IS_SLOW_RUN else 60)
 def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, other, overlay):
     named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [
