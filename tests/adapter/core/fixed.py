@@ -140,8 +140,13 @@ def queues() -> FunctionJson:
             name="Merge",
             EventList="Same",
         ),
+        on_event(
+            queue("Burst", 5, U8, ValuesPerStep=3, CountVariable="burst_n"),
+            queue("Bursts", 4, U8, ValuesPerStep=2, CountVariable="bursts_n"),
+            name="Several",
+        ),
         datatypes=DATATYPES,
-        active={"ON": ["Step", "Event", "Merge"], "OFF": ["Step"]},
+        active={"ON": ["Step", "Event", "Merge", "Several"], "OFF": ["Step"]},
         modes=(mode_interface("In", "ON", "OFF"),),
         **GLOBALS,
     )

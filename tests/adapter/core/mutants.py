@@ -62,6 +62,7 @@ MUTANTS = [
         ),
         ("events do not merge", r"(self->Merge\.events) < 1U", r"\1 < 2U"),
         ("events merge", r"self->Event\.events--;", "self->Event.events = 0U;"),
+        ("one event too few is answered", r"(Several\.events < )2U\) \? (.*) : 2U", r"\g<1>1U) ? \2 : 1U"),
         (
             "values stay when events are dropped",
             r"(Exclude_Event\(.*\n\{(?:\n.*)*?)\n\s+self->Event\.in\.Trigger\.waiting = 0U;",

@@ -105,6 +105,19 @@ def test_events_merge_and_with_a_queue_there_is_a_call_for_each():
         assert len([1 for _ in range(5) if run.step(0)]) == expected
 
 
+def test_a_call_that_takes_several_values_at_once_stands_for_as_many_events():
+    content = queue("A", 8, ValuesPerStep=3, CountVariable="n")
+    run = Driven(function(on_event(content, queue("B", 4)))).start()
+    for value in range(5):
+        run.receive("A", value, 0)
+    assert len([1 for _ in range(9) if run.step(0)]) == 5, "B takes one at once"
+    run = Driven(function(on_event(content))).start()
+    for value in range(5):
+        run.receive("A", value, 0)
+    assert [run.step(0), run.step(0), run.step(0)] == ["F_Step", "F_Step", None]
+    assert [(seen["n"], seen["a"]) for seen in run.seen] == [(3, (0, 1, 2)), (2, (3, 4, 2))]
+
+
 def test_only_the_signals_that_it_lists_trigger_a_call():
     run = Driven(function(on_event(signal("A", VssPath="Vehicle.A"), signal("B"), EventList="Vehicle.A"))).start()
     run.receive("B", 1.0, 0)

@@ -32,6 +32,7 @@ def planned_call(
     is_event = call.run_type == EVENT_TRIGGERED
     cycle = None if is_event or not call.cycle_time else (yield from nanoseconds(call.cycle_time, (*at, "Cycletime")))
     events = triggers(call) if is_event else ()
+    queues = [item for item in events if isinstance(item, DataQueue)]
     previous = tuple(name.strip() for name in (call.previous_runnable or "").split(",") if name.strip())
     return Call(
         name=listed.name,
@@ -48,7 +49,8 @@ def planned_call(
         debounce=(yield from nanoseconds(call.debounce_delay, (*at, "DebounceDelay"))) or 0,
         priority=int(call.priority) if call.priority.strip().lstrip("+-").isdigit() else 0,
         previous=tuple(short_name(name, context.name) for name in previous),
-        most_events=max((item.queue_length for item in events if isinstance(item, DataQueue)), default=1),
+        most_events=max((item.queue_length for item in queues), default=1),
+        events_per_call=min((min(item.values_per_step or 1, item.queue_length) for item in queues), default=1),
         triggers=frozenset(ports[port_key(item)] for item in events),
         is_exclusive=call.parallel_processing is False,
         modes=excluded_in(call.name, context),

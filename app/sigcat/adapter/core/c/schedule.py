@@ -83,7 +83,7 @@ def _answered(call: Call, scope: Scope) -> Lines:
     place = f"self->{call.name}"
     if call.cycle is None:
         none = lines(f"{place}.overrun = {scope.absent};") if call.overrun_error else ()
-        return joined([lines(f"{place}.events--;\n{place}.is_active = true;"), none])
+        return joined([_fewer_events(call, place), lines(f"{place}.is_active = true;"), none])
     cycle = time(call.cycle)
     overrun = f"{place}.overrun = (releases > 1U) ? {scope.present} : {scope.absent};\n"
     return joined([
@@ -93,6 +93,13 @@ def _answered(call: Call, scope: Scope) -> Lines:
         lines(f"{place}.missed = {scope.prefix}_Added({place}.missed, releases - 1U);"),
         lines(f"{overrun if call.overrun_error else ''}{place}.is_active = true;"),
     ])  # fmt: skip
+
+
+def _fewer_events(call: Call, place: str) -> Lines:
+    if call.events_per_call == 1:
+        return lines(f"{place}.events--;")
+    most = f"{call.events_per_call}U"
+    return lines(f"{place}.events -= ({place}.events < {most}) ? {place}.events : {most};")
 
 
 def _next_call(scope: Scope) -> Lines:

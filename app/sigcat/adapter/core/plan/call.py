@@ -58,7 +58,9 @@ class Call:
     priority: int = 0
     previous: tuple[str, ...] = ()
     most_events: int = 1
-    """Events that wait: each is a call of its own if one of its triggers is a queue."""
+    """Events that wait at most: more than one if one of its triggers is a queue."""
+    events_per_call: int = 1
+    """Events that one call stands for: as many as it takes values at once."""
     triggers: frozenset[str] = frozenset()
     """Names of the ports whose values are its events."""
     is_exclusive: bool = False

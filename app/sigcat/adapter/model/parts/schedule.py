@@ -16,6 +16,8 @@ class Timing(NamedTuple):
     debounce: int = 0
     most_events: int = 1
     """Events that wait at most."""
+    events_per_call: int = 1
+    """Events that one call is for."""
 
 
 @dataclass
@@ -72,5 +74,5 @@ class Activations:
         self.next_release += late * (self.timing.cycle or 0)
         self.missed += max(late - 1, 0)
         self.overrun = late > 1
-        self.events = max(self.events - 1, 0)
+        self.events = max(self.events - self.timing.events_per_call, 0)
         self.is_active = True

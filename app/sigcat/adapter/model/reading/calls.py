@@ -69,6 +69,7 @@ def _timing(runnable: Runnable, triggers: tuple[Input, ...]) -> Timing:
         offset=nanoseconds(runnable.execution_offset) or 0,
         debounce=nanoseconds(runnable.debounce_delay) or 0,
         most_events=max((each.queue.length for each in triggers if each.queue), default=1),
+        events_per_call=min((each.queue.values_per_step for each in triggers if each.queue), default=1),
     )
 
 
