@@ -63,6 +63,8 @@ def compiler(request, monkeypatch):
 
 UNFIT = {
     "a member that does not exist": ({"filter_yaml": ("filter_in.speed", "filter_in.sped")}, "filter.yaml:14:61", "sped"),
+    "a variable that is narrower": ({"filter_h": ("double speed", "float speed")}, "filter.yaml:14:61", "filter_in.speed must be double"),
+    "an array that is longer": ({"filter_h": ("levels[3]", "levels[4]")}, "filter.yaml:15:69", "filter_out.levels must have 3 elements"),
     "a function that is not declared": ({"filter_yaml": ("symbol: filter_step", "symbol: filter_stepp")}, "filter.yaml:12:17", "filter_stepp"),
     "a function that nobody defines": ({"filter_c": ("void filter_step(", "void filter_stop(")}, "filter.yaml:12:17", "filter_step"),
     "a variable that nobody defines": ({"filter_c": ("filter_in_t filter_in;", "")}, "filter.", "'filter_in'"),

@@ -1,7 +1,7 @@
 """What a compiler or linker says, taken apart: gcc, clang and zig have the same form for that."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 
@@ -24,12 +24,18 @@ _SYMBOL = re.compile(r"undefined symbol: (?P<symbol>.+)")
 _REFERENCED = re.compile(r">>> referenced by (?P<file>.+?):(?P<line>\d+)")
 
 
+_ASSERTION = "static assertion failed"
+_EXPANSION = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): note: in expansion of macro")
+
+
 def diagnostics(text: str) -> Iterator[Diagnostic]:
     """The errors in what was printed; warnings and notes are left out."""
+    lines = text.splitlines()
     symbol = ""
-    for line in text.splitlines():
+    for number, line in enumerate(lines):
         if match := _ERROR.match(line):
-            yield Diagnostic(match["file"], int(match["line"]), int(match["column"] or 0), match["message"])
+            found = Diagnostic(match["file"], int(match["line"]), int(match["column"] or 0), match["message"])
+            yield _where_it_is_used(found, lines[number + 1 :]) if _ASSERTION in found.message else found
         elif match := _LINKER.match(line):
             yield Diagnostic(match["file"], int(match["line"]), 0, match["message"].replace("`", "'"))
         elif match := _SYMBOL.search(line):
@@ -37,3 +43,13 @@ def diagnostics(text: str) -> Iterator[Diagnostic]:
         elif symbol and (match := _REFERENCED.match(line)):
             yield Diagnostic(match["file"], int(match["line"]), 0, f"undefined reference to '{symbol}'")
             symbol = ""
+
+
+def _where_it_is_used(found: Diagnostic, rest: Sequence[str]) -> Diagnostic:
+    """An assertion that a macro makes: gcc has the place of the macro first, and that of its use in notes."""
+    for line in rest:
+        if _ERROR.match(line):
+            break
+        if match := _EXPANSION.match(line):
+            found = found._replace(file=match["file"], line=int(match["line"]), column=int(match["column"]))
+    return found

@@ -26,6 +26,41 @@
 
 CoreAcc_Adapter CoreAcc_Adapter_Instance;
 
+/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+#if defined(__cplusplus)
+#define CORE_ACC_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
+#else
+#if defined(__GNUC__)
+#define CORE_ACC_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define CORE_ACC_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#else
+#define CORE_ACC_ADAPTER_CHECK(holds, message) extern char CoreAcc_Adapter_Checked[(holds) ? 1 : -1]
+#endif
+#define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
+#endif
+
+#define CORE_ACC_ADAPTER_HOLDS(variable, type) \
+    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+        #variable " must be " #type)
+#define CORE_ACC_ADAPTER_FITS(variable, type) \
+    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+        #variable " must be " #type)
+
+/* Variables of CoreAcc are as large as declared: a build fails where one is not. */
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, double);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass, double);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt, double);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd, double);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.SetSpd, float);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Obj.ObjDst, float);
+CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_MPCOut.EcoAccProp, float);
+CORE_ACC_ADAPTER_FITS(AsmAcc_AccIntSts, uint8_t);
+CORE_ACC_ADAPTER_FITS(core_outputs.bus_ACCOut.AccReq, float);
+CORE_ACC_ADAPTER_HOLDS(core_params.ALatMax, float);
+
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t CoreAcc_Adapter_Now(CoreAcc_Adapter *self, uint64_t t)
 {

@@ -24,6 +24,42 @@
 #error "EcoControlMpc: -ffast-math changes results"
 #endif
 
+/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+#if defined(__cplusplus)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
+#else
+#if defined(__GNUC__)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#else
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) extern char EcoControlMpc_Adapter_Checked[(holds) ? 1 : -1]
+#endif
+#define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
+#endif
+
+#define ECO_CONTROL_MPC_ADAPTER_SELF ((EcoControlMpc_Adapter *)0)
+#define ECO_CONTROL_MPC_ADAPTER_HOLDS(variable, type) \
+    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+        #variable " must be " #type)
+#define ECO_CONTROL_MPC_ADAPTER_FITS(variable, type) \
+    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+        #variable " must be " #type)
+#define ECO_CONTROL_MPC_ADAPTER_HAS(variable, count) \
+    ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((count) * sizeof((variable)[0])), \
+        #variable " must have " #count " elements")
+
+/* Variables of EcoControlMpc are as large as declared: a build fails where one is not. */
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EgoSpd, float);
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.SetSpd, float);
+ECO_CONTROL_MPC_ADAPTER_HAS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt, 50);
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt[0], float);
+ECO_CONTROL_MPC_ADAPTER_FITS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.EcoAccProp, float);
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.VehM, float);
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.HorizonStep, float);
+ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.EnergyWeight, float);
+
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t EcoControlMpc_Adapter_Now(EcoControlMpc_Adapter *self, uint64_t t)
 {

@@ -26,6 +26,43 @@
 
 WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
 
+/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+#if defined(__cplusplus)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
+#else
+#if defined(__GNUC__)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#else
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) extern char WheelSpeedCalculation_Adapter_Checked[(holds) ? 1 : -1]
+#endif
+#define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
+#endif
+
+#define WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(variable, type) \
+    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+        #variable " must be " #type)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FITS(variable, type) \
+    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+        #variable " must be " #type)
+
+/* Variables of WheelSpeedCalculation are as large as declared: a build fails where one is not. */
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFL, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFR, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotRL, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotRR, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdFL, uint16_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdFR, uint16_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdRL, uint16_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdRR, uint16_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.TireDiaFrnt, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.TireDiaRear, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.SpdMax, float);
+WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.RangeErrCnt, uint32_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_par.RangeErrCnt, uint32_t);
+
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t WheelSpeedCalculation_Adapter_Now(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
@@ -47,7 +84,8 @@ static uint32_t WheelSpeedCalculation_Adapter_Added(uint32_t sum, uint64_t more)
 }
 
 /* The worse of two verdicts: present, absent, not judged. */
-static WheelSpeedCalculation_Adapter_Verdict WheelSpeedCalculation_Adapter_Worse(WheelSpeedCalculation_Adapter_Verdict a, WheelSpeedCalculation_Adapter_Verdict b)
+static WheelSpeedCalculation_Adapter_Verdict WheelSpeedCalculation_Adapter_Worse(
+    WheelSpeedCalculation_Adapter_Verdict a, WheelSpeedCalculation_Adapter_Verdict b)
 {
     return (a > b) ? a : b;
 }

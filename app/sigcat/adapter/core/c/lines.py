@@ -88,7 +88,7 @@ def _declarations(body: Lines) -> int:
 
 
 WIDEST = 120
-_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ")
+_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ", "(")
 
 
 def wrapped(part: Lines) -> Lines:
@@ -101,14 +101,15 @@ def _wrapped(line: Line) -> Lines:
         return _wrapped_comment(line)
     code, mark, comment = line.text.partition(" /* ")
     indent = " " * (len(code) - len(code.lstrip()))
-    if len(line.text) <= WIDEST or code.lstrip().startswith("*"):
+    is_directive = code.lstrip().startswith("#") or code.endswith("\\")
+    if len(line.text) <= WIDEST or is_directive or code.lstrip().startswith("*"):
         return (line,)
     if mark and code.strip():
         return (Line(f"{indent}/* {comment}"), *_wrapped(line._replace(text=code)))
     for sign in _BREAKS:
         at = code.rfind(sign, len(indent) + 1, WIDEST - len(sign.rstrip()))
         if at > len(indent) + 20:
-            cut = at + (len(sign) - 1 if sign in (", ", " = ") else 0)
+            cut = at + (len(sign) - 1 if sign in (", ", " = ") else 1 if sign == "(" else 0)
             rest = Line(f"{indent}    {code[cut:].lstrip()}", line.source)
             return (Line(code[:cut].rstrip(), line.source), *_wrapped_rest(rest, indent))
     return (line,)

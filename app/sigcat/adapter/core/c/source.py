@@ -15,6 +15,7 @@ from sigcat.adapter.core.c import (
 from sigcat.adapter.core.c.helpers import used_helpers
 from sigcat.adapter.core.c.lines import Lines, function, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.sizes import sizes
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
 
@@ -29,6 +30,7 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
         _mark(scope),
         _evaluation(scope),
         *_variables(scope),
+        *sizes(scope),
         *used_helpers(text, scope.prefix, scope.macro),
         *body,
     ])  # fmt: skip

@@ -1,0 +1,71 @@
+"""While it is compiled, a core holds the declaration against the function's own variables."""
+
+import subprocess
+
+import pytest
+
+from sigcat.adapter.core.derive import derive
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.toolchain import toolchain
+from tests.adapter.written import (
+    BOOL,
+    DOUBLE,
+    FLOAT,
+    U8,
+    U16,
+    array,
+    enumeration,
+    function,
+    output,
+    queue,
+    signal,
+    step,
+)
+from tests.function.shipped import resolved
+
+DATATYPES = (array("DT_Floats", FLOAT, 3), enumeration("DT_Gear", PARK=0, DRIVE=5))
+READ = {
+    "as declared": (signal("A", FLOAT), "float a;", ""),
+    "wider": (signal("A", FLOAT), "double a;", ""),
+    "narrower": (signal("A", DOUBLE), "float a;", "io.a must be double"),
+    "a narrower integer": (signal("A", U16), "uint8_t a;", "io.a must be uint16_t"),
+    "a bit field": (signal("A", U8), "unsigned a : 3;", ""),
+    "a flag in whatever": (signal("A", BOOL), "int a;", ""),
+    "an enumeration of C": (signal("A", "DT_Gear"), "enum { PARK, DRIVE } a;", ""),
+    "an array": (signal("A", "DT_Floats"), "float a[3];", ""),
+    "a shorter array": (signal("A", "DT_Floats"), "float a[2];", "io.a must have 3 elements"),
+    "a longer array": (signal("A", "DT_Floats"), "float a[4];", "io.a must have 3 elements"),
+    "elements that are narrower": (signal("A", "DT_Floats"), "uint8_t a[3];", "io.a[0] must be float"),
+    "a pointer for an array": (signal("A", "DT_Floats"), "float *a;", "io.a must have 3 elements"),
+    "queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[5];", ""),
+    "no room for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[2];", "io.a must have at least 3 elements"),
+    "one place for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a;", "subscript"),
+}  # fmt: skip
+WRITTEN = {
+    "as declared": (output("A", U8), "uint8_t a;", ""),
+    "wider": (output("A", FLOAT), "double a;", "io.a must be float"),
+    "narrower": (output("A", U16), "uint8_t a;", ""),
+    "room for a whole queue": (
+        queue("A", 4, U8, "Provider", CountVariable="io.n"),
+        "uint8_t a[3], n;",
+        "io.a must have at least 4 elements",
+    ),
+}
+CASES = [*(READ.items()), *((f"provided {name}", case) for name, case in WRITTEN.items())]
+
+
+@pytest.mark.parametrize("standard", ["c99", "c11"])
+@pytest.mark.parametrize(("item", "members", "wanted"), [case for _, case in CASES], ids=[name for name, _ in CASES])
+def test_a_size_that_is_not_the_declared_one_does_not_compile(item, members, wanted, standard, tmp_path):
+    (tmp_path / "f.h").write_text(
+        f"#include <stdbool.h>\n#include <stdint.h>\ntypedef struct {{ {members} }} Io;\nvoid F_Step(Io *io);\n"
+    )
+    code = {"Signature": "Pointers", "Headers": ["f.h"], "Objects": [{"Name": "io", "Type": "Io"}]}
+    call = step({**item, "Variable": "io.a"}, Arguments=["io"])
+    files = core_files(derive(resolved(function(call, datatypes=DATATYPES, Code=code))).plan)
+    for file in files.files:
+        (tmp_path / file.name).write_bytes(file.data)
+    command = [*toolchain().c, f"-std={standard}", "-pedantic", "-Werror", "-c", files.source.name, "-o", "core.o"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode == 0) is (wanted == ""), done.stderr
+    assert wanted in done.stderr or standard == "c99"  # glibc has an assertion of its own there, without a message
