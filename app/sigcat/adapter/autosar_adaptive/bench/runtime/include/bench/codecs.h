@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ara/core/array.h"
@@ -47,10 +48,9 @@ struct Form {  // a struct
         writer.EndLength(begin, width);
     }
     static void Read(Reader& reader, T& value) {
-        const auto outer = reader.Limit();
-        const auto end = reader.BeginLength(Width(reader.Settings()));
+        const auto part = reader.Begin(Width(reader.Settings()));
         Members<T>::ForEach([&reader](auto& each) { Form<std::decay_t<decltype(each)>>::Read(reader, each); }, value);
-        reader.EndLength(end, outer);
+        reader.End(part);
     }
 };
 
@@ -111,12 +111,11 @@ struct Form<std::array<T, N>> {
         writer.EndLength(begin, width);
     }
     static void Read(Reader& reader, std::array<T, N>& value) {
-        const auto outer = reader.Limit();
-        const auto end = reader.BeginLength(reader.Settings().array_length);
+        const auto part = reader.Begin(reader.Settings().array_length);
         for (auto& each : value) {
             Form<T>::Read(reader, each);
         }
-        reader.EndLength(end, outer);
+        reader.End(part);
     }
 };
 
@@ -132,14 +131,17 @@ struct Form<std::vector<T>> {
         writer.EndOpen();
     }
     static void Read(Reader& reader, std::vector<T>& value) {
-        const auto outer = reader.Limit();
-        const auto end = reader.BeginLength(reader.Settings().array_length);
-        while (reader.IsBefore(end)) {
+        const auto part = reader.Begin(reader.Settings().array_length);
+        while (reader.IsBefore(part)) {
+            const auto at = reader.At();
             T each{};
             Form<T>::Read(reader, each);
+            if (reader.At() == at) {  // bytes that no element takes
+                reader.Fail();
+            }
             value.push_back(std::move(each));
         }
-        reader.EndLength(end, outer);
+        reader.End(part);
         reader.EndOpen();
     }
 };

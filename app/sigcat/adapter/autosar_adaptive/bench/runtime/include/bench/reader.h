@@ -11,7 +11,15 @@ namespace bench {
 
 class Reader {
 public:
-    Reader(ByteView bytes, const Serialization& serialization) : bytes_{bytes}, serialization_{serialization} {}
+    // An array, a text or a struct: where it ends, and where what it stands in does.
+    struct Part {
+        std::size_t end;
+        std::size_t outer;
+        bool has_length;
+    };
+
+    Reader(ByteView bytes, const Serialization& serialization)
+        : bytes_{bytes}, serialization_{serialization}, limit_{bytes.size()} {}
 
     bool IsValid() const noexcept { return is_valid_; }
     const Serialization& Settings() const noexcept { return serialization_; }
@@ -19,13 +27,14 @@ public:
     std::uint64_t Integer(std::size_t width);
     std::string Text();
 
-    // Where what begins here ends: after its length, or at the end of everything where the width is 0.
-    std::size_t BeginLength(std::size_t width);
-    // Goes there; what a newer side has added before is left out.
-    void EndLength(std::size_t end, std::size_t outer);
+    // What begins here ends with the length before it; where the width of that is 0, it ends with what it stands in.
+    Part Begin(std::size_t width);
+    // Goes to its end: what a newer side has added there is left out.
+    void End(const Part& part);
 
-    bool IsBefore(std::size_t end) const noexcept { return is_valid_ && at_ < end; }
-    std::size_t Limit() const noexcept { return limit_ < bytes_.size() ? limit_ : bytes_.size(); }
+    // Whether there is more of a part.
+    bool IsBefore(const Part& part) const noexcept { return is_valid_ && at_ < part.end; }
+    std::size_t At() const noexcept { return at_; }
     void EndOpen() noexcept { aligns_ = serialization_.alignment > 1; }
     void Fail() noexcept { is_valid_ = false; }
 
@@ -37,7 +46,7 @@ private:
     ByteView bytes_;
     const Serialization& serialization_;
     std::size_t at_ = 0;
-    std::size_t limit_ = static_cast<std::size_t>(-1);
+    std::size_t limit_;
     bool aligns_ = false;
     bool is_valid_ = true;
 };

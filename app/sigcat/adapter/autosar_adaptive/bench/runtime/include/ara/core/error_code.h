@@ -2,6 +2,7 @@
 #ifndef ARA_CORE_ERROR_CODE_H_
 #define ARA_CORE_ERROR_CODE_H_
 
+#include <exception>
 #include <type_traits>
 
 #include "ara/core/error_domain.h"
@@ -23,7 +24,10 @@ public:
     constexpr const ErrorDomain& Domain() const noexcept { return *domain_; }
     constexpr ErrorDomain::SupportDataType SupportData() const noexcept { return data_; }
     const char* Message() const noexcept { return domain_->Message(value_); }
-    [[noreturn]] void ThrowAsException() const { domain_->ThrowAsException(*this); }
+    [[noreturn]] void ThrowAsException() const {
+        domain_->ThrowAsException(*this);
+        std::terminate();  // for compilers that do not know that the domain throws
+    }
 
 private:
     ErrorDomain::CodeType value_;

@@ -1,0 +1,120 @@
+#include "services/event_queue.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace bench {
+
+void EventQueue::Open(std::size_t count) {
+    std::lock_guard<std::mutex> lock{mutex_};
+    kept_.clear();
+    count_ = count;
+    // Samples of a former subscription give their places back to that one.
+    free_ = std::make_shared<Places>(count);
+}
+
+void EventQueue::Close() {
+    Open(0);
+    SetState(ara::com::SubscriptionState::kNotSubscribed);
+}
+
+std::size_t EventQueue::Count() const {
+    std::lock_guard<std::mutex> lock{mutex_};
+    return count_;
+}
+
+void EventQueue::Push(ByteView payload) {
+    std::lock_guard<std::mutex> lock{mutex_};
+    if (count_ == 0) {
+        return;
+    }
+    if (kept_.size() == count_) {
+        kept_.pop_front();  // what is newest counts
+    }
+    kept_.emplace_back(payload.begin(), payload.end());
+    if (receive_handler_ != nullptr && !is_posted_) {
+        PostReceived();
+    }
+}
+
+std::optional<Received> EventQueue::Pop() {
+    std::lock_guard<std::mutex> lock{mutex_};
+    if (kept_.empty() || *free_ == 0) {
+        return std::nullopt;
+    }
+    --*free_;
+    Received received{std::move(kept_.front()), std::shared_ptr<void>{nullptr, [free = free_](void*) { ++*free; }}};
+    kept_.pop_front();
+    return received;
+}
+
+std::size_t EventQueue::Free() const noexcept {
+    std::lock_guard<std::mutex> lock{mutex_};
+    return *free_;
+}
+
+void EventQueue::TellMalformed() {
+    std::lock_guard<std::mutex> lock{mutex_};
+    if (!std::exchange(was_malformed_, true)) {  // once: it will hardly be the only one
+        std::fprintf(stderr, "bench: a sample of %s cannot be read: its sender has other datatypes.\n",
+                     event_.name.data());
+    }
+}
+
+ara::com::SubscriptionState EventQueue::State() const {
+    std::lock_guard<std::mutex> lock{mutex_};
+    return state_;
+}
+
+void EventQueue::SetState(ara::com::SubscriptionState state) {
+    std::lock_guard<std::mutex> lock{mutex_};
+    if (state_ == state) {
+        return;
+    }
+    state_ = state;
+    if (state_handler_ != nullptr) {
+        dispatcher_.Post(&state_handler_, [handler = state_handler_, state] { (*handler)(state); });
+    }
+}
+
+void EventQueue::SetReceiveHandler(ara::com::EventReceiveHandler handler) {
+    {
+        std::lock_guard<std::mutex> lock{mutex_};
+        is_posted_ = false;
+        receive_handler_ = handler ? std::make_shared<ara::com::EventReceiveHandler>(std::move(handler)) : nullptr;
+        if (receive_handler_ != nullptr && !kept_.empty()) {
+            PostReceived();
+        }
+    }
+    if (!handler) {
+        dispatcher_.Retire(&receive_handler_);
+    }
+}
+
+void EventQueue::SetStateHandler(ara::com::SubscriptionStateChangeHandler handler) {
+    {
+        std::lock_guard<std::mutex> lock{mutex_};
+        state_handler_ =
+            handler ? std::make_shared<ara::com::SubscriptionStateChangeHandler>(std::move(handler)) : nullptr;
+    }
+    if (!handler) {
+        dispatcher_.Retire(&state_handler_);
+    }
+}
+
+void EventQueue::PostReceived() {
+    is_posted_ = true;
+    dispatcher_.Post(&receive_handler_, [self = shared_from_this()] {
+        std::shared_ptr<ara::com::EventReceiveHandler> handler;
+        {
+            std::lock_guard<std::mutex> lock{self->mutex_};
+            self->is_posted_ = false;
+            handler = self->receive_handler_;
+        }
+        if (handler != nullptr) {
+            (*handler)();
+        }
+    });
+}
+
+}  // namespace bench
