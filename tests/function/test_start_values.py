@@ -5,6 +5,7 @@ import json
 import pytest
 
 from sigcat.function.function_file import build_function
+from sigcat.function.function_json.data_interfaces import ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
@@ -56,3 +57,21 @@ def test_the_elements_of_a_parameter_go_all_the_way() -> None:
     ros = integrate(PLATFORMS["ros2"], [resolved(function)]).document.decode()
     assert "36.0" in ros
     assert "72.0" in ros
+
+
+@pytest.mark.parametrize(
+    "item",
+    [
+        f"parameters: [{{path: {ARRAY}, init: 5, variable: gains}}]",
+        f"data: [{{path: {ARRAY}, role: consumed, init: 5, variable: gains, provider: Car}}]",
+    ],
+)
+def test_one_start_value_for_all_elements_is_seen_beside_a_default(item: str) -> None:
+    define = f"{ARRAY}: {{type: attribute, datatype: 'float[]', arraysize: 2, default: [36, 72], description: Gains.}}"
+    function, told = built(item, define)
+    assert told == []
+    contracts = [contract for call in function.components[0].runnables for contract in call.contracts or ()]
+    items: list[ParameterInterface | Signal] = []
+    for contract in contracts:
+        items += [*(contract.parameters or ()), *(contract.signals or ())]
+    assert [each.init_elements for each in items] == ["[5, 5]"]

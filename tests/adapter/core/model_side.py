@@ -4,7 +4,7 @@ import copy
 import math
 from collections.abc import Iterator
 
-from sigcat.adapter.core.plan import POINTERS
+from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.model.adapter import Adapter
 from sigcat.adapter.model.parts.errors import Counts, is_confirmed
 from sigcat.adapter.model.parts.methods import Reply
@@ -132,7 +132,7 @@ class ModelSide:
             self._printed.append(f"set={int(self._adapter.set_parameters(values))}")
 
     def _init(self, is_kept: int, cycle: int) -> None:
-        if self._subject.signature == POINTERS:
+        if self._subject.signature != GLOBALS:
             self._variables.update({item.name: numbers_zero(item) for item in self._subject.variables})
         good = self._adapter.init(copy.deepcopy(self._kept) if is_kept else None, cycle)
         self._printed.append(f"good={int(good)}")

@@ -174,7 +174,7 @@ MUTANTS = [
             r"\1",
         ),
         ("an excluded previous call is awaited", r" && F_Adapter_Runs_Step\(self->mode\.now\)\);", ");"),
-        ("the offset is forgotten", r"release = t \+ UINT64_C\(12500000\)", "release = t"),
+        ("the offset is forgotten", r"release = now \+ UINT64_C\(12500000\)", "release = now"),
         ("the later time is next", r"return \(a < b\) \? a : b;", "return (a < b) ? b : a;"),
         (
             "the last start is forgotten",
@@ -202,7 +202,7 @@ MUTANTS = [
             r"IsDue_Event\1_EVENT;\2IsDue_Slow\3_SLOW;",
         ),
         ("a hook is forgotten", r"\n\s+after_step\(self\);", ""),
-        ("a start drops what is due now", r"\(t > self->(Step|Fast)\.release\)", r"(t >= self->\1.release)"),
+        ("a start drops what is due now", r"\(now > self->(Step|Fast)\.release\)", r"(now >= self->\1.release)"),
     ),
     *_m(
         "supervision",
@@ -215,7 +215,7 @@ MUTANTS = [
         ("windows move", r"window \+= windows \* \S+;", "window = t;"),
         ("the longest duration is too long", r"> UINT64_C\(5000000\)", ">= UINT64_C(5000000)"),
         ("the shortest duration is too short", r"< UINT64_C\(2000000\)", "<= UINT64_C(2000000)"),
-        ("a call that hangs is not found", r"(self->Step\.is_running && )\(\(t - ", r"false && \1((t - "),
+        ("a call that hangs is not found", r"(self->Step\.is_running && )\(\(now - ", r"false && \1((now - "),
         ("any checkpoint follows", r"(Report_Second\(.*\n\{\n\s+if )\(.*\) \{", r"\1(true) {"),
         ("the active checkpoint is another one", r"self->checkpoint\.active = 2U;", "self->checkpoint.active = 3U;"),
         (
@@ -225,9 +225,14 @@ MUTANTS = [
         ),
         (
             "supervise evaluates nothing",
-            r"(void F_Adapter_Supervise(?:.*\n)*?)(.*)F_Adapter_Evaluate_Alive\(self, t\);",
+            r"(void F_Adapter_Supervise(?:.*\n)*?)(.*)F_Adapter_Evaluate_Alive\(self, now\);",
             r"\1\2",
         ),
+    ),
+    *_m(
+        "classes",
+        ("the object of a class is not made anew", r"\n.*self->object\.~F_Code\(\);\n.*\bnew \(.*;", ""),
+        ("an enumeration of a class is another one", r"(Put\(self->object\.gear, )known_0", r"\1(known_0 + 1)"),
     ),
     *_m(
         "life",

@@ -19,6 +19,13 @@ TypeOf = Callable[[str], Datatype | None]
 def init_elements(code: CodeValue, reference: str, type_of: TypeOf, default: str | None) -> str | None:
     """The start value of an array or struct, as its author wrote it; else the default."""
     given, datatype = code.item.init, type_of(reference)
+    if (
+        datatype is not None
+        and datatype.kind == "array"
+        and default is not None
+        and isinstance(given, int | float | str)
+    ):
+        given = [given] * (datatype.length or 1)  # beside a default, one number for all elements would not be seen
     if datatype is None or not isinstance(given, {"array": list, "struct": dict}.get(datatype.kind or "", ())):
         return default if given is None else None
     return _text(_in_code(given, reference, type_of))

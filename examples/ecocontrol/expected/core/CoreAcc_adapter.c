@@ -250,8 +250,6 @@ static void CoreAcc_Adapter_Take_Step_BrkCylP(CoreAcc_Adapter *self)
     }
     if (origin == CORE_ACC_ADAPTER_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.BrkCylP = self->received.BrkCylP.value;
-    } else if (origin == CORE_ACC_ADAPTER_REPLACEMENT) {
-        core_inputs.bus_ACCIn.Bus_Veh.BrkCylP = 0.0;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.BrkCylP = 0.0;
     }
@@ -269,8 +267,6 @@ static void CoreAcc_Adapter_Take_Step_SteerWhlAg(CoreAcc_Adapter *self)
     }
     if (origin == CORE_ACC_ADAPTER_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg = self->received.SteerWhlAg.value;
-    } else if (origin == CORE_ACC_ADAPTER_REPLACEMENT) {
-        core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg = -16.0;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg = -16.0;
     }
@@ -331,8 +327,6 @@ static void CoreAcc_Adapter_Take_Step_HstVehALgtFild(CoreAcc_Adapter *self)
     }
     if (origin == CORE_ACC_ADAPTER_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt = (double)self->received.HstVehALgtFild.value;
-    } else if (origin == CORE_ACC_ADAPTER_REPLACEMENT) {
-        core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt = -20.0;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt = -20.0;
     }
@@ -383,8 +377,6 @@ static void CoreAcc_Adapter_Write_ALatMax(CoreAcc_Adapter *self)
 {
     if (self->parameter.ALatMax.origin == CORE_ACC_ADAPTER_RECEIVED) {
         core_params.ALatMax = self->parameter.ALatMax.value;
-    } else if (self->parameter.ALatMax.origin == CORE_ACC_ADAPTER_REPLACEMENT) {
-        core_params.ALatMax = 3.0F;
     } else {
         core_params.ALatMax = 3.0F;
     }
@@ -494,9 +486,8 @@ static void CoreAcc_Adapter_Update(CoreAcc_Adapter_Error *error, CoreAcc_Adapter
 /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
 static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_Verdict verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
+    const CoreAcc_Adapter_Verdict verdict = self->Step.in.BrkCylP.clock.verdict;
 
-    verdict = CoreAcc_Adapter_Worse(verdict, self->Step.in.BrkCylP.clock.verdict);
     CoreAcc_Adapter_Update(&self->error.BrakePressureTimeout, &self->stored.BrakePressureTimeout, verdict, false, true,
         UINT64_C(200000000), UINT64_C(500000000), t);
     self->error.BrakePressureTimeout.is_confirmed = (self->stored.BrakePressureTimeout.occurrences > 0U);
@@ -514,9 +505,8 @@ static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self,
 /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
 static void CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_Verdict verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
+    const CoreAcc_Adapter_Verdict verdict = self->Step.in.SteerWhlAg.clock.verdict;
 
-    verdict = CoreAcc_Adapter_Worse(verdict, self->Step.in.SteerWhlAg.clock.verdict);
     CoreAcc_Adapter_Update(&self->error.SteeringAngleTimeout, &self->stored.SteeringAngleTimeout, verdict, false, true,
         UINT64_C(200000000), UINT64_C(500000000), t);
     self->error.SteeringAngleTimeout.is_confirmed = (self->stored.SteeringAngleTimeout.occurrences > 0U);
@@ -534,9 +524,8 @@ static void CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(CoreAcc_Adapter *self,
 /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
 static void CoreAcc_Adapter_Evaluate_ProposalTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_Verdict verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
+    CoreAcc_Adapter_Verdict verdict = self->Step.in.EcoAccProp.clock.verdict;
 
-    verdict = CoreAcc_Adapter_Worse(verdict, self->Step.in.EcoAccProp.clock.verdict);
     verdict = CoreAcc_Adapter_Worse(verdict,
         (self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.is_there)
         ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED);
@@ -562,10 +551,8 @@ static void CoreAcc_Adapter_Evaluate_ProposalTimeout(CoreAcc_Adapter *self, uint
 /* Vehicle.Function.CoreAcc.Error.AliveError */
 static void CoreAcc_Adapter_Evaluate_AliveError(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_Verdict verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
-
     CoreAcc_Adapter_JudgeWindows_Step(self);
-    verdict = CoreAcc_Adapter_Worse(verdict, self->Step.alive.verdict);
+    const CoreAcc_Adapter_Verdict verdict = self->Step.alive.verdict;
     CoreAcc_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, verdict, false, false,
         UINT64_C(0), UINT64_C(0), t);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
@@ -713,10 +700,10 @@ CoreAcc_Adapter_Call CoreAcc_Adapter_NextCall(CoreAcc_Adapter *self, uint64_t t)
     CoreAcc_Adapter_Call due = CORE_ACC_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        t = CoreAcc_Adapter_Now(self, t);
-        CoreAcc_Adapter_CloseWindows(self, t);
-        CoreAcc_Adapter_TakeMode(self, t);
-        if (CoreAcc_Adapter_IsDue_Step(self, t)) {
+        const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        CoreAcc_Adapter_CloseWindows(self, now);
+        CoreAcc_Adapter_TakeMode(self, now);
+        if (CoreAcc_Adapter_IsDue_Step(self, now)) {
             due = CORE_ACC_ADAPTER_CALL_STEP;
         } else {
             /* none is due */
@@ -747,15 +734,15 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
 void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
     CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
-    t = CoreAcc_Adapter_Now(self, t);
-    CoreAcc_Adapter_CloseWindows(self, t);
+    const uint64_t now = CoreAcc_Adapter_Now(self, t);
+    CoreAcc_Adapter_CloseWindows(self, now);
     core_inputs.bus_ACCIn.Bus_Sts.ModeReq = self->mode.now; /* Vehicle.Function.CoreAcc.Mode.In */
     CoreAcc_Adapter_Judge(&self->Step.in.BrkCylP.clock, &self->received.BrkCylP.reception, self->Step.entered,
-        UINT64_C(200000000), 1U, false, t);
+        UINT64_C(200000000), 1U, false, now);
     CoreAcc_Adapter_Judge(&self->Step.in.SteerWhlAg.clock, &self->received.SteerWhlAg.reception, self->Step.entered,
-        UINT64_C(200000000), 1U, false, t);
+        UINT64_C(200000000), 1U, false, now);
     CoreAcc_Adapter_Judge(&self->Step.in.EcoAccProp.clock, &self->received.EcoAccProp.reception, self->Step.entered,
-        UINT64_C(1500000000), 1U, false, t);
+        UINT64_C(1500000000), 1U, false, now);
     CoreAcc_Adapter_Take_Step_BrkCylP(self);
     CoreAcc_Adapter_Take_Step_SteerWhlAg(self);
     core_inputs.bus_ACCIn.Bus_Cust.EnaGACC = self->received.EnaGACC.value; /* Vehicle.ADAS.EcoControl.IsEnabled */
@@ -774,9 +761,9 @@ void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
     core_inputs.bus_ACCIn.Bus_Obj.ObjDst = self->received.ObjDst.value;
     CoreAcc_Adapter_Take_Step_EcoAccProp(self);
     CoreAcc_Adapter_Write_ALatMax(self);
-    CoreAcc_Adapter_Evaluate_BrakePressureTimeout(self, t);
-    CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(self, t);
-    CoreAcc_Adapter_Evaluate_ProposalTimeout(self, t);
+    CoreAcc_Adapter_Evaluate_BrakePressureTimeout(self, now);
+    CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(self, now);
+    CoreAcc_Adapter_Evaluate_ProposalTimeout(self, now);
     core_inputs.bus_ACCIn.Bus_Sts.BrkPTmo = self->out.BrakePressureTimeout;
     core_inputs.bus_ACCIn.Bus_Sts.SteerAgTmo = self->out.SteeringAngleTimeout;
     core_inputs.bus_ACCIn.Bus_Sts.EcoAccPropTmo = self->out.ProposalTimeout;
@@ -802,9 +789,10 @@ void CoreAcc_Adapter_Run_Step(CoreAcc_Adapter *self)
 
 void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    t = CoreAcc_Adapter_Now(self, t);
-    CoreAcc_Adapter_CloseWindows(self, t);
-    if (CoreAcc_Adapter_Runs_Step(self->mode.now) && (t >= self->Step.alive.window)) {
+    const uint64_t now = CoreAcc_Adapter_Now(self, t);
+
+    CoreAcc_Adapter_CloseWindows(self, now);
+    if (CoreAcc_Adapter_Runs_Step(self->mode.now) && (now >= self->Step.alive.window)) {
         self->Step.alive.ends++;
     }
     self->out.AsmAcc_AccIntSts = AsmAcc_AccIntSts; /* Vehicle.ADAS.EcoControl.Status */
@@ -812,7 +800,7 @@ void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t)
     self->out.AccReq = CoreAcc_Adapter_QuietFloat(core_outputs.bus_ACCOut.AccReq);
     self->publish.AsmAcc_AccIntSts = true;
     self->publish.AccReq = true;
-    CoreAcc_Adapter_Evaluate_AliveError(self, t);
+    CoreAcc_Adapter_Evaluate_AliveError(self, now);
     CoreAcc_Adapter_GiveMode(self);
     self->Step.is_active = false;
     CORE_ACC_ADAPTER_MARK(self, 3, CORE_ACC_ADAPTER_CALL_STEP);
@@ -821,10 +809,10 @@ void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t)
 void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        t = CoreAcc_Adapter_Now(self, t);
-        CoreAcc_Adapter_CloseWindows(self, t);
+        const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        CoreAcc_Adapter_CloseWindows(self, now);
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
-            CoreAcc_Adapter_Evaluate_AliveError(self, t);
+            CoreAcc_Adapter_Evaluate_AliveError(self, now);
         }
     }
 }
@@ -933,22 +921,22 @@ bool CoreAcc_Adapter_Init(CoreAcc_Adapter *self, const CoreAcc_Adapter_Stored *s
 void CoreAcc_Adapter_Start(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        t = CoreAcc_Adapter_Now(self, t);
-        CoreAcc_Adapter_CloseWindows(self, t);
+        const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        CoreAcc_Adapter_CloseWindows(self, now);
         if (!self->is_started) {
-            CoreAcc_Adapter_Enter_Step(self, t);
+            CoreAcc_Adapter_Enter_Step(self, now);
             self->publish.AccReqInvalid = true;
             self->publish.Mode_Out = self->mode_out.is_known;
-            self->Step.release = t + UINT64_C(0);
+            self->Step.release = now + UINT64_C(0);
             self->Step.alive.window = self->Step.release;
         } else {
-            if (t > self->Step.release) {
-                const uint64_t releases = ((t - UINT64_C(1) - self->Step.release) / UINT64_C(50000000)) + 1U;
+            if (now > self->Step.release) {
+                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(50000000)) + 1U;
 
                 self->Step.release += releases * UINT64_C(50000000);
                 self->Step.dropped = CoreAcc_Adapter_Added(self->Step.dropped, releases);
             }
-            CoreAcc_Adapter_Enter_Step(self, t);
+            CoreAcc_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
     }

@@ -195,10 +195,6 @@ static void EcoControlMpc_Adapter_Take_Step_HorizonAlt(EcoControlMpc_Adapter *se
         for (i = 0U; i < 50U; i++) {
             self->code.mpc_inputs.HorizonAlt[i] = self->received.HorizonAlt.value[i];
         }
-    } else if (origin == ECO_CONTROL_MPC_ADAPTER_REPLACEMENT) {
-        for (i = 0U; i < 50U; i++) {
-            self->code.mpc_inputs.HorizonAlt[i] = 0.0F;
-        }
     } else {
         for (i = 0U; i < 50U; i++) {
             self->code.mpc_inputs.HorizonAlt[i] = 0.0F;
@@ -233,8 +229,6 @@ static void EcoControlMpc_Adapter_Write_VehM(EcoControlMpc_Adapter *self)
 {
     if (self->parameter.VehM.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
         self->code.mpc_params.VehM = self->parameter.VehM.value;
-    } else if (self->parameter.VehM.origin == ECO_CONTROL_MPC_ADAPTER_REPLACEMENT) {
-        self->code.mpc_params.VehM = 2495.0F;
     } else {
         self->code.mpc_params.VehM = 2495.0F;
     }
@@ -267,8 +261,6 @@ static void EcoControlMpc_Adapter_Write_HorizonStep(EcoControlMpc_Adapter *self)
 {
     if (self->parameter.HorizonStep.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
         self->code.mpc_params.HorizonStep = self->parameter.HorizonStep.value;
-    } else if (self->parameter.HorizonStep.origin == ECO_CONTROL_MPC_ADAPTER_REPLACEMENT) {
-        self->code.mpc_params.HorizonStep = 20.0F;
     } else {
         self->code.mpc_params.HorizonStep = 20.0F;
     }
@@ -301,8 +293,6 @@ static void EcoControlMpc_Adapter_Write_EnergyWeight(EcoControlMpc_Adapter *self
 {
     if (self->parameter.EnergyWeight.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
         self->code.mpc_params.EnergyWeight = self->parameter.EnergyWeight.value;
-    } else if (self->parameter.EnergyWeight.origin == ECO_CONTROL_MPC_ADAPTER_REPLACEMENT) {
-        self->code.mpc_params.EnergyWeight = 0.6F;
     } else {
         self->code.mpc_params.EnergyWeight = 0.6F;
     }
@@ -388,9 +378,8 @@ static void EcoControlMpc_Adapter_Update(EcoControlMpc_Adapter_Error *error, Eco
 /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
 static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    EcoControlMpc_Adapter_Verdict verdict = ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
+    const EcoControlMpc_Adapter_Verdict verdict = self->Step.in.HorizonAlt.clock.verdict;
 
-    verdict = EcoControlMpc_Adapter_Worse(verdict, self->Step.in.HorizonAlt.clock.verdict);
     EcoControlMpc_Adapter_Update(&self->error.HorizonTimeout, &self->stored.HorizonTimeout, verdict, false, true,
         UINT64_C(2000000000), UINT64_C(1000000000), t);
     self->error.HorizonTimeout.is_confirmed = (self->stored.HorizonTimeout.occurrences > 0U);
@@ -408,9 +397,8 @@ static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter 
 /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
 static void EcoControlMpc_Adapter_Evaluate_DeadlineError(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    EcoControlMpc_Adapter_Verdict verdict = ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
+    const EcoControlMpc_Adapter_Verdict verdict = self->Step.deadline;
 
-    verdict = EcoControlMpc_Adapter_Worse(verdict, self->Step.deadline);
     EcoControlMpc_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, verdict, false, true,
         UINT64_C(1000000000), UINT64_C(0), t);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
@@ -428,9 +416,8 @@ static void EcoControlMpc_Adapter_Evaluate_DeadlineError(EcoControlMpc_Adapter *
 /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
 static void EcoControlMpc_Adapter_Evaluate_NoSolutionError(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    EcoControlMpc_Adapter_Verdict verdict = ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
+    EcoControlMpc_Adapter_Verdict verdict = self->error.NoSolutionError.variable;
 
-    verdict = EcoControlMpc_Adapter_Worse(verdict, self->error.NoSolutionError.variable);
     verdict = EcoControlMpc_Adapter_Worse(verdict,
         (self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
         ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED);
@@ -574,9 +561,9 @@ EcoControlMpc_Adapter_Call EcoControlMpc_Adapter_NextCall(EcoControlMpc_Adapter 
     EcoControlMpc_Adapter_Call due = ECO_CONTROL_MPC_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        t = EcoControlMpc_Adapter_Now(self, t);
-        EcoControlMpc_Adapter_TakeMode(self, t);
-        if (EcoControlMpc_Adapter_IsDue_Step(self, t)) {
+        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+        EcoControlMpc_Adapter_TakeMode(self, now);
+        if (EcoControlMpc_Adapter_IsDue_Step(self, now)) {
             due = ECO_CONTROL_MPC_ADAPTER_CALL_STEP;
         } else {
             /* none is due */
@@ -590,14 +577,8 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
     uint64_t next = UINT64_MAX;
 
     if (self->is_started) {
-        if (EcoControlMpc_Adapter_Runs_Step(self->mode.now)) {
-            if (!self->Step.is_active) {
-                next = EcoControlMpc_Adapter_Earlier(next, self->Step.release);
-            }
-        } else {
-            if (!self->Step.is_active) {
-                next = EcoControlMpc_Adapter_Earlier(next, self->Step.release);
-            }
+        if (!self->Step.is_active) {
+            next = EcoControlMpc_Adapter_Earlier(next, self->Step.release);
         }
     }
     return next;
@@ -606,10 +587,10 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
 void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
     ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
-    t = EcoControlMpc_Adapter_Now(self, t);
+    const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
     self->code.mpc_inputs.ModeReq = self->mode.now; /* Vehicle.Function.EcoControlMpc.Mode.In */
     EcoControlMpc_Adapter_Judge(&self->Step.in.HorizonAlt.clock, &self->received.HorizonAlt.reception,
-        self->Step.entered, UINT64_C(2000000000), 1U, false, t);
+        self->Step.entered, UINT64_C(2000000000), 1U, false, now);
     self->code.mpc_inputs.EnaMpc = self->received.EnaMpc.value; /* Vehicle.ADAS.EcoControl.IsEnabled */
     /* Vehicle.Speed [km/h] */
     self->code.mpc_inputs.EgoSpd = self->received.EgoSpd.reception.is_there
@@ -621,7 +602,7 @@ void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t
     EcoControlMpc_Adapter_Write_VehM(self);
     EcoControlMpc_Adapter_Write_HorizonStep(self);
     EcoControlMpc_Adapter_Write_EnergyWeight(self);
-    EcoControlMpc_Adapter_Evaluate_HorizonTimeout(self, t);
+    EcoControlMpc_Adapter_Evaluate_HorizonTimeout(self, now);
     self->code.mpc_inputs.HorizonTmo = self->out.HorizonTimeout;
     self->code.mpc_inputs.DeadlineSts = self->out.DeadlineError;
     self->code.mpc_inputs.NoSolutionSts = self->out.NoSolutionError;
@@ -645,9 +626,10 @@ void EcoControlMpc_Adapter_Run_Step(EcoControlMpc_Adapter *self)
 
 void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    t = EcoControlMpc_Adapter_Now(self, t);
+    const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+
     if (self->Step.is_running) {
-        self->Step.deadline = (((t - self->Step.begun) > UINT64_C(400000000)))
+        self->Step.deadline = (((now - self->Step.begun) > UINT64_C(400000000)))
             ? ECO_CONTROL_MPC_ADAPTER_PRESENT : ECO_CONTROL_MPC_ADAPTER_ABSENT;
     }
     /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */
@@ -655,8 +637,8 @@ void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t 
     self->publish.EcoAccProp = true;
     self->error.NoSolutionError.variable = (self->code.mpc_outputs.NoSolution != 0)
         ? ECO_CONTROL_MPC_ADAPTER_PRESENT : ECO_CONTROL_MPC_ADAPTER_ABSENT;
-    EcoControlMpc_Adapter_Evaluate_DeadlineError(self, t);
-    EcoControlMpc_Adapter_Evaluate_NoSolutionError(self, t);
+    EcoControlMpc_Adapter_Evaluate_DeadlineError(self, now);
+    EcoControlMpc_Adapter_Evaluate_NoSolutionError(self, now);
     EcoControlMpc_Adapter_GiveMode(self);
     self->Step.is_active = false;
     self->Step.is_running = false;
@@ -666,12 +648,12 @@ void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t 
 void EcoControlMpc_Adapter_Supervise(EcoControlMpc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        t = EcoControlMpc_Adapter_Now(self, t);
-        if (self->Step.is_running && ((t - self->Step.begun) > UINT64_C(400000000))) {
+        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+        if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(400000000))) {
             self->Step.deadline = ECO_CONTROL_MPC_ADAPTER_PRESENT;
         }
         if (EcoControlMpc_Adapter_Runs_Step(self->mode.now)) {
-            EcoControlMpc_Adapter_Evaluate_DeadlineError(self, t);
+            EcoControlMpc_Adapter_Evaluate_DeadlineError(self, now);
         }
     }
 }
@@ -784,20 +766,20 @@ bool EcoControlMpc_Adapter_Init(EcoControlMpc_Adapter *self, const EcoControlMpc
 void EcoControlMpc_Adapter_Start(EcoControlMpc_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        t = EcoControlMpc_Adapter_Now(self, t);
+        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
         if (!self->is_started) {
-            EcoControlMpc_Adapter_Enter_Step(self, t);
+            EcoControlMpc_Adapter_Enter_Step(self, now);
             self->publish.AccPropInvalid = true;
             self->publish.Mode_Out = self->mode_out.is_known;
-            self->Step.release = t + UINT64_C(10000000);
+            self->Step.release = now + UINT64_C(10000000);
         } else {
-            if (t > self->Step.release) {
-                const uint64_t releases = ((t - UINT64_C(1) - self->Step.release) / UINT64_C(500000000)) + 1U;
+            if (now > self->Step.release) {
+                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(500000000)) + 1U;
 
                 self->Step.release += releases * UINT64_C(500000000);
                 self->Step.dropped = EcoControlMpc_Adapter_Added(self->Step.dropped, releases);
             }
-            EcoControlMpc_Adapter_Enter_Step(self, t);
+            EcoControlMpc_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
     }

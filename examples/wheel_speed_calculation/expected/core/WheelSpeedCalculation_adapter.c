@@ -255,8 +255,6 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(WheelSpeedCalculatio
 {
     if (self->parameter.TireDiaFrnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.TireDiaFrnt = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaFrnt.value * 25.4));
-    } else if (self->parameter.TireDiaFrnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT) {
-        whl_par.TireDiaFrnt = 650.0F;
     } else {
         whl_par.TireDiaFrnt = 650.0F;
     }
@@ -289,8 +287,6 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(WheelSpeedCalculatio
 {
     if (self->parameter.TireDiaRear.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.TireDiaRear = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaRear.value * 25.4));
-    } else if (self->parameter.TireDiaRear.origin == WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT) {
-        whl_par.TireDiaRear = 650.0F;
     } else {
         whl_par.TireDiaRear = 650.0F;
     }
@@ -323,8 +319,6 @@ static void WheelSpeedCalculation_Adapter_Write_SpdMax(WheelSpeedCalculation_Ada
 {
     if (self->parameter.SpdMax.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.SpdMax = self->parameter.SpdMax.value;
-    } else if (self->parameter.SpdMax.origin == WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT) {
-        whl_par.SpdMax = 360.0F;
     } else {
         whl_par.SpdMax = 360.0F;
     }
@@ -507,9 +501,8 @@ static void WheelSpeedCalculation_Adapter_Update(WheelSpeedCalculation_Adapter_E
 /* Vehicle.Function.WheelSpeedCalculation.Error.RangeError */
 static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_Verdict verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
+    WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.out.WhlSpdFL.range;
 
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdFL.range);
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdFR.range);
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRL.range);
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRR.range);
@@ -532,10 +525,8 @@ static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculat
 /* Vehicle.Function.WheelSpeedCalculation.Error.AliveError */
 static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_Verdict verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
-
     WheelSpeedCalculation_Adapter_JudgeWindows_Step(self);
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.alive.verdict);
+    const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.alive.verdict;
     WheelSpeedCalculation_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, verdict, false, false,
         UINT64_C(0), UINT64_C(0), t);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
@@ -553,9 +544,8 @@ static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculat
 /* Vehicle.Function.WheelSpeedCalculation.Error.DeadlineError */
 static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_Verdict verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
+    const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.deadline;
 
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.deadline);
     WheelSpeedCalculation_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, verdict, false, false,
         UINT64_C(20000000), UINT64_C(0), t);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
@@ -573,9 +563,8 @@ static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalcu
 /* Vehicle.Function.WheelSpeedCalculation.Error.SequenceError */
 static void WheelSpeedCalculation_Adapter_Evaluate_SequenceError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_Verdict verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
+    const WheelSpeedCalculation_Adapter_Verdict verdict = self->checkpoint.Step;
 
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->checkpoint.Step);
     WheelSpeedCalculation_Adapter_Update(&self->error.SequenceError, &self->stored.SequenceError, verdict, false, false,
         UINT64_C(0), UINT64_C(0), t);
     self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
@@ -726,10 +715,10 @@ WheelSpeedCalculation_Adapter_Call WheelSpeedCalculation_Adapter_NextCall(WheelS
     WheelSpeedCalculation_Adapter_Call due = WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        t = WheelSpeedCalculation_Adapter_Now(self, t);
-        WheelSpeedCalculation_Adapter_CloseWindows(self, t);
-        WheelSpeedCalculation_Adapter_TakeMode(self, t);
-        if (WheelSpeedCalculation_Adapter_IsDue_Step(self, t)) {
+        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        WheelSpeedCalculation_Adapter_CloseWindows(self, now);
+        WheelSpeedCalculation_Adapter_TakeMode(self, now);
+        if (WheelSpeedCalculation_Adapter_IsDue_Step(self, now)) {
             due = WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP;
         } else {
             /* none is due */
@@ -762,8 +751,8 @@ uint64_t WheelSpeedCalculation_Adapter_NextTime(const WheelSpeedCalculation_Adap
 void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
-    t = WheelSpeedCalculation_Adapter_Now(self, t);
-    WheelSpeedCalculation_Adapter_CloseWindows(self, t);
+    const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+    WheelSpeedCalculation_Adapter_CloseWindows(self, now);
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
     /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
@@ -781,7 +770,7 @@ void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *
     WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Write_TireDiaRear(self);
     WheelSpeedCalculation_Adapter_Write_SpdMax(self);
-    WheelSpeedCalculation_Adapter_Evaluate_SequenceError(self, t);
+    WheelSpeedCalculation_Adapter_Evaluate_SequenceError(self, now);
     whl_in.RangeErrSts = self->out.RangeError;
     whl_in.AliveErrSts = self->out.AliveError;
     whl_in.DeadlineErrSts = self->out.DeadlineError;
@@ -808,13 +797,14 @@ void WheelSpeedCalculation_Adapter_Run_Step(WheelSpeedCalculation_Adapter *self)
 
 void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    t = WheelSpeedCalculation_Adapter_Now(self, t);
-    WheelSpeedCalculation_Adapter_CloseWindows(self, t);
-    if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now) && (t >= self->Step.alive.window)) {
+    const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+
+    WheelSpeedCalculation_Adapter_CloseWindows(self, now);
+    if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now) && (now >= self->Step.alive.window)) {
         self->Step.alive.ends++;
     }
     if (self->Step.is_running) {
-        self->Step.deadline = (((t - self->Step.begun) > UINT64_C(5000000)))
+        self->Step.deadline = (((now - self->Step.begun) > UINT64_C(5000000)))
             ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
     }
     WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(self);
@@ -827,9 +817,9 @@ void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter 
     self->publish.WhlSpdRR = true;
     self->error.RangeError.variable = (whl_out.RangeErr != 0)
         ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
-    WheelSpeedCalculation_Adapter_Evaluate_RangeError(self, t);
-    WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, t);
-    WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, t);
+    WheelSpeedCalculation_Adapter_Evaluate_RangeError(self, now);
+    WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, now);
+    WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, now);
     WheelSpeedCalculation_Adapter_GiveMode(self);
     self->Step.is_active = false;
     self->Step.is_running = false;
@@ -839,16 +829,16 @@ void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter 
 void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        t = WheelSpeedCalculation_Adapter_Now(self, t);
-        WheelSpeedCalculation_Adapter_CloseWindows(self, t);
-        if (self->Step.is_running && ((t - self->Step.begun) > UINT64_C(5000000))) {
+        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        WheelSpeedCalculation_Adapter_CloseWindows(self, now);
+        if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(5000000))) {
             self->Step.deadline = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
         }
         if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now)) {
-            WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, t);
+            WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, now);
         }
         if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now)) {
-            WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, t);
+            WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, now);
         }
     }
 }
@@ -964,22 +954,22 @@ bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
 void WheelSpeedCalculation_Adapter_Start(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        t = WheelSpeedCalculation_Adapter_Now(self, t);
-        WheelSpeedCalculation_Adapter_CloseWindows(self, t);
+        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (!self->is_started) {
-            WheelSpeedCalculation_Adapter_Enter_Step(self, t);
+            WheelSpeedCalculation_Adapter_Enter_Step(self, now);
             self->publish.WhlSpdRLInvalid = true;
             self->publish.Mode_Out = self->mode_out.is_known;
-            self->Step.release = t + UINT64_C(2000000);
+            self->Step.release = now + UINT64_C(2000000);
             self->Step.alive.window = self->Step.release;
         } else {
-            if (t > self->Step.release) {
-                const uint64_t releases = ((t - UINT64_C(1) - self->Step.release) / UINT64_C(10000000)) + 1U;
+            if (now > self->Step.release) {
+                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(10000000)) + 1U;
 
                 self->Step.release += releases * UINT64_C(10000000);
                 self->Step.dropped = WheelSpeedCalculation_Adapter_Added(self->Step.dropped, releases);
             }
-            WheelSpeedCalculation_Adapter_Enter_Step(self, t);
+            WheelSpeedCalculation_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
     }

@@ -88,14 +88,21 @@ def _evaluate(error: Error, scope: Scope) -> Lines:
         f"    {time(error.maturation)}, {time(error.reset)}, t);"
     )
     body = [
-        lines(f"{p}_Verdict verdict = {scope.constant('NOT_JUDGED')};"),
         *(lines(f"{p}_JudgeWindows_{call}(self);") for call in windows),
-        *(lines(f"verdict = {p}_Worse(verdict, {verdict});", error.named.pointer) for verdict in verdicts),
+        _worst(verdicts or [scope.constant("NOT_JUDGED")], error, scope),
         lines(update),
         _sent(error, scope),
     ]
     head = f"static void {p}_Evaluate_{name}({scope.self_argument}, uint64_t t)"
     return function(head, body, error.named.comment)
+
+
+def _worst(verdicts: list[str], error: Error, scope: Scope) -> Lines:
+    """The worst of some verdicts."""
+    first, *others = verdicts
+    worse = (lines(f"verdict = {scope.prefix}_Worse(verdict, {each});", error.named.pointer) for each in others)
+    constant = "" if others else "const "
+    return joined([lines(f"{constant}{scope.prefix}_Verdict verdict = {first};", error.named.pointer), *worse])
 
 
 def _tested(error: Error, scope: Scope) -> list[str]:

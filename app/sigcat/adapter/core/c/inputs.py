@@ -285,14 +285,16 @@ def _is_set(call: Call, item: Input, scope: Scope) -> Lines:
     if not item.is_reset:
         return ()
     place, variable = f"{place_of(call.name, item)}.is_set", scope.variable(item.variable)
-    found = [lines(f"{place} = false;")]
+    is_one = item.value.leaves[0].length is None and places(item) == 1
+    found = [] if is_one else [lines(f"{place} = false;")]
     for leaf in item.value.leaves:
         target = f"{variable}{'[place]' if places(item) > 1 else ''}{leaf.target}"
         zero = literal(0, leaf.element.target)
         is_cast = scope.is_cpp and leaf.element.is_enumeration
         number = f"({leaf.element.target.c}){target}" if is_cast else target
         test = number if zero == "false" else f"({number} != {zero})"
-        each = looped(leaf, lines(f"{place} = {place} || {test};", item.named.pointer))
+        before = f"{place} || " if found else ""
+        each = looped(leaf, lines(f"{place} = {before}{test};", item.named.pointer))
         if places(item) > 1:
             each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
         found.append(each)

@@ -1,7 +1,7 @@
 """The beginning and the end of a function (section 1)."""
 
 from sigcat.adapter.core.c import errors, inputs, methods, modes, outputs, parameters, schedule, supervision
-from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
+from sigcat.adapter.core.c.lines import Lines, at_now, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.values import needs_index
@@ -62,9 +62,17 @@ def _clear(scope: Scope) -> Lines:
     ]
     body = [lines(f"(void)memset(&self->{name}, 0, sizeof(self->{name}));") for name in groups if name]
     flags = lines("self->now = 0U;\nself->is_ready = false;\nself->is_started = false;\nself->is_terminated = false;")
+    anew = lines(
+        f"self->object.~{_last(plan.code.class_name)}();\nnew (&self->object) {plan.code.class_name}();", ("Code",)
+    )
     wired = [_wired(each, scope) for each in plan.code.objects]
     head = f"static void {scope.prefix}_Clear({scope.self_argument})"
-    return function(head, [*body, flags, *wired], "Everything but what is stored.")
+    return function(head, [*body, flags, *wired, anew if scope.is_cpp else ()], "Everything but what is stored.")
+
+
+def _last(class_name: str | None) -> str:
+    """The name of a class without its namespaces."""
+    return (class_name or "").rpartition("::")[2]
 
 
 def _wired(each: CodeObject, scope: Scope) -> Lines:
@@ -221,12 +229,11 @@ def _start(scope: Scope) -> Lines:
     ]
     ways = [("!self->is_started", joined([*entered, *first, *windows])), ("", joined([*later, *entered]))]
     body = [
-        lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
         choice(ways) if joined([*first, *later, *entered]) else (),
         lines("self->is_started = true;"),
     ]
-    whole = block("if (self->is_ready && !self->is_terminated)", body)
+    whole = block("if (self->is_ready && !self->is_terminated)", [at_now(body, p)])
     return function(f"void {p}_Start({scope.self_argument}, uint64_t t)", [whole])
 
 

@@ -49,8 +49,13 @@ def block(head: str, body: Iterable[Lines], end: str = "}", source: Pointer | No
 
 
 def choice(ways: Sequence[tuple[str, Lines]]) -> Lines:
-    """What is done under the first condition that holds; an empty condition is the last one."""
+    """What is done under the first condition that holds; an empty condition is the last one.
+
+    What is done in any other case needs no condition of its own.
+    """
     found: list[Line] = []
+    while len(ways) > 1 and not ways[-1][0] and ways[-2][1] == ways[-1][1]:
+        ways = [*ways[:-2], ways[-1]]
     for number, (condition, body) in enumerate(ways):
         if not condition and not number:
             return body
@@ -67,6 +72,22 @@ def function(head: str, body: Iterable[Lines], comment: str = "") -> Lines:
     declared, statements = whole[:first], (*_unused(head, whole), *whole[first:])
     space = (Line(""),) if declared and statements and statements[0].text else ()
     return (*before, Line(head), Line("{"), *indented((*declared, *space, *statements)), Line("}"))
+
+
+_TIME = re.compile(r"(?<![\w.>\x02])t\b")
+
+
+def at_now(part: Iterable[Lines], prefix: str) -> Lines:
+    """What is done at a time that does not go back. The argument `t` stays as it was given."""
+    body = joined(part)
+    changed = tuple(line._replace(text=_without_t(line.text)) for line in body)
+    now = f"{prefix}_Now(self, t);"
+    return (*lines(f"const uint64_t now = {now}" if changed != body else f"(void){now}"), *changed)
+
+
+def _without_t(text: str) -> str:
+    code, mark, comment = text.partition("/* ")
+    return f"{_TIME.sub('now', code)}{mark}{comment}"
 
 
 _ARGUMENT = re.compile(r"\b(\w+)(?:,|\)$)")

@@ -1,7 +1,7 @@
 """When calls are due (section 9), and what surrounds each of them."""
 
 from sigcat.adapter.core.c import errors, inputs, methods, modes, outputs, parameters, supervision
-from sigcat.adapter.core.c.lines import Line, Lines, block, function, joined, lines
+from sigcat.adapter.core.c.lines import Line, Lines, at_now, block, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import CLASS, Call
@@ -110,12 +110,11 @@ def _next_call(scope: Scope) -> Lines:
         chain += [Line(f"{before} ({p}_IsDue_{call.name}(self, t)) {{"), Line(f"    due = {scope.call(call.name)};")]
     chain += [Line("} else {"), Line("    /* none is due */"), Line("}")]
     inner = [
-        lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
         lines(f"{p}_TakeMode(self, t);") if scope.plan.mode_in else (),
         tuple(chain) if scope.plan.due else (),
     ]
-    body = [lines(f"{p}_Call due = {none};"), block("if (self->is_started)", inner), lines("return due;")]
+    body = [lines(f"{p}_Call due = {none};"), block("if (self->is_started)", [at_now(inner, p)]), lines("return due;")]
     return function(f"{p}_Call {p}_NextCall({scope.self_argument}, uint64_t t)", body)
 
 
@@ -140,6 +139,8 @@ def _next_of(call: Call, scope: Scope) -> Lines:
     if runs == "true":
         return first
     excluded = block(f"if ({' && '.join(ready)})", [lines(f"next = {p}_Earlier(next, {release});")])
+    if first == excluded:
+        return first
     return (Line(f"if ({runs}) {{"), *_in(first), Line("} else {"), *_in(excluded), Line("}"))
 
 
@@ -161,10 +162,8 @@ def _mark(point: int, call: Call, scope: Scope) -> Lines:
 
 def _set_input(call: Call, scope: Scope) -> Lines:
     p, plan = scope.prefix, scope.plan
+    before = [lines("uint32_t i;") if methods.takes_arrays(call, scope) else (), _mark(0, call, scope)]
     body = [
-        lines("uint32_t i;") if methods.takes_arrays(call, scope) else (),
-        _mark(0, call, scope),
-        lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
         supervision.reported(call, scope),
         modes.written(scope),
@@ -176,7 +175,8 @@ def _set_input(call: Call, scope: Scope) -> Lines:
         errors.reacted(call.name, scope),
         methods.taken(call, scope),
     ]
-    return function(f"void {p}_SetInput_{call.name}({scope.self_argument}, uint64_t t)", body)
+    head = f"void {p}_SetInput_{call.name}({scope.self_argument}, uint64_t t)"
+    return function(head, [*before, at_now(body, p)])
 
 
 def _begin(call: Call, scope: Scope) -> Lines:
@@ -210,9 +210,8 @@ def _run(call: Call, scope: Scope) -> Lines:
 
 def _get_output(call: Call, scope: Scope) -> Lines:
     p, place, plan = scope.prefix, f"self->{call.name}", scope.plan
+    index = lines("uint32_t i;") if methods.requests_arrays(call, scope) else ()
     body = [
-        lines("uint32_t i;") if methods.requests_arrays(call, scope) else (),
-        lines(f"t = {p}_Now(self, t);"),
         supervision.closed(scope),
         supervision.ended(call, scope),
         *(outputs.given(call, output, scope) for output in call.outputs),
@@ -227,7 +226,7 @@ def _get_output(call: Call, scope: Scope) -> Lines:
         lines(f"{place}.has_ended = true;") if any(call.name in other.previous for other in plan.steps) else (),
         _mark(3, call, scope),
     ]  # fmt: skip
-    return function(f"void {p}_GetOutput_{call.name}({scope.self_argument}, uint64_t t)", body)
+    return function(f"void {p}_GetOutput_{call.name}({scope.self_argument}, uint64_t t)", [index, at_now(body, p)])
 
 
 def _condition(name: str, is_set: str, scope: Scope) -> Lines:

@@ -26,7 +26,7 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
     text = "\n".join(line.text for line in joined(body))
     return spaced([
         title,
-        _includes(text, header_name),
+        _includes(text, header_name, is_cpp=scope.is_cpp),
         _mark(scope),
         _evaluation(scope),
         *_variables(scope),
@@ -36,12 +36,13 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
     ])  # fmt: skip
 
 
-def _includes(text: str, header_name: str) -> Lines:
+def _includes(text: str, header_name: str, *, is_cpp: bool) -> Lines:
     known = (
         ("<float.h>", True),
         ("<math.h>", "_Quiet" in text or "_ToFloat(" in text),
         ("<stddef.h>", True),
         ("<string.h>", "mem" in text),
+        ("<new>", is_cpp),
     )
     rows = [f'#include "{header_name}"', "", *(f"#include {name}" for name, is_used in known if is_used)]
     return lines("\n".join(rows))

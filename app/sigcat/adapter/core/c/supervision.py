@@ -1,7 +1,7 @@
 """Alive, deadline and logical supervision (section 10)."""
 
 from sigcat.adapter.core.c import errors, modes
-from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
+from sigcat.adapter.core.c.lines import Lines, at_now, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Alive, Call, Error, Logical
@@ -114,13 +114,12 @@ def supervise_function(scope: Scope) -> Lines:
     """What the platform calls now and then: for a call that hangs or never comes."""
     supervised = [error for error in scope.plan.errors if error.is_supervised and error.call]
     body = [
-        lines(f"t = {scope.prefix}_Now(self, t);"),
         closed(scope),
         *(_hangs(call, scope) for call in scope.plan.steps if call.deadline),
         *(_evaluated(error, scope) for error in supervised),
     ]
     return function(f"void {scope.prefix}_Supervise({scope.self_argument}, uint64_t t)",
-                    [block("if (self->is_started)", body)])  # fmt: skip
+                    [block("if (self->is_started)", [at_now(body, scope.prefix)])])  # fmt: skip
 
 
 def _hangs(call: Call, scope: Scope) -> Lines:
