@@ -7,7 +7,7 @@ from sigcat.cli import generate_core
 from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import add_output, make_folder, refuse_overwriting
 from sigcat.errors import existing_file
-from sigcat.platforms.platform import Generator, Platform
+from sigcat.platforms.platform import Generator, Options, Platform
 from sigcat.platforms.table import PLATFORMS
 
 
@@ -39,6 +39,9 @@ def _add_kind(
             metavar="RELEASE",
             help=f"{', '.join(generator.releases)} (default: that of the Integration JSON)",
         )
+    if generator.has_bench:
+        help_text = f"add what builds and runs it without {platform.title}: for desks and tests, not for vehicles"
+        one.add_argument("--bench", action="store_true", help=help_text)
     one.set_defaults(run=run, generator=generator)
 
 
@@ -48,10 +51,12 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.limits import DEFAULT_LIMITS
 
     source = existing_file(arguments.integration)
-    release = getattr(arguments, "release", None)
-    files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, release)
+    options = Options(getattr(arguments, "release", None), getattr(arguments, "bench", False))
+    files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, options)
     refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
     make_folder(arguments.output)
+    for folder in sorted({(arguments.output / file.name).parent for file in files}):
+        folder.mkdir(parents=True, exist_ok=True)
     for file in files:
         write_bytes(file.data, arguments.output / file.name)
     if arguments.report is not None:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from sigcat.integration.autosar_adaptive.releases import RELEASES
-from sigcat.platforms.platform import Generator, Integrated, Platform
+from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
@@ -37,11 +37,23 @@ def _schema() -> dict[str, Any]:
     return integration_schema()
 
 
-def _generate_arxml(data: bytes, name: str, limits: "Limits", release: str | None) -> "tuple[GeneratedFile, ...]":
+def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
     from sigcat.adapter.autosar_adaptive.arxml.generate import generate
     from sigcat.integration.autosar_adaptive.document import read_integration
 
-    return generate(read_integration(data, name, limits), release)
+    return generate(read_integration(data, name, limits), options.release)
+
+
+def _generate_application(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
+    from sigcat.adapter.autosar_adaptive.application.generate import generate
+
+    return generate(data, name, limits, options.release, bench=options.bench)
+
+
+def _report_of_application(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
+    from sigcat.adapter.autosar_adaptive.application.report import report
+
+    return report(data, name, limits)
 
 
 def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, str]]", limits: "Limits") -> "Deployment":
@@ -74,6 +86,18 @@ ARXML = Generator(
     generate=_generate_arxml,
     releases=RELEASES,
 )
+APPLICATION = Generator(
+    name="autosar-adaptive",
+    title="Application in C++",
+    target="AUTOSAR adaptive",
+    contents="ARXML, the core of each adapter, and the applications whole",
+    media_type="text/plain",
+    report=_report_of_application,
+    generate=_generate_application,
+    releases=RELEASES,
+    has_bench=True,
+    view="application",
+)
 AUTOSAR_ADAPTIVE = Platform(
-    "autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML,), _with_identifiers
+    "autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML, APPLICATION), _with_identifiers
 )

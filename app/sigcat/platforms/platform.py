@@ -21,6 +21,15 @@ class Integrated(NamedTuple):
     report: "tuple[Entry, ...]"
 
 
+class Options(NamedTuple):
+    """What is asked of a generator."""
+
+    release: str | None = None
+    """Of the platform; for None that of the Integration JSON."""
+    bench: bool = False
+    """Whether to add what runs the files without the platform."""
+
+
 class Generator(NamedTuple):
     """One kind of files that are generated from the Integration JSON of a platform."""
 
@@ -35,11 +44,14 @@ class Generator(NamedTuple):
     media_type: str
     report: "Callable[[bytes, str, Limits], tuple[Entry, ...]]"
     """Where each field of an Integration JSON goes. Raises InputRefused if it cannot be used."""
-    generate: "Callable[[bytes, str, Limits, str | None], tuple[GeneratedFile, ...]]"
-    """The files, from the bytes and the name of an Integration JSON, for a release of the platform; for None that of
-    the Integration JSON. Raises InputRefused if it cannot be used."""
+    generate: "Callable[[bytes, str, Limits, Options], tuple[GeneratedFile, ...]]"
+    """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
     releases: tuple[str, ...] = ()
     """Releases of the platform that it can be asked for."""
+    has_bench: bool = False
+    """Whether it can add what runs the files without the platform."""
+    view: str = ""
+    """Name of its view of a function, where its own name is that of another one."""
 
 
 class Platform(NamedTuple):

@@ -22,7 +22,7 @@ from sigcat.limits import NAME_CHARACTERS, Limits
 from sigcat.names import camel_case
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.integrate import integrate
-from sigcat.platforms.platform import Generator, Integrated, Platform
+from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 from sigcat.platforms.schemas import SCHEMAS, schema
 from sigcat.platforms.table import PLATFORMS
 
@@ -97,8 +97,16 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
             releases | None,  # type: ignore[valid-type]
             Query(description="Release of the platform; that of the Integration JSON if absent."),
         ] = None,
+        bench: Annotated[
+            bool,
+            Query(
+                description=f"Add what builds and runs it without {platform.title}: for desks and tests.",
+                include_in_schema=generator.has_bench,
+            ),
+        ] = False,
     ) -> Response:
-        return await queue.run(_generated, generator, text, name, settings.limits, release)
+        options = Options(release, bench and generator.has_bench)
+        return await queue.run(_generated, generator, text, name, settings.limits, options)
 
     router.post(
         f"/generate/{generator.name}",
@@ -166,8 +174,8 @@ def _integrated(
     return archive(_files(platform, integrated, findings), f"{platform}.zip", count)
 
 
-def _generated(generator: Generator, text: bytes, name: str, limits: Limits, release: str | None) -> Response:
-    files = generator.generate(text, name, limits, release)
+def _generated(generator: Generator, text: bytes, name: str, limits: Limits, options: Options) -> Response:
+    files = generator.generate(text, name, limits, options)
     return archive({file.name: file.data for file in files}, f"{generator.name}.zip", {})
 
 

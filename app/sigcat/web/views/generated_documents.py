@@ -14,7 +14,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
 from sigcat.platforms.integrate import integrate
-from sigcat.platforms.platform import Generator, Platform
+from sigcat.platforms.platform import Generator, Options, Platform
 from sigcat.platforms.table import PLATFORMS
 
 
@@ -33,12 +33,18 @@ class GeneratedDocument(NamedTuple):
 
 
 JSON = "application/json"
+_SHOWN_ELSEWHERE = ("arxml/", "core/")
+"""Folders of files that have a view of their own."""
 FUNCTION_JSON = "function-json"
 CORE = "core"
 SET_VIEWS = {
     CORE: "Core in C",
     **{platform.name: platform.title for platform in PLATFORMS.values()},
-    **{generator.name: generator.title for platform in PLATFORMS.values() for generator in platform.generators},
+    **{
+        generator.view or generator.name: generator.title
+        for platform in PLATFORMS.values()
+        for generator in platform.generators
+    },
 }
 """The views of a set of functions, with what each is called."""
 VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
@@ -68,7 +74,7 @@ def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str 
         *(
             document
             for platform, generator in pairs
-            if view in ("", generator.name)
+            if view in ("", generator.view or generator.name)
             for document in _generated(platform, generator, functions, name)
         ),
     )
@@ -109,14 +115,16 @@ def _integration(platform: Platform, functions: Sequence[ResolvedFunction], name
 def _generated(
     platform: Platform, generator: Generator, functions: Sequence[ResolvedFunction], name: str
 ) -> tuple[GeneratedDocument, ...]:
+    view = generator.view or generator.name
     try:
         integrated = integrate(platform, functions)
-        files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS, None)
+        files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS, Options())
     except InputRefused as refused:
-        return (GeneratedDocument(generator.name, generator.name, "", "", "", tuple(refused.findings)),)
+        return (GeneratedDocument(view, view, "", "", "", tuple(refused.findings)),)
     return tuple(
-        GeneratedDocument(file.name, generator.name, file.name, generator.media_type, _text(file.data))
+        GeneratedDocument(file.name.replace("/", "."), view, file.name, generator.media_type, _text(file.data))
         for file in files
+        if not file.name.startswith(_SHOWN_ELSEWHERE)
     )
 
 

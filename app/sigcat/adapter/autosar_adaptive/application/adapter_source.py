@@ -1,0 +1,244 @@
+"""The source of a component's adapter."""
+
+from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
+from sigcat.adapter.autosar_adaptive.application.calls import call_functions
+from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
+from sigcat.adapter.autosar_adaptive.application.names import braces, commented, cpp_type, monitor_name
+from sigcat.adapter.autosar_adaptive.application.plan import (
+    ApplicationPlan,
+    ComponentPlan,
+    Provided,
+    Receiver,
+    Required,
+)
+from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
+from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
+from sigcat.adapter.core.identifiers import string
+
+
+def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
+    """The whole source."""
+    namespace = "::".join(application.namespace)
+    return spaced([
+        _includes(component),
+        lines(f"namespace {namespace} {{"),
+        _constructor(component),
+        _destructor(component),
+        _start(component),
+        _stop(component),
+        *storage_functions(component),
+        _offer(component),
+        *call_functions(component),
+        _publish(component),
+        *method_functions(component),
+        *(_connect(service, component) for service in component.required),
+        *(part for service in component.provided for part in offered_functions(service, component)),
+        lines(f"}}  // namespace {namespace}"),
+    ])  # fmt: skip
+
+
+def _includes(component: ComponentPlan) -> Lines:
+    own = f'#include "{component.stem}_adapter.h"'
+    structs = [f'#include "{component.stem}_structs.h"'] if component.structs else []
+    standard = ["#include <chrono>"] if has_deadline(component) else []
+    platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
+    if has_offered(component):
+        platform = ['#include "ara/com/com_error_domain.h"', *platform, '#include "ara/core/promise.h"']
+    groups = [[own, *structs], standard, platform]
+    return lines("\n\n".join("\n".join(group) for group in groups if group))
+
+
+def _constructor(component: ComponentPlan) -> Lines:
+    context = component.name[:4].upper()
+    initial = [f"logger_(ara::log::CreateLogger({string(context)}, {string(f'Adapter of {component.name}')}))"]
+    initial += [f"storage_{{{string(component.storage)}, logger_}}"] if component.storage else []
+    initial += [f"{monitor_name(error)}{{{string(port)}, logger_}}" for error, port in component.monitors]
+    initial += [_constructed(each) for each in component.provided]
+    initial += [
+        f"{each.variable}{{{string(each.port)}, logger_, [this](auto& service) {{ Connect(service); }}}}"
+        for each in component.required
+    ]
+    rows = [f"    : {initial[0]},", *(f"      {each}," for each in initial[1:])]
+    rows[-1] = f"{rows[-1][:-1]} {{}}"
+    return tuple(Line(text) for text in (f"{component.type}::{component.type}()", *rows))
+
+
+def _constructed(service: Provided) -> str:
+    if service.methods:
+        return f"{service.variable}{{*this}}"
+    return f"{service.variable}{{ara::core::InstanceSpecifier{{{string(service.port)}}}}}"
+
+
+def _destructor(component: ComponentPlan) -> Lines:
+    return lines(f"{component.type}::~{component.type}() = default;")
+
+
+def _start(component: ComponentPlan) -> Lines:
+    core = component.core.type_name
+    stored = "&stored" if component.storage else "nullptr"
+    loaded = f"const {core}_Stored stored = Load();\n" if component.storage else ""
+    cycle = "stored.ignition_cycle + 1U" if component.storage else "1U"
+    watch = "\nis_watched_ = true;\nwatching_ = std::thread{[this] { Watch(); }};" if has_deadline(component) else ""
+    found = "\n".join(f"{each.variable}.Find();" for each in component.required)
+    body = lines(
+        f"""
+{loaded}if (!{core}_Init(&core_, {stored}, {cycle})) {{
+    logger_.LogFatal() << "The initialization of {component.core.function} has failed";
+    return false;
+}}
+{core}_Start(&core_, clock_->Now());
+Offer();
+{found}
+thread_ = std::thread{{[this] {{ Run(); }}}};{watch}
+return true;
+""".replace("\n\n", "\n")
+    )
+    return block(f"bool {component.type}::Start()", [body])
+
+
+def _stop(component: ComponentPlan) -> Lines:
+    core = component.core.type_name
+    offered = "\n".join(f"{each.variable}.StopOfferService();" for each in component.provided)
+    left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
+    monitors = "\n".join(f"{monitor_name(error)}.StopOffer();" for error, _ in component.monitors)
+    watch = """
+{
+    const std::lock_guard<std::mutex> lock{running_mutex_};
+    is_watched_ = false;
+}
+running_changed_.notify_all();
+watching_.join();
+""" if has_deadline(component) else ""  # fmt: skip
+    stored = "Store();" if component.storage else ""
+    body = f"""
+clock_->Stop();
+thread_.join();
+{watch}
+{left}
+{{
+    const std::lock_guard<std::mutex> lock{{core_mutex_}};
+    {core}_Terminate(&core_, clock_->Now());
+}}
+Publish();
+{offered}
+{monitors}
+{stored}
+"""
+    return block(f"void {component.type}::Stop()", [lines("\n".join(row for row in body.split("\n") if row.strip()))])
+
+
+def _offer(component: ComponentPlan) -> Lines:
+    """Fields have a value before they are offered: that of the core, or that of an error which was not tested."""
+    initial = [
+        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {_initial(field.place, field.initial)});")
+        for service in component.provided for field in service.fields
+    ]  # fmt: skip
+    offers = [
+        block(f"if (!{service.variable}.OfferService().HasValue())",
+              [lines(f'logger_.LogError() << "{service.name} cannot be offered";')])
+        for service in component.provided
+    ]  # fmt: skip
+    monitors = [lines(f"{monitor_name(error)}.Offer();") for error, _ in component.monitors]
+    return block(f"void {component.type}::Offer()", [*initial, *monitors, lines("Publish();"), *offers])
+
+
+def _initial(place: str, number: int | None) -> str:
+    return f"core_.out.{place}" if number is None else f"std::uint8_t{{{number}U}}"
+
+
+# -- sending ------------------------------------------------------------------------------------------------------
+
+
+def _publish(component: ComponentPlan) -> Lines:
+    core = component.core.type_name
+    sent = [part for service in component.provided for part in _sent(service)]
+    told = [
+        part for error, _ in component.monitors for part in [_told(error.named.name, error.failed, monitor_name(error))]
+    ]
+    reactions = [_logged(each.named.name, each.active) for each in component.core.reactions]
+    asked = [
+        block(f"if (publish.{each.method.named.name})", [lines(f"Request{each.member}();")])
+        for service in component.required for each in service.methods
+    ]  # fmt: skip
+    uses_out = bool(sent or told or reactions)
+    taken = braces([
+        lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
+        lines("out = core_.out;") if uses_out else (),
+        lines(f"publish = core_.publish;\n{core}_Published(&core_);"),
+    ])  # fmt: skip
+    if not (uses_out or asked):
+        return block(f"void {component.type}::Publish()", [taken[1:-1]])
+    return block(f"void {component.type}::Publish()", [
+        lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};"),
+        lines("decltype(core_.out) out{};") if uses_out else (),
+        lines("decltype(core_.publish) publish{};"),
+        taken,
+        *sent, *told, *reactions, *asked,
+    ])  # fmt: skip
+
+
+def _sent(service: Provided) -> list[Lines]:
+    found = []
+    for event in service.events:
+        target = f"{service.variable}.{event.member}"
+        send = lines(f"application::Send(logger_, {target}, out.{event.place});")
+        if event.is_queue:
+            values = f"out.{event.place}"
+            each = lines(f"application::Send(logger_, {target}, {values}.values[i]);")
+            send = block(f"for (std::uint32_t i = 0; i < {values}.count; ++i)", [each])
+        found.append(block(f"if (publish.{event.place})", [commented(event.comment), send]))
+    for field in service.fields:
+        update = f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, out.{field.place});"
+        found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update)]))
+    return found
+
+
+def _told(place: str, failed: int, monitor: str) -> Lines:
+    return block(f"if (publish.{place})", [lines(f"{monitor}.Tell(out.{place} == {failed}U);")])
+
+
+def _logged(place: str, active: int) -> Lines:
+    """A safety reaction is decided by the function: there is no service over which it is sent."""
+    text = f'logger_.LogWarn() << "{place} is " << (out.{place} == {active}U ? "active" : "inactive");'
+    return block(f"if (publish.{place})", [lines(text)])
+
+
+# -- receiving ----------------------------------------------------------------------------------------------------
+
+
+def _connect(service: Required, component: ComponentPlan) -> Lines:
+    core = component.core.type_name
+    parts = [_received(each, core, component) for each in service.receivers]
+    if not parts:
+        parts = [lines("static_cast<void>(service);  // only methods are used")]
+    return block(f"void {component.type}::Connect(::{service.names.proxy}& service)", parts)
+
+
+def _received(receiver: Receiver, core: str, component: ComponentPlan) -> Lines:
+    wakes = any(receiver.function == port.name and port.triggers for port in component.core.ports)
+    lambda_head = f"[this](const {cpp_type(receiver.type)}& value) {{"
+    return joined([
+        commented(receiver.comment),
+        lines("application::Receive("),
+        indented(lines(f"logger_, service.{receiver.member}, {receiver.capacity}U,")),
+        indented(lines(lambda_head)),
+        indented(_taken(receiver, core, wakes=wakes), 2),
+        indented(lines("});")),
+    ])  # fmt: skip
+
+
+def _taken(receiver: Receiver, core: str, *, wakes: bool) -> Lines:
+    wire = receiver.wire
+    declared: Lines = ()
+    argument = "value"
+    if wire.is_struct or wire.length is not None:
+        array = f"[{wire.length}]" if wire.length is not None else ""
+        declared = lines(f"{wire.c} taken{array};\napplication::Assign(value, taken);")
+        argument = "taken" if wire.length is not None else "&taken"
+    elif cpp_type(receiver.type).startswith("::"):
+        argument = f"static_cast<{wire.c}>(value)"
+    take = lines(f"{core}_Receive_{receiver.function}(&core_, {argument}, clock_->Now());")
+    if not wakes:
+        return joined([declared, lines("const std::lock_guard<std::mutex> lock{core_mutex_};"), take])
+    lock = lines("const std::lock_guard<std::mutex> lock{core_mutex_};")
+    return joined([declared, braces([lock, take]), lines("clock_->Wake();")])

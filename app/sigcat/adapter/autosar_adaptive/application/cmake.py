@@ -1,0 +1,85 @@
+"""CMake files of the applications."""
+
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
+from sigcat.adapter.core.plan import CLASS
+from sigcat.names import screaming_snake_case
+
+
+def code_setting(component: ComponentPlan) -> str:
+    """The setting that names the folder of a function's code."""
+    return f"{screaming_snake_case(component.core.function)}_CODE"
+
+
+def root_cmake(application: ApplicationPlan) -> str:
+    """CMakeLists.txt of all."""
+    settings = "".join(
+        f'set({code_setting(component)} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
+        for component in application.components
+    )
+    folders = "".join(f"add_subdirectory({executable.name})\n" for executable in application.executables)
+    return f"""cmake_minimum_required(VERSION 3.16)
+project({application.namespace[-1]} LANGUAGES C CXX)
+
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_CXX_STANDARD 17 CACHE STRING "14 or later")
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+{settings}
+# The platform: packages, and targets that bring its headers and libraries. What its generator makes of arxml/ is one of them.
+set(PLATFORM_PACKAGES "" CACHE STRING "Packages of the vendor, for find_package")
+set(PLATFORM_TARGETS "" CACHE STRING "Targets of the vendor, and of what is generated from arxml/")
+
+find_package(Threads REQUIRED)
+if(EXISTS "${{CMAKE_CURRENT_SOURCE_DIR}}/bench/CMakeLists.txt")
+  option(BENCH "Use the bench runtime instead of a vendor's platform" ON)
+endif()
+if(BENCH)
+  add_subdirectory(bench)
+  add_subdirectory(generated)
+  set(PLATFORM_TARGETS generated_services)
+else()
+  foreach(package IN LISTS PLATFORM_PACKAGES)
+    find_package(${{package}} REQUIRED)
+  endforeach()
+endif()
+
+add_library(application STATIC application/clock.cpp)
+target_include_directories(application PUBLIC "${{CMAKE_CURRENT_SOURCE_DIR}}")
+target_link_libraries(application PUBLIC ${{PLATFORM_TARGETS}} Threads::Threads)
+
+if(BENCH)
+  add_subdirectory(player)
+else()
+  target_sources(application PRIVATE application/make_clock.cpp)
+endif()
+{folders}"""
+
+
+def executable_cmake(executable: ExecutablePlan) -> str:
+    """CMakeLists.txt of an executable."""
+    cores = "".join(_core(component) for component in executable.components)
+    sources = "".join(f"\n  {component.stem}_adapter.cpp" for component in executable.components)
+    libraries = " ".join(f"{component.stem}_core" for component in executable.components)
+    return f"""{cores}add_executable({executable.name}
+  main.cpp{sources}
+)
+target_link_libraries({executable.name} PRIVATE application {libraries})
+"""
+
+
+def _core(component: ComponentPlan) -> str:
+    ending = "cpp" if component.core.code.signature == CLASS else "c"
+    setting = code_setting(component)
+    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in component.sources)
+    return f"""# The core of {component.core.function}, with its code.
+add_library({component.stem}_core STATIC
+  "${{PROJECT_SOURCE_DIR}}/core/{component.core.function}_adapter.{ending}"{sources}
+)
+target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}")
+target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)
+
+"""

@@ -1,0 +1,100 @@
+// What a function keeps from one run to the next, in a key-value storage.
+
+#ifndef APPLICATION_STORAGE_H
+#define APPLICATION_STORAGE_H
+
+#include <cstddef>
+
+#include "application/values.h"
+#include "ara/core/array.h"
+#include "ara/core/instance_specifier.h"
+#include "ara/core/result.h"
+#include "ara/core/string.h"
+#include "ara/core/string_view.h"
+#include "ara/log/logger.h"
+#include "ara/per/key_value_storage.h"
+
+namespace application {
+
+class Storage final {
+public:
+    Storage(const char* port, ara::log::Logger& logger)
+        : logger_(logger), storage_{ara::per::OpenKeyValueStorage(ara::core::InstanceSpecifier{port})} {
+        if (!storage_.HasValue()) {
+            logger_.LogError() << port << " cannot be opened: " << storage_.Error().Message();
+        }
+    }
+
+    /// False, and the value as it was, if nothing is stored under this key.
+    template <typename Value>
+    bool Read(ara::core::StringView key, Value& value) const {
+        using Stored = typename As<Value>::Type;
+        if (!storage_.HasValue()) {
+            return false;
+        }
+        const auto stored = storage_.Value()->template GetValue<Stored>(key);
+        if (stored.HasValue()) {
+            Assign(stored.Value(), value);
+        }
+        return stored.HasValue();
+    }
+
+    template <typename Value>
+    void Write(ara::core::StringView key, const Value& value) {
+        if (storage_.HasValue()) {
+            typename As<Value>::Type stored{};
+            Assign(value, stored);
+            Check(storage_.Value()->SetValue(key, stored));
+        }
+    }
+
+    /// The counts of an error, each under a key of its own.
+    template <typename Counts>
+    void ReadCounts(ara::core::StringView error, Counts& counts) const {
+        const ara::core::String name{error};
+        Read(name + ".Occurrences", counts.occurrences);
+        Read(name + ".IgnitionCycles", counts.ignition_cycles);
+        Read(name + ".HasFailed", counts.has_failed);
+        Read(name + ".IsTested", counts.is_tested);
+    }
+
+    template <typename Counts>
+    void WriteCounts(ara::core::StringView error, const Counts& counts) {
+        const ara::core::String name{error};
+        Write(name + ".Occurrences", counts.occurrences);
+        Write(name + ".IgnitionCycles", counts.ignition_cycles);
+        Write(name + ".HasFailed", counts.has_failed);
+        Write(name + ".IsTested", counts.is_tested);
+    }
+
+    /// Makes what was written permanent, all of it or nothing.
+    void Save() {
+        if (storage_.HasValue()) {
+            Check(storage_.Value()->SyncToStorage());
+        }
+    }
+
+private:
+    /// How a value is stored: an array of the core as one of the platform.
+    template <typename Value>
+    struct As final {
+        using Type = Value;
+    };
+    template <typename Element, std::size_t size>
+    struct As<Element[size]> final {
+        using Type = ara::core::Array<Element, size>;
+    };
+
+    void Check(const ara::core::Result<void>& result) {
+        if (!result.HasValue()) {
+            logger_.LogError() << "The storage cannot be written: " << result.Error().Message();
+        }
+    }
+
+    ara::log::Logger& logger_;
+    ara::core::Result<ara::per::SharedHandle<ara::per::KeyValueStorage>> storage_;
+};
+
+}  // namespace application
+
+#endif  // APPLICATION_STORAGE_H

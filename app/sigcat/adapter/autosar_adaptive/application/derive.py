@@ -1,0 +1,106 @@
+"""From an integration and the plans of its cores to the plan of the applications."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
+from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
+from sigcat.adapter.autosar_adaptive.arxml.components import root_name
+from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
+from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames, service_names, type_names
+from sigcat.adapter.core.plan import CorePlan, Error
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
+from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
+from sigcat.integration.autosar_names import short_name
+from sigcat.names import snake_case
+
+
+class SourceCore(NamedTuple):
+    """A function of the document, and the plan of its core."""
+
+    function: ResolvedFunction
+    plan: CorePlan
+
+
+def derive(model: IntegrationModel, cores: Sequence[SourceCore]) -> ApplicationPlan:
+    """The plan of the applications. Raises InputRefused if a component has no function of its own."""
+    assert model.deployment is not None
+    by_function = {core.function.name: core for core in cores}
+    _refuse_shared(model.components, by_function)
+    names = {service.name: service_names(service) for service in wholes(model)}
+    types = type_names(model)
+    components = [
+        (component.executable, _component(model, component, by_function[component.function or ""], types, names))
+        for component in model.components
+    ]
+    return ApplicationPlan(
+        model.info.name,
+        tuple(namespace_parts(model.deployment.namespace or "application")),
+        tuple(
+            ExecutablePlan(name, tuple(plan for executable, plan in components if executable == name))
+            for name in dict.fromkeys(executable for executable, _ in components)
+        ),
+    )
+
+
+def _refuse_shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> None:
+    """A core is one object, which only one process can hold."""
+    found: list[Finding] = []
+    seen: dict[str, str] = {}
+    for index, component in enumerate(components):
+        function = component.function or ""
+        pointer = f"/ComponentList/{index}/Function"
+        if function not in known:
+            message = (
+                f"The function of {component.name} must be in `SourceFunctionList`, and {function or 'none'} is not."
+            )
+            found.append(codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix="Integrate it anew."))
+        elif function in seen:
+            message = f"{function} must have one component to become an application, not {seen[function]} and {component.name}."
+            fix = "Join the components of the function."
+            found.append(codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix=fix))
+        seen.setdefault(function, component.name)
+    if found:
+        raise InputRefused("The integration cannot become an application.", tuple(found))
+
+
+def _component(
+    model: IntegrationModel,
+    component: Component,
+    core: SourceCore,
+    types: TypeNames,
+    names: Mapping[str, object],
+) -> ComponentPlan:
+    function = core.function.function
+    context = ComponentContext(component, function, core.plan, types, names)  # type: ignore[arg-type]
+    structs = struct_pairs(core.plan, model, function, types)
+    required, provided = required_services(context), provided_services(context)
+    ports = f"{component.executable}/{root_name(component)}"
+    stores = bool(core.plan.parameters or core.plan.errors)
+    return ComponentPlan(
+        name=component.name,
+        stem=snake_case(component.name),
+        core=core.plan,
+        sources=_sources(function),
+        required=required,
+        provided=provided,
+        structs=structs,
+        type_headers=tuple(types.headers(pair.type.rpartition("::")[2] for pair in structs)),
+        monitors=tuple((error, f"{ports}/{monitor_port(error)}") for error in core.plan.errors if error.call),
+        storage=f"{ports}/Parameters" if stores else None,
+    )
+
+
+def monitor_port(error: Error) -> str:
+    """The port over which an error is told to the diagnosis."""
+    return short_name(f"{error.named.name}_Monitor")
+
+
+def _sources(function: FunctionJson) -> tuple[str, ...]:
+    return tuple(function.code.sources or ()) if function.code else ()

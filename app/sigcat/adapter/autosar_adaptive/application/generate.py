@@ -1,0 +1,91 @@
+"""From Integration JSON to the files of the applications."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from sigcat.adapter.autosar_adaptive.application import cmake, player_source
+from sigcat.adapter.autosar_adaptive.application.adapter_header import adapter_header
+from sigcat.adapter.autosar_adaptive.application.adapter_source import adapter_source
+from sigcat.adapter.autosar_adaptive.application.derive import SourceCore, derive
+from sigcat.adapter.autosar_adaptive.application.main_source import main_source
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
+from sigcat.adapter.autosar_adaptive.application.readme import readme
+from sigcat.adapter.autosar_adaptive.application.sources import source_functions
+from sigcat.adapter.autosar_adaptive.application.structs_header import structs_header
+from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
+from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
+from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
+from sigcat.adapter.core.c.lines import Lines, wrapped
+from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.files import GeneratedFile
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.limits import Limits
+
+CPP = Path(__file__).parent / "cpp"
+"""Files that are the same in every application."""
+
+
+@collector_paused()
+def generate(
+    data: bytes, name: str, limits: Limits, release: str | None, *, bench: bool = False
+) -> tuple[GeneratedFile, ...]:
+    """ARXML, cores and applications, and with `bench` what runs them at a desk. The same document gives the same bytes.
+
+    Raises InputRefused if the document cannot be used, or a core cannot be generated.
+    """
+    model = read_integration(data, name, limits)
+    arxml = generate_arxml(model, release)
+    functions = source_functions(model, data, name, limits)
+    planned = plans(functions)
+    cores = [SourceCore(function, each.plan) for function, each in zip(functions, planned, strict=True)]
+    application = derive(model, cores)
+    return (
+        *(GeneratedFile(f"arxml/{file.name}", file.data) for file in arxml),
+        *(GeneratedFile(f"core/{file.name}", file.data) for each in planned for file in core_files(each.plan).files),
+        *shipped(CPP, "application"),
+        _file("CMakeLists.txt", cmake.root_cmake(application)),
+        _file("README.md", readme(application)),
+        *(file for executable in application.executables for file in _executable(executable, application)),
+        *(_bench(model) if bench else ()),
+    )
+
+
+def _bench(model: IntegrationModel) -> Iterable[GeneratedFile]:
+    """The runtime, what a vendor's generator would make of the ARXML, and the player."""
+    yield from (file._replace(name=f"bench/{file.name}") for file in runtime_files())
+    yield from (file._replace(name=f"generated/{file.name}") for file in generate_services(model))
+    yield from shipped(player_source.CPP, "player")
+    yield _file("player/CMakeLists.txt", player_source.CMAKE)
+    yield _file("player/ports.cpp", _text(player_source.ports_source(model)))
+
+
+def shipped(folder: Path, name: str) -> Iterable[GeneratedFile]:
+    """Files of a folder, as they are."""
+    return (
+        GeneratedFile(f"{name}/{path.relative_to(folder).as_posix()}", path.read_bytes())
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    )
+
+
+def _executable(executable: ExecutablePlan, application: ApplicationPlan) -> Iterable[GeneratedFile]:
+    folder = executable.name
+    yield _file(f"{folder}/CMakeLists.txt", cmake.executable_cmake(executable))
+    yield _file(f"{folder}/main.cpp", _text(main_source(executable, application)))
+    for component in executable.components:
+        stem = f"{folder}/{component.stem}"
+        yield _file(f"{stem}_adapter.h", _text(adapter_header(component, application)))
+        yield _file(f"{stem}_adapter.cpp", _text(adapter_source(component, application)))
+        if component.structs:
+            yield _file(f"{stem}_structs.h", _text(structs_header(component, application)))
+
+
+def _text(part: Lines) -> str:
+    return "\n".join(line.text for line in wrapped(part)) + "\n"
+
+
+def _file(name: str, text: str) -> GeneratedFile:
+    return GeneratedFile(name, text.encode())

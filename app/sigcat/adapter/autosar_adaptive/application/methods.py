@@ -1,0 +1,111 @@
+"""Methods that the function uses or offers."""
+
+from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type
+from sigcat.adapter.autosar_adaptive.application.names import braces, cpp_type
+from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
+from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
+from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.identifiers import string
+
+
+def method_functions(component: ComponentPlan) -> list[Lines]:
+    """Requests of the function, and what comes of them."""
+    return [
+        part
+        for service in component.required
+        for each in service.methods
+        for part in (_request(each, service, component), _poll(each, component))
+    ]
+
+
+def _request(method: CalledMethod, service: Required, component: ComponentPlan) -> Lines:
+    core, name = component.core.type_name, method.method.named.name
+    pending = f"pending_{method.member}_"
+    converted = [
+        lines(f"{cpp_type(type_)} {argument}{{}};\napplication::Assign(asked.arguments.{core_side.name}, {argument});")
+        for (argument, type_), core_side in zip(method.arguments, method.method.arguments, strict=True)
+    ]
+    arguments = ", ".join(argument for argument, _ in method.arguments)
+    results = ", &results" if method.results else ""
+    declared = f"const {core}_{name}_Results results{{}};\n" if method.results else ""
+    return block(f"void {component.type}::Request{method.member}()", [
+        lines(f"decltype(core_.method.{name}) asked{{}};"),
+        braces([lines(f"const std::lock_guard<std::mutex> lock{{core_mutex_}};\nasked = core_.method.{name};")]),
+        lines(f"{pending}.number = asked.number;\nconst auto service = {service.variable}.Get();"),
+        block("if (service == nullptr)", [lines(
+            f"{declared}const std::lock_guard<std::mutex> lock{{core_mutex_}};\n"
+            f"{core}_Answer_{name}(&core_, asked.number, false{results}, clock_->Now());\nreturn;")]),
+        *converted,
+        lines(f"{pending}.answer = service->{method.member}({arguments});"),
+    ])  # fmt: skip
+
+
+def _poll(method: CalledMethod, component: ComponentPlan) -> Lines:
+    core, name = component.core.type_name, method.method.named.name
+    pending = f"pending_{method.member}_"
+    taken = [
+        lines(f"application::Assign(answer.Value().{result}, results.{core_side.name});")
+        for (result, _), core_side in zip(method.results, method.method.results, strict=True)
+    ]
+    results = ", &results" if method.results else ""
+    return block(f"void {component.type}::Poll{method.member}()", [
+        lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};"),
+        block(f"if (!{pending}.answer.valid() || !{pending}.answer.is_ready())", [lines("return;")]),
+        lines(f"const auto answer = {pending}.answer.GetResult();"),
+        lines(f"{core}_{name}_Results results{{}};") if method.results else (),
+        block("if (answer.HasValue())", taken) if method.results else (),
+        lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
+        lines(f"{core}_Answer_{name}(&core_, {pending}.number, answer.HasValue(){results}, clock_->Now());"),
+    ])  # fmt: skip
+
+
+# -- offered ------------------------------------------------------------------------------------------------------
+
+
+def offered_functions(service: Provided, component: ComponentPlan) -> list[Lines]:
+    """The service whose methods the component answers, and the answers."""
+    if not service.methods:
+        return []
+    made = lines(f"{service.type}::{service.type}({component.type}& adapter)\n"
+                 f"    : {service.names.skeleton_class}{{ara::core::InstanceSpecifier{{{string(service.port)}}}}}, adapter_(adapter) {{}}")  # fmt: skip
+    found = [made]
+    for each in service.methods:
+        head = f"{output_type(service, each)} {{}}::{each.member}({method_parameters(each)})"
+        names = ", ".join(name for name, _ in each.arguments)
+        forwarded = lines(f"return adapter_.{each.member}({names});")
+        found.append(block(head.format(service.type), [forwarded]))
+        found.append(block(head.format(component.type), [_answered(each, service, component)]))
+    return found
+
+
+def _answered(method: CalledMethod, service: Provided, component: ComponentPlan) -> Lines:
+    core, name, scope = component.core.type_name, method.method.named.name, Scope(component.core)
+    output = f"::{service.names.skeleton}::{method.member}Output" if method.results else "void"
+    arguments = "".join(
+        part for part, is_there in ((", &arguments", method.arguments), (", &results", method.results)) if is_there
+    )
+    given = [
+        lines(f"application::Assign({argument}, arguments.{core_side.name});")
+        for (argument, _), core_side in zip(method.arguments, method.method.arguments, strict=True)
+    ]
+    results = [
+        lines(f"application::Assign(results.{core_side.name}, output.{result});")
+        for (result, _), core_side in zip(method.results, method.method.results, strict=True)
+    ]
+    return joined([
+        lines(f"ara::core::Promise<{output}> promise;"),
+        lines(f"{core}_{name}_Arguments arguments{{}};") if method.arguments else (),
+        lines(f"{core}_{name}_Results results{{}};") if method.results else (),
+        *given,
+        lines(f"{core}_Reply reply = {scope.constant('EXCLUDED')};"),
+        braces([lines(f"const std::lock_guard<std::mutex> call{{call_mutex_}};\nreply = {core}_Method_{name}(&core_{arguments});")]),
+        choice([
+            (f"reply == {scope.constant('OK')}", joined([
+                lines(f"{output} output{{}};") if method.results else (),
+                *results,
+                lines("promise.set_value(output);") if method.results else lines("promise.set_value();"),
+            ])),
+            ("", lines("promise.SetError(ara::com::MakeErrorCode(ara::com::ComErrc::kCommunicationStackError, 0));")),
+        ]),
+        lines("return promise.get_future();"),
+    ])  # fmt: skip

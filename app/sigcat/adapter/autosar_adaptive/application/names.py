@@ -1,0 +1,54 @@
+"""Names and forms in the generated C++."""
+
+import textwrap
+from collections.abc import Iterable
+
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
+from sigcat.adapter.core.c.lines import Line, Lines, indented, joined
+from sigcat.adapter.core.plan import GLOBALS, Error
+from sigcat.names import screaming_snake_case
+
+
+def constant_guard(application: ApplicationPlan, component: ComponentPlan) -> str:
+    """The include guard, unlike that of the core."""
+    return f"{screaming_snake_case('_'.join((*application.namespace, component.stem)))}_COMPONENT_H"
+
+
+def services_of(component: ComponentPlan) -> tuple[Required | Provided, ...]:
+    """Services that it uses and offers."""
+    return (*component.required, *component.provided)
+
+
+def core_holder(component: ComponentPlan) -> str:
+    """The member that is the core, or refers to the one instance of it."""
+    prefix = component.core.type_name
+    if component.core.code.signature == GLOBALS:
+        return f"{prefix}& core_{{{prefix}_Instance}}"
+    return f"{prefix} core_{{}}"
+
+
+def monitor_name(error: Error) -> str:
+    """The member that tells the diagnosis of an error."""
+    return f"monitor_{error.named.name}_"
+
+
+def braces(parts: Iterable[Lines]) -> Lines:
+    """Statements in a scope of their own."""
+    return (Line("{"), *indented(joined(parts)), Line("}"))
+
+
+def cpp_type(name: str) -> str:
+    """A type, from any namespace."""
+    return f"::{name}" if "::" in name and not name.startswith("std::") else name
+
+
+def commented(text: str) -> Lines:
+    """A comment, on as many lines as it needs."""
+    return tuple(Line(f"// {row}") for row in textwrap.wrap(text, 110))
+
+
+def without_indent(part: Lines) -> Lines:
+    """Lines of a class whose access specifiers stand where the class does."""
+    return tuple(
+        line._replace(text=line.text.strip()) if line.text.strip() in ("public:", "private:") else line for line in part
+    )

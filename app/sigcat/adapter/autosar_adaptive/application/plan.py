@@ -1,0 +1,146 @@
+"""What the applications are made of: every name resolved, so that the writers of C++ ask nothing but this."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
+from sigcat.adapter.core.plan import CorePlan, Error, Method, WireStruct, WireType
+
+
+class Receiver(NamedTuple):
+    """An event, or the notifier of a field, whose values the core takes."""
+
+    member: str
+    """Of the proxy."""
+    function: str
+    """What the function of the core that takes it ends with: `BrkCylP` of `CoreAcc_Adapter_Receive_BrkCylP`."""
+    type: str
+    """In C++."""
+    wire: WireType
+    capacity: int
+    comment: str
+
+
+class SentEvent(NamedTuple):
+    """An event that the core gives."""
+
+    member: str
+    """Of the skeleton."""
+    place: str
+    """Of the core, in `out` and `publish`."""
+    is_queue: bool
+    comment: str
+
+
+class SentField(NamedTuple):
+    """A field that the core gives: an error, or the mode that it is in."""
+
+    member: str
+    place: str
+    type: str
+    initial: int | None
+    """What it has until the core says something; None: what the core has from the beginning."""
+    error: Error | None
+    comment: str
+
+
+class CalledMethod(NamedTuple):
+    """A method that the function uses, or offers."""
+
+    member: str
+    method: Method
+    arguments: tuple[tuple[str, str], ...]
+    """Names in the service interface and types in C++, in the order of those of the core."""
+    results: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Required:
+    """A service that a component uses."""
+
+    name: str
+    names: ServiceNames
+    port: str
+    """Its instance specifier."""
+    receivers: tuple[Receiver, ...]
+    methods: tuple[CalledMethod, ...]
+
+    @property
+    def variable(self) -> str:
+        """The member of the adapter."""
+        return f"{self.names.stem[:1].lower()}{self.names.stem[1:]}_"
+
+
+@dataclass(frozen=True)
+class Provided:
+    """A service that a component offers."""
+
+    name: str
+    names: ServiceNames
+    port: str
+    events: tuple[SentEvent, ...]
+    fields: tuple[SentField, ...]
+    methods: tuple[CalledMethod, ...]
+
+    @property
+    def variable(self) -> str:
+        """The member of the adapter."""
+        return f"{self.names.stem[:1].lower()}{self.names.stem[1:]}_"
+
+    @property
+    def type(self) -> str:
+        """The class of the member: the skeleton, or what implements its methods."""
+        return f"Offered{self.names.stem}" if self.methods else f"::{self.names.skeleton}"
+
+
+class StructPair(NamedTuple):
+    """A struct of the platform and the one of the core, whose members have the same order."""
+
+    type: str
+    members: tuple[str, ...]
+    struct: WireStruct
+
+
+@dataclass(frozen=True)
+class ComponentPlan:
+    """A component, with the core of its function."""
+
+    name: str
+    stem: str
+    """What its files are called."""
+    core: CorePlan
+    sources: tuple[str, ...]
+    """Of the code of the function."""
+    required: tuple[Required, ...]
+    provided: tuple[Provided, ...]
+    structs: tuple[StructPair, ...]
+    type_headers: tuple[str, ...]
+    monitors: tuple[tuple[Error, str], ...]
+    """Errors, and the instance specifiers of their monitors."""
+    storage: str | None
+    """Instance specifier of its key-value storage."""
+
+    @property
+    def type(self) -> str:
+        """The class of its adapter."""
+        return f"{self.name}Adapter"
+
+
+class ExecutablePlan(NamedTuple):
+    """An executable and its components."""
+
+    name: str
+    components: tuple[ComponentPlan, ...]
+
+
+class ApplicationPlan(NamedTuple):
+    """All executables."""
+
+    name: str
+    namespace: tuple[str, ...]
+    executables: tuple[ExecutablePlan, ...]
+
+    @property
+    def components(self) -> tuple[ComponentPlan, ...]:
+        """Those of all executables."""
+        return tuple(component for each in self.executables for component in each.components)

@@ -1,0 +1,132 @@
+#include "player/lock_step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "bench/counters.h"
+
+namespace player {
+
+namespace {
+
+constexpr int kAgain = 500;  // ms until a command that is not answered is sent again
+constexpr int kTimes = 20;
+constexpr std::chrono::seconds kPatience{10};
+
+using Steady = std::chrono::steady_clock;
+
+}  // namespace
+
+LockStep::LockStep(std::uint16_t port, const std::vector<std::string>& components) : socket_{port} {
+    for (const auto& name : components) {
+        peers_.push_back({name, 0, {}});
+    }
+    const auto end = Steady::now() + kPatience;
+    while (std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.port == 0; })) {
+        std::string text;
+        std::uint16_t from = 0;
+        if (socket_.Receive(text, from, kAgain)) {
+            for (auto& peer : peers_) {
+                peer.port = text == "hello " + peer.name ? from : peer.port;
+            }
+        }
+        if (Steady::now() > end) {
+            throw std::runtime_error{"Not all components have said hello."};
+        }
+    }
+}
+
+void LockStep::Ask(Peer& peer, const std::string& what) {
+    const std::uint64_t number = ++number_;
+    const std::string command = std::to_string(number) + ' ' + what;
+    for (int times = 0; times < kTimes; ++times) {
+        socket_.Send(command, peer.port);
+        std::string text;
+        std::uint16_t from = 0;
+        while (socket_.Receive(text, from, kAgain)) {
+            std::istringstream words{text};
+            std::uint64_t answered = 0;
+            Progress progress;
+            words >> answered >> progress.sent >> progress.handled >> progress.waiting >> progress.next;
+            if (words && from == peer.port && answered == number) {
+                peer.progress = progress;
+                return;
+            }
+        }
+    }
+    throw std::runtime_error{peer.name + " does not answer."};
+}
+
+void LockStep::Tell(std::uint64_t time) {
+    for (auto& peer : peers_) {
+        Ask(peer, "time " + std::to_string(time));
+    }
+}
+
+void LockStep::AwaitConnections() {
+    const auto end = Steady::now() + kPatience;
+    for (;;) {
+        std::uint64_t waiting = bench::Waiting();
+        for (auto& peer : peers_) {
+            Ask(peer, "ask");
+            waiting += peer.progress.waiting;
+        }
+        if (waiting == 0) {
+            return;
+        }
+        if (Steady::now() > end) {
+            throw std::runtime_error{std::to_string(waiting) + " services or subscriptions are missing."};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+}
+
+bool LockStep::IsAtRest() {
+    std::uint64_t sent = bench::Sent();
+    std::uint64_t handled = bench::Handled();
+    for (auto& peer : peers_) {
+        Ask(peer, "ask");
+        sent += peer.progress.sent;
+        handled += peer.progress.handled;
+    }
+    return sent == handled;
+}
+
+void LockStep::AwaitRest() {
+    const auto end = Steady::now() + kPatience;
+    while (!IsAtRest()) {
+        if (Steady::now() > end) {
+            throw std::runtime_error{"An event was lost."};
+        }
+        std::this_thread::yield();
+    }
+}
+
+void LockStep::Run() {
+    bool has_sent = true;
+    while (has_sent) {
+        has_sent = false;
+        for (auto& peer : peers_) {
+            const std::uint64_t before = peer.progress.sent;
+            Ask(peer, "go");
+            if (peer.progress.sent != before) {
+                has_sent = true;
+                AwaitRest();
+            }
+        }
+    }
+}
+
+std::uint64_t LockStep::NextAfter(std::uint64_t time) const {
+    std::uint64_t next = std::numeric_limits<std::uint64_t>::max();
+    for (const auto& peer : peers_) {
+        next = peer.progress.next > time ? std::min(next, peer.progress.next) : next;
+    }
+    return next;
+}
+
+}  // namespace player

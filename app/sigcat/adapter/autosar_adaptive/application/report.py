@@ -1,0 +1,48 @@
+"""Where each field of an Integration JSON goes in ARXML, and what the applications do with the platform."""
+
+from collections.abc import Iterator
+
+from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
+from sigcat.integration.report import Entry
+from sigcat.limits import Limits
+
+_SUPERVISION = (
+    "supervised by the core; not exported to ara::phm, which cannot pause where a mode excludes the call, nor wait "
+    "for the error to mature"
+)
+_REACTION = "received over its field; what the core decides is logged, as no service of the function sends it"
+_ERROR = "Update of its field, and ara::diag::Monitor is told kPassed and kFailed, debounced by the core"
+_CYCLE = "the thread of the adapter runs it at the core's NextTime"
+
+
+def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
+    """An entry for each field that has a value. Raises InputRefused if the document cannot be used."""
+    model = read_integration(data, name, limits)
+    return (*field_targets(model), *(entry for part in model.components for entry in _of_component(part)))
+
+
+def _of_component(component: Component) -> Iterator[Entry]:
+    function = component.function or component.name
+    for call in component.calls:
+        yield from _of_call(function, component, call)
+    for interface in component.services:
+        for services in interface.services:
+            for field in services.fields:
+                yield from _of_field(function, component, field, is_provided=interface.role == "Provider")
+
+
+def _of_call(function: str, component: Component, call: Call) -> Iterator[Entry]:
+    target = f"{component.executable}: Run{call.name.rpartition('_')[2]}"
+    if call.cycle_time is not None:
+        yield Entry(function, call.name, "call", "CycleTime", target, _CYCLE)
+    for kind in call.supervision_types or ():
+        yield Entry(function, call.name, "call", f"SupervisionType {kind}", "core", _SUPERVISION)
+
+
+def _of_field(function: str, component: Component, field: ServiceField, *, is_provided: bool) -> Iterator[Entry]:
+    if field.safety_reaction is not None:
+        yield Entry(function, field.name, "safety reaction", "Name", f"{component.executable}: Connect", _REACTION)
+    if field.error is not None and is_provided:
+        yield Entry(function, field.name, "error", "Name", f"{component.executable}: Publish", _ERROR)
