@@ -5,6 +5,7 @@ from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
+from sigcat.integration.autosar_names import short_name
 
 
 def tables_header(service: Service) -> str:
@@ -50,8 +51,16 @@ def _instances(service: Service, model: IntegrationModel) -> list[str]:
         for interface in component.services
         if interface.name == service.whole.name
     ]
+    rows.append(f'    {{"{player_port(service.whole.name, model)}", {_hex(service.whole.instance_id)}}},')
     head = f"static constexpr bench::InstanceDescription kInstances[{len(rows)}] = {{"
     return ["\n".join(["// port, instance", head, *rows, "};"])] if rows else []
+
+
+def player_port(service: str, model: IntegrationModel) -> str:
+    """The port of the player, which offers what no component provides, and uses what one does."""
+    roles = {interface.role for part in model.components for interface in part.services if interface.name == service}
+    side = "R" if "Provider" in roles else "P"
+    return f"Player/Player_Root/{short_name(f'{service}_{side}Port')}"
 
 
 def _service(service: Service, model: IntegrationModel) -> str:

@@ -51,7 +51,9 @@ void LockStep::Ask(Peer& peer, const std::string& what) {
             std::istringstream words{text};
             std::uint64_t answered = 0;
             Progress progress;
-            words >> answered >> progress.sent >> progress.handled >> progress.waiting >> progress.next;
+            auto& counters = progress.counters;
+            words >> answered >> counters.sent >> counters.received >> counters.running >> counters.missing >>
+                progress.next;
             if (words && from == peer.port && answered == number) {
                 peer.progress = progress;
                 return;
@@ -70,30 +72,33 @@ void LockStep::Tell(std::uint64_t time) {
 void LockStep::AwaitConnections() {
     const auto end = Steady::now() + kPatience;
     for (;;) {
-        std::uint64_t waiting = bench::Waiting();
+        std::uint64_t missing = bench::Count().missing;
         for (auto& peer : peers_) {
             Ask(peer, "ask");
-            waiting += peer.progress.waiting;
+            missing += peer.progress.counters.missing;
         }
-        if (waiting == 0) {
+        if (missing == 0) {
             return;
         }
         if (Steady::now() > end) {
-            throw std::runtime_error{std::to_string(waiting) + " services or subscriptions are missing."};
+            throw std::runtime_error{std::to_string(missing) + " services or subscriptions are missing."};
         }
         std::this_thread::sleep_for(std::chrono::milliseconds{10});
     }
 }
 
 bool LockStep::IsAtRest() {
-    std::uint64_t sent = bench::Sent();
-    std::uint64_t handled = bench::Handled();
+    const auto own = bench::Count();
+    std::uint64_t sent = own.sent;
+    std::uint64_t received = own.received;
+    std::uint64_t running = own.running;
     for (auto& peer : peers_) {
         Ask(peer, "ask");
-        sent += peer.progress.sent;
-        handled += peer.progress.handled;
+        sent += peer.progress.counters.sent;
+        received += peer.progress.counters.received;
+        running += peer.progress.counters.running;
     }
-    return sent == handled;
+    return sent == received && running == 0;
 }
 
 void LockStep::AwaitRest() {
@@ -111,9 +116,9 @@ void LockStep::Run() {
     while (has_sent) {
         has_sent = false;
         for (auto& peer : peers_) {
-            const std::uint64_t before = peer.progress.sent;
+            const std::uint64_t before = peer.progress.counters.sent;
             Ask(peer, "go");
-            if (peer.progress.sent != before) {
+            if (peer.progress.counters.sent != before) {
                 has_sent = true;
                 AwaitRest();
             }

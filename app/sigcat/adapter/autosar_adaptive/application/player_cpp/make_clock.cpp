@@ -75,7 +75,9 @@ private:
 
     void Reply(std::uint64_t next) {
         std::ostringstream text;
-        text << number_ << ' ' << bench::Sent() << ' ' << bench::Handled() << ' ' << bench::Waiting() << ' ' << next;
+        const auto counters = bench::Count();
+        text << number_ << ' ' << counters.sent << ' ' << counters.received << ' ' << counters.running << ' '
+             << counters.missing << ' ' << next;
         reply_ = text.str();
         socket_.Send(reply_, player_);
     }

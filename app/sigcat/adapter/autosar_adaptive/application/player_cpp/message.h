@@ -4,7 +4,7 @@
 //   player:  NUMBER time T                            it is T, in ns
 //            NUMBER go                                run what is due, and supervise
 //            NUMBER ask
-//   process: NUMBER SENT HANDLED WAITING NEXT         when that is done; again, if the number comes again
+//   process: NUMBER SENT RECEIVED RUNNING MISSING NEXT   when that is done; again, if the number comes again
 
 #ifndef PLAYER_MESSAGE_H
 #define PLAYER_MESSAGE_H
@@ -12,14 +12,14 @@
 #include <cstdint>
 #include <string>
 
+#include "bench/counters.h"
+
 namespace player {
 
 /// How far a process is.
 struct Progress final {
-    std::uint64_t sent{0};     // notifications, one for each subscriber
-    std::uint64_t handled{0};  // notifications that have come
-    std::uint64_t waiting{0};  // services and subscriptions that are not there yet
-    std::uint64_t next{0};     // when it wants to run again, in ns
+    bench::Counters counters{};
+    std::uint64_t next{0};  // when it wants to run again, in ns
 };
 
 /// A socket on the loopback interface.

@@ -217,6 +217,16 @@ void Consumer::Clear() {
     remotes_.clear();
 }
 
+std::size_t Consumer::Missing() const {
+    std::size_t missing = 0;
+    for (const auto& [key, remote] : remotes_) {
+        missing += static_cast<std::size_t>(
+            std::count_if(remote.queues.begin(), remote.queues.end(),
+                          [](const auto& queue) { return queue->State() != SubscriptionState::kSubscribed; }));
+    }
+    return missing;
+}
+
 RemoteService* Consumer::OfferedBy(std::uint16_t service, const Endpoint& endpoint) {
     const auto end = remotes_.upper_bound({service, 0xFFFF});
     const auto found = std::find_if(remotes_.lower_bound({service, 0}), end, [&endpoint](const auto& each) {

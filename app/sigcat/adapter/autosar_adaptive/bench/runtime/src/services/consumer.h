@@ -34,6 +34,9 @@ public:
     void Lost(const Endpoint& peer);
     void Clear();
 
+    // How many subscriptions are not acknowledged.
+    std::size_t Missing() const;
+
 private:
     using Remotes = std::map<InstanceKey, RemoteService>;
 

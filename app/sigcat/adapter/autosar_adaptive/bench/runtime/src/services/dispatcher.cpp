@@ -48,6 +48,11 @@ void Dispatcher::Retire(const void* owner) {
     }
 }
 
+std::size_t Dispatcher::Running() {
+    std::lock_guard<std::mutex> lock{mutex_};
+    return tasks_.size() + (running_ != nullptr ? 1U : 0U);
+}
+
 void Dispatcher::Run() {
     std::unique_lock<std::mutex> lock{mutex_};
     own_ = std::this_thread::get_id();

@@ -21,6 +21,9 @@ public:
     // Nothing of the owner runs when this has returned, unless it is called by what runs.
     void Retire(const void* owner);
 
+    // How many wait or run.
+    std::size_t Running();
+
 private:
     struct Task {
         const void* owner;

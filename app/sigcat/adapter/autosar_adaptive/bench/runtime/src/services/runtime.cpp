@@ -72,6 +72,7 @@ void Runtime::Wake() {
 }
 
 void Runtime::Send(const Header& header, ByteView payload, const Endpoint& to) {
+    ++sent_;
     for (const Bytes& datagram : Datagrams(header, payload)) {
         network_->services.Send(datagram, to);
     }
@@ -189,6 +190,7 @@ void Runtime::TakeMessage(const Message& message, const Endpoint& from) {
     } else if (header.Is(MessageType::kRequest) || header.Is(MessageType::kRequestNoReturn)) {
         provider_.TakeRequest(message, from);
     }
+    ++received_;
 }
 
 void Runtime::Finish(Lock lock) {

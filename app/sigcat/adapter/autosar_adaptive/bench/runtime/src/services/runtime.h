@@ -51,6 +51,8 @@ public:
     Endpoint ServiceEndpoint() const noexcept { return network_->ServiceEndpoint(); }
     Milliseconds Between(double low, double high) { return Milliseconds{std::uniform_real_distribution{low, high}(random_)}; }
     void Send(const Header& header, ByteView payload, const Endpoint& to);
+    std::uint64_t Sent() const noexcept { return sent_; }
+    std::uint64_t Received() const noexcept { return received_; }
     // Called without the lock, by the thread that receives: what futures continue with.
     void Unlocked(std::function<void()> action) { unlocked_.push_back(std::move(action)); }
 
@@ -74,6 +76,8 @@ private:
     std::thread thread_;
     std::minstd_rand random_{std::random_device{}()};
     Bytes buffer_;
+    std::uint64_t sent_ = 0;
+    std::uint64_t received_ = 0;
     std::vector<std::function<void()>> unlocked_;
 
     Timers timers_;

@@ -1,5 +1,6 @@
 #include "services/searches.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "discovery/discovery_message.h"
@@ -38,6 +39,11 @@ void Searches::Changed(std::uint16_t service) {
 }
 
 void Searches::Clear() { searches_.clear(); }
+
+std::size_t Searches::Missing() const {
+    return static_cast<std::size_t>(std::count_if(
+        searches_.begin(), searches_.end(), [](const auto& each) { return each.second->told.empty(); }));
+}
 
 void Searches::Ask(const std::shared_ptr<Search>& search) {
     const auto& times = search->service->times;

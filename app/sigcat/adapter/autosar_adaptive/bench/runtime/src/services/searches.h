@@ -29,6 +29,9 @@ public:
     void Changed(std::uint16_t service);
     void Clear();
 
+    // How many have found nothing.
+    std::size_t Missing() const;
+
 private:
     struct Search {
         std::uint64_t id;

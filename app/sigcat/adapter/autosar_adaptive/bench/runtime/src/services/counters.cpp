@@ -1,0 +1,14 @@
+#include "bench/counters.h"
+
+#include "services/runtime.h"
+
+namespace bench {
+
+Counters Count() {
+    Runtime& runtime = Runtime::Get();
+    const auto lock = runtime.Locked();
+    return {runtime.Sent(), runtime.Received(), runtime.Handlers().Running(),
+            runtime.Sought().Missing() + runtime.Used().Missing()};
+}
+
+}  // namespace bench
