@@ -1,5 +1,4 @@
-"""Integration JSON in, adaptive applications in C++ out: sources and build files of every executable.
+"""Integration JSON in, adaptive applications in C++ out, which call the cores and connect them with `ara::`.
 
-What they do stands in docs/reference/adapter.md, and is done by the core; they connect it to ara::com, ara::exec, ara::diag,
-ara::per and ara::log. Files that are the same in every application are in `cpp`, as they are.
+Files that are the same in every application stand in `cpp`, those of the player of recorded drives in `player_cpp`.
 """
