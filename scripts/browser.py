@@ -8,7 +8,8 @@ import shutil
 import subprocess
 import sys
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+"""The headless shell is Chromium without windows: it opens a page in a quarter of the time."""
 PLACES = ("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",)
 
 
@@ -25,8 +26,14 @@ def install_browser() -> None:
     """Install Debian's Chromium where we may; quietly do nothing elsewhere."""
     if shutil.which("apt-get") is None or os.geteuid() != 0:
         return
-    for command in (["apt-get", "update"], ["apt-get", "install", "--yes", "--no-install-recommends", "chromium"]):
-        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    _quietly("apt-get", "update")
+    for package in ("chromium-headless-shell", "chromium"):
+        if find_browser() is None:
+            _quietly("apt-get", "install", "--yes", "--no-install-recommends", package)
+
+
+def _quietly(*command: str) -> None:
+    subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
 
 
 def main() -> int:
@@ -36,7 +43,7 @@ def main() -> int:
     if find_browser() is None:
         print(
             "sigcat: no Chromium found, so the browser tests are skipped; "
-            "install one (Debian: apt install chromium) or name it in SIGCAT_BROWSER",
+            "install one (Debian: apt install chromium-headless-shell) or name it in SIGCAT_BROWSER",
             file=sys.stderr,
         )
     return 0

@@ -33,6 +33,7 @@ def pytest_configure(config: pytest.Config) -> None:
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # hundreds of processes would compile everything again
     hypothesis.settings.register_profile("untimed", deadline=None)  # how long an example takes is the machine's load
     hypothesis.settings.load_profile("untimed")
 

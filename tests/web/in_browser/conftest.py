@@ -72,12 +72,45 @@ def _browser() -> Iterator[Browser]:
         try:
             browser = playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
         except Error:
-            pytest.skip("Chromium: install one (Debian: apt install chromium), or name it in SIGCAT_BROWSER")
+            pytest.skip(
+                "Chromium: install one (Debian: apt install chromium-headless-shell), or name it in SIGCAT_BROWSER"
+            )
         yield browser
         browser.close()
 
 
 browser = pytest.fixture(scope="session")(_browser)
+
+
+class Windows:
+    """The windows of a browser, one for all pages with the same options: opening one costs more than most tests."""
+
+    def __init__(self, browser: Browser, origin: str) -> None:
+        self._browser = browser
+        self._origin = origin
+        self._contexts: dict[str, BrowserContext] = {}
+
+    def page(self, **options: object) -> Page:
+        """A new page that finds nothing of those before it, but what the browser has in its cache."""
+        key = repr(sorted(options.items()))
+        if key not in self._contexts:
+            context = self._browser.new_context(viewport={"width": 1280, "height": 800}, **options)  # type: ignore[arg-type]
+            context.new_page()  # which keeps the window open
+            self._contexts[key] = context
+        context = self._contexts[key]
+        page = context.new_page()
+        stored = {
+            "origin": self._origin,
+            "storageTypes": "cookies,local_storage,indexeddb,service_workers,cache_storage",
+        }
+        context.new_cdp_session(page).send("Storage.clearDataForOrigin", stored)
+        return page
+
+
+@pytest.fixture(scope="session")
+def windows(browser: Browser, service: str) -> Windows:
+    return Windows(browser, service)
+
 
 expect.set_options(timeout=DEADLINE * 1000)
 
@@ -104,15 +137,14 @@ def use(request: pytest.FixtureRequest) -> Use:
 
 
 @pytest.fixture
-def open_page(browser: Browser, service: str) -> Iterator[Opener]:
+def open_page(windows: Windows, service: str) -> Iterator[Opener]:
     """Opens pages of the service; an error in a script fails the test, and without `console=False` a message as well."""
-    contexts: list[BrowserContext] = []
+    opened: list[Page] = []
     complaints: list[str] = []
 
     def opener(address: str, *, console: bool = True, **options: object) -> Page:
-        context = browser.new_context(viewport={"width": 1280, "height": 800}, **options)  # type: ignore[arg-type]
-        contexts.append(context)
-        page = context.new_page()
+        page = windows.page(**options)
+        opened.append(page)
         page.set_default_timeout(DEADLINE * 1000)
         if console:
             page.on("console", lambda message: complaints.append(message.text))
@@ -123,6 +155,6 @@ def open_page(browser: Browser, service: str) -> Iterator[Opener]:
         return page
 
     yield opener
-    for context in contexts:
-        context.close()
+    for page in opened:
+        page.close()
     assert not [each for each in complaints if not re.search("status of (404|422|503)", each)]
