@@ -49,6 +49,8 @@ def test_the_function_that_they_change_is_sound():
         ([("init: 0", "init: true")], "F024", "- {path: Vehicle.Demo.In,"),
         ([("default: 1", "default: false")], "F024", "Gain:"),
         ([(OUT, "role: provided, timeout: 100}")], "F044", "- {path: Vehicle.Demo.Out,"),
+        ([(OUT, "role: provided, e2eError: Demo_Late_ErrorSts}")], "F228", "- {path: Vehicle.Demo.Out,"),
+        ([("role: consumed,", "role: consumed, e2eError: Losst,")], "F013", "- {path: Vehicle.Demo.In,"),
         ([(OUT, OUT + "\n          - {path: Vehicle.Demo.In, role: consumed, asil: B}")], "F038", "- {path: Vehicle.Demo.In, role: consumed, asil: B}"),
         ([(OUT, OUT + "\n          - {path: Vehicle.Demo.In, role: provided}")], "F038", "- {path: Vehicle.Demo.In, role: provided}"),
         ([("name: A, asil: B", "name: A"), ("asil: B, description: The input", "description: The input")], "F090", "- {path: Vehicle.Demo.In,"),

@@ -41,7 +41,7 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
         **_VALUE, "role": "Role", "asil": "AsilLevel, AsilInfo of a queue", "access": "Access", "timeout": "Timeout",
         "timeoutError": "TimeoutError", "provider": "ExternalProvider", "queueLength": "QueueLength",
         "timeoutStart": "TimeoutStart", "timeoutValue": "TimeoutValue", "timeoutRecovery": "TimeoutRecovery",
-        "overflow": "Overflow", "overflowError": "OverflowError", "valuesPerStep": "ValuesPerStep",
+        "e2eError": "E2eError", "overflow": "Overflow", "overflowError": "OverflowError", "valuesPerStep": "ValuesPerStep",
         "countVariable": "CountVariable",
     }.items()},
     yaml.ParameterItem: {key: f"ParameterList: {target}" for key, target in {

@@ -42,6 +42,7 @@ def readable(made: Subject, line: Line) -> Line:
     word, *rest = line
     names = {
         "receive": [item.name for item in made.ports],
+        "reject": [item.name for item in made.ports],
         "set": [item.name for item in made.variables],
         "then": [item.name for item in made.variables],
         "advance": [name for name, _ in made.calls],

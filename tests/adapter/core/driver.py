@@ -126,6 +126,7 @@ static int is_idle(void)
 
 {_state(subject, own)}
 {_receive(subject, own)}
+{_reject(subject, own)}
 {_advance(subject, own)}
 {_methods(subject, own)}
 {_parameters(subject, own)}
@@ -207,6 +208,20 @@ def _state(subject: Subject, own: str) -> str:
 
 def _passed(item: Item) -> str:
     return "&value" if item.leaves[0].place.startswith(".") else "value"
+
+
+def _reject(subject: Subject, own: str) -> str:
+    told = {port.name for port in subject.plan.ports if port.tells_of_rejection}
+    bodies = [f"{own}_Reject_{item.c}(self, t);" if item.c in told else "" for item in subject.ports]
+    return f"""static void reject(int port, uint64_t t)
+{{
+    (void)t;
+    switch (port) {{
+{_cases(bodies)}
+    default: break;
+    }}
+}}
+"""
 
 
 def _receive(subject: Subject, own: str) -> str:
@@ -340,6 +355,9 @@ _MAIN = """static void execute(const char *word)
         const int port = (int)next_number();
         const char *text = next_word();
         receive(port, text, next_number());
+    } else if (strcmp(word, "reject") == 0) {
+        const int port = (int)next_number();
+        reject(port, next_number());
     } else if (strcmp(word, "next") == 0) {
         const int call = (int)OWN_NextCall(self, next_number());
         printf("call=%d\\n", call);

@@ -182,6 +182,25 @@ def time_outs() -> FunctionJson:
 LIMITED_AGAIN: Json = {"Min": 0, "Max": 10, "RangeErrorAction": "Default"}
 
 
+def rejections() -> FunctionJson:
+    """Messages that are not accepted, of signals and queues, for one call or two."""
+    late: Json = {"Timeout": "20", "TimeoutError": "E3"}
+    return function(
+        step(
+            signal("Plain", E2eError="E0"),
+            signal("Immediate", **late, Access="Immediate", E2eError="E1"),
+            queue("Row", 3, U8, ValuesPerStep=2, CountVariable="row_n", OverflowError="E3", E2eError="E1"),
+            signal("Shared", VssPath="Shared", E2eError="E2"),
+            *(error(f"E{number}", StatusVariable=f"e{number}_sts") for number in range(4)),
+        ),
+        step(signal("SharedToo", VssPath="Shared", E2eError="Other"), error("Other"), name="Second", cycle=25),
+        on_event(queue("Trigger", 2, U8, E2eError="E4"), error("E4"), name="Event"),
+        active={"ON": ["Step", "Second", "Event"], "OFF": ["Second"]},
+        modes=(mode_interface("In", "ON", "OFF"),),
+        **GLOBALS,
+    )
+
+
 def errors() -> FunctionJson:
     """States of errors, with every cause."""
     return function(
@@ -319,5 +338,5 @@ def classes() -> FunctionJson:
 
 FIXED: dict[str, Callable[[], FunctionJson]] = {
     made.__name__: made
-    for made in (conversions, ranges, queues, time_outs, errors, schedules, supervision, life, classes)
+    for made in (conversions, ranges, queues, time_outs, rejections, errors, schedules, supervision, life, classes)
 }

@@ -296,9 +296,14 @@ def _time_out(choice: Choice, errors: tuple[str, ...]) -> Json:
     return {"Timeout": choice.one("20", "10", "35.5", "0"), **fields}
 
 
+def _rejected(choice: Choice, errors: tuple[str, ...]) -> Json:
+    return choice.maybe(E2eError=lambda: choice.one(*errors)) if errors else {}
+
+
 def _input(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
     datatype = _datatype(choice)
     fields = _value(choice, datatype) | _checked(choice, errors) | _time_out(choice, errors)
+    fields |= _rejected(choice, errors)
     fields |= choice.maybe(Access=lambda: choice.one("Buffered", "Immediate"))
     return signal(name, datatype, **fields)
 
@@ -306,6 +311,7 @@ def _input(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
 def _queue(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
     datatype = choice.one(*NARROW, "DT_Gear", "DT_Bytes", "DT_Point")
     fields = _value(choice, datatype) | _checked(choice, errors) | _time_out(choice, errors)
+    fields |= _rejected(choice, errors)
     fields |= choice.maybe(
         Access=lambda: choice.one("Buffered", "Immediate"),
         Overflow=lambda: choice.one("DropOldest", "DropNewest"),

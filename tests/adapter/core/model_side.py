@@ -68,6 +68,9 @@ class ModelSide:
         item = self._subject.ports[port]
         self._adapter.receive(item.name, value(given, item.leaves, is_single=item.is_single), t)
 
+    def _reject(self, port: int, t: int) -> None:
+        self._adapter.reject(self._subject.ports[port].name, t)
+
     def _next(self, t: int) -> None:
         call = self._adapter.next_call(t)
         names = [name for name, _ in self._subject.calls]

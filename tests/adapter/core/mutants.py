@@ -73,6 +73,25 @@ MUTANTS = [
         ("one bad value of several is forgotten", r"are_within = are_within && is_within;", "are_within = is_within;"),
     ),
     *_m(
+        "rejections",
+        (
+            "a rejected message is told after the next one alone",
+            r"(Step\.in\.Plain\.)is_rejected = true;",
+            r"\1is_rejected = false;",
+        ),
+        ("a rejection is told for ever", r"\n.*is_rejected = false;", ""),
+        ("a message that passes heals nothing", r"\n.*e2e = F_ADAPTER_ABSENT;", ""),
+        ("a rejection heals by itself", r"\n.*self->received\.\w+\.e2e = F_ADAPTER_PRESENT;", ""),
+        ("the other call is not told", r"\n.*Second\.in\.SharedToo\.is_rejected = true;", ""),
+        (
+            "a rejected message is a value",
+            r"(_Reject_Immediate\(.*\n\{\n)",
+            r"\1    self->received.Immediate.reception.time = t;\n",
+        ),
+        ("a rejected message triggers", r"(_Reject_Trigger\(.*\n\{\n)", r"\1    self->Event.events = 1U;\n"),
+        ("the time of a rejection is forgotten", r"(_Reject_\w+\(.*\n\{\n).*_Now\(self, t\);", r"\1    (void)t;"),
+    ),
+    *_m(
         "conversions",
         ("ties go up", r"\(rest == 0\.5\) && is_odd", "rest == 0.5"),
         ("ties are cut off", r" \|\| \(\(rest == 0\.5\) && is_odd\)", ""),

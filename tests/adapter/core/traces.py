@@ -31,6 +31,8 @@ class Tracer:
         self._grid = [step.timing for step in subject.function.steps if step.timing.cycle]
         self._spans = sorted(_spans(subject))
         self._written = _written(subject)
+        told = {port.name for port in subject.plan.ports if port.tells_of_rejection}
+        self._rejectable = {index for index, item in enumerate(subject.ports) if item.c in told}
 
     def script(self, lines: int) -> Script:
         """A script of so many lines, or a few more."""
@@ -139,7 +141,11 @@ class Tracer:
         some = [self._random.randrange(len(ports)) for _ in range(len(ports) // 8 + 1)]
         for port in [*some, *([len(ports) - 1] if self._random.random() < 0.15 else [])]:
             for _ in range(self._random.choice((1, 1, 1, 2, 4))):
-                yield ("receive", port, self._port_value(ports[port]), self._time() if t is None else t)
+                at = self._time() if t is None else t
+                if port in self._rejectable and self._random.random() < 0.4:
+                    yield ("reject", port, at)
+                else:
+                    yield ("receive", port, self._port_value(ports[port]), at)
 
     def _port_value(self, item: Item) -> str:
         mode = self._subject.function.mode_in

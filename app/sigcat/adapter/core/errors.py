@@ -86,6 +86,7 @@ def _of_input(call: str, item: Input) -> Iterator[tuple[str | None, Cause]]:
     place = f"{call}.in.{item.named.name}"
     yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=False)
     yield item.range_error, Cause(f"{place}.range", call, is_late=item.is_immediate)
+    yield item.e2e_error, Cause(f"{place}.e2e", call, is_late=False)
     if item.queue:
         yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=False)
 

@@ -86,6 +86,7 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
         time_out=time_out,
         time_out_error=item.timeout_error,
         range_error=item.range_error,
+        e2e_error=item.e2e_error,
         queue=queue,
         names=tuple(filter(None, (item.name, item.vss_path))),
     )

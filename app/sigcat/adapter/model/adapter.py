@@ -50,6 +50,10 @@ class Adapter:
         """A signal, an error of others, a reaction or a mode has come."""
         receiving.receive(self.running, port, value, t)
 
+    def reject(self, port: str, t: int) -> None:
+        """A message of a signal has come that is not accepted."""
+        receiving.reject(self.running, port, t)
+
     def next_call(self, t: int) -> str | None:
         """The call that is due; None if none is."""
         return scheduling.next_call(self.running, t)

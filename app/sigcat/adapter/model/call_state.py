@@ -40,6 +40,12 @@ class CallState:
         if port in self.call.triggers:
             self.activations.trigger()
 
+    def reject(self, port: str) -> None:
+        """A message came that is not accepted."""
+        for each in self.inputs:
+            if each.input.port == port:
+                each.reject()
+
     def start(self, t: int) -> None:
         """The first Start."""
         self.activations.start(t)

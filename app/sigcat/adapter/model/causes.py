@@ -44,6 +44,7 @@ def causes_of_call(state: CallState) -> Iterator[Cause]:
 def _causes_of_input(state: InputState, call: str) -> Iterator[Cause]:
     yield Cause(state.input.time_out_error, lambda: state.is_late, call)
     yield Cause(state.input.range_error, lambda: state.is_outside, call, is_late=state.input.is_immediate)
+    yield Cause(state.input.e2e_error, lambda: state.is_rejected, call)
     if state.input.queue:
         yield Cause(state.input.queue.overflow_error, lambda: state.overflow, call)
 

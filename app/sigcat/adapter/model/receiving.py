@@ -21,6 +21,13 @@ def receive(running: Running, port: str, value: Value, t: int) -> None:
         running.diagnosis.foreign[port] = _number(value) != 0
 
 
+def reject(running: Running, port: str, t: int) -> None:
+    """A message of a signal has come that is not accepted (section 15)."""
+    running.tick(t)
+    for call in running.steps:
+        call.reject(port)
+
+
 def _number(value: Value) -> int:
     return int(numbers_of(value)[0])
 

@@ -52,7 +52,7 @@ def _named(item: object) -> Iterator[str]:
     """Names of the errors that an interface refers to."""
     for attribute in ("dependencies", "errors"):
         yield from getattr(item, attribute, ())
-    for attribute in ("timeout_error", "range_error", "overflow_error", "overrun_error", "unknown_error"):
+    for attribute in ("timeout_error", "range_error", "e2e_error", "overflow_error", "overrun_error", "unknown_error"):
         yield getattr(item, attribute, None) or ""
 
 

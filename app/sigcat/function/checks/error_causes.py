@@ -7,11 +7,11 @@ from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type
-from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
 
@@ -24,6 +24,7 @@ def check_error_causes(function: FunctionJson, known_errors: Collection[str]) ->
     """Every problem of them. `known_errors` are names of errors that others declare."""
     yield from _undeclared(function, known_errors)
     yield from _never_set(function)
+    yield from _never_rejected(function)
     yield from _resets(function)
     yield from _listed_differently(function)
 
@@ -34,6 +35,8 @@ def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
         subject = Subject("data", item.name)
         if item.range_error:
             yield (*pointer, "RangeError"), item.range_error, subject
+        if not isinstance(item, ParameterInterface) and item.e2e_error:
+            yield (*pointer, "E2eError"), item.e2e_error, subject
         if isinstance(item, DataQueue) and item.overflow_error:
             yield (*pointer, "OverflowError"), item.overflow_error, subject
     for pointer, _, call in runnables(function):
@@ -68,6 +71,15 @@ def _never_set(function: FunctionJson) -> Problems:
             yield Problem(
                 codes.RANGE_ERROR_WITHOUT_RANGE, (*pointer, "RangeError"), message, fix, Subject("data", item.name)
             )
+
+
+def _never_rejected(function: FunctionJson) -> Problems:
+    for pointer, _, item in data(function):
+        if item.e2e_error and item.role == PROVIDER:
+            message = f"An E2E error must be that of a consumed signal; {item.name!r} is provided."
+            fix = "Remove it: the calls that consume the signal check its messages."
+            subject = Subject("data", item.name)
+            yield Problem(codes.E2E_ERROR_OF_PROVIDED, (*pointer, "E2eError"), message, fix, subject)
 
 
 # -- resets -------------------------------------------------------------------------------------------------------

@@ -52,6 +52,9 @@ class DataItem(DeclarationModel):
     )
     range_error_action: RangeErrorAction | None = Field(None, description="What replaces a value out of range.")
     range_error: Text | None = Field(None, description="Error that a value out of range sets: interface name or path.")
+    e2e_error: Text | None = Field(
+        None, description="Error that a message sets which end-to-end protection rejects: interface name or path."
+    )
     provider: Text | None = Field(None, description="Who provides a consumed signal, where no other function does.")
     queue_length: Positive | None = Field(
         None, description="Number of values to queue; absent if only the latest counts."

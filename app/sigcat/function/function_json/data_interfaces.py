@@ -101,6 +101,7 @@ class Signal(WireModel):
         "TimeoutRecovery", "Valid values in a row that end the time-out; 1 if absent.", unit="values"
     )
     range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: str | None = own("E2eError", "Error interface that is set while end-to-end protection rejects messages.")
     init_elements: str | None = own(
         "InitElements",
         "Value of an array or struct before the first one arrives, as JSON: a list or an object.",
@@ -175,6 +176,7 @@ class DataQueue(WireModel):
     timeout_value: str | None = own("TimeoutValue", "As in a signal.")
     timeout_recovery: Integer | None = own("TimeoutRecovery", "As in a signal.", unit="values")
     range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: str | None = own("E2eError", "Error interface that is set while end-to-end protection rejects messages.")
     init_elements: str | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
     default_elements: str | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
     overflow: str | None = own(

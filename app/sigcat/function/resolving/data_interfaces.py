@@ -119,6 +119,7 @@ def _time_out(item: DataItem, at: Pointer, context: Context) -> Resolving[dict[s
         "timeout_recovery": item.timeout_recovery,
         "range_error_action": item.range_error_action,
         "range_error": (yield from error_name(item.range_error, (*at, "rangeError"), context)),
+        "e2e_error": (yield from error_name(item.e2e_error, (*at, "e2eError"), context)),
     }
 
 

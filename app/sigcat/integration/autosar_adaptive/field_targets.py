@@ -40,6 +40,7 @@ _SIGNAL = {
             "Resolution", "ConversionFactor", "ConversionOffset", "AsilInfo", "QueueLength",
             "ExternalProvider", "DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError",
             "InitElements", "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
+            "E2eError",
         )
     },
 }  # fmt: skip

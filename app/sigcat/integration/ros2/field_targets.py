@@ -51,6 +51,7 @@ _DATA: Targets = {
     "VssUnit": _FIELD + ": FieldUnits",
     "ExternalProvider": _FIELD + ": ExternalProvider",
     "Variable": _FIELD + ": Variable",
+    "E2eError": FieldTarget("ComponentList", "ROS 2 checks no messages end to end; it is never set"),
     **dict.fromkeys(
         ("DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError", "InitElements",
          "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable"),

@@ -116,6 +116,7 @@ def _of_data(item: Signal | DataQueue) -> list[str]:
         f"starts with {item.init_elements}" if item.init_elements else "",
         _late(item),
         _out_of_range(item.range_error_action, item.range_error),
+        f"rejected messages: sets {item.e2e_error}" if item.e2e_error else "",
         _queued(item) if isinstance(item, DataQueue) else "",
         _members(item),
     ]

@@ -70,9 +70,11 @@ def _received(scope: Scope) -> Lines:
 
 
 def _port(port: Port, scope: Scope) -> Lines:
+    e2e = f" {scope.prefix}_Verdict e2e;" if port.tells_of_rejection else ""
+    reception = f"{scope.prefix}_Reception reception;{e2e}"
     if not inputs.is_kept(port):
-        return lines(f"struct {{ {scope.prefix}_Reception reception; }} {port.name}; /* {port.comment} */")
-    return _received_member(port.wire, port.name, port.comment, scope.prefix)
+        return lines(f"struct {{ {reception} }} {port.name}; /* {port.comment} */")
+    return lines(f"struct {{ {declared(port.wire, 'value')}; {reception} }} {port.name}; /* {port.comment} */")
 
 
 def _received_member(wire: WireType, name: str, comment: str, prefix: str) -> Lines:
@@ -144,6 +146,7 @@ def _input_state(item: Input, scope: Scope) -> Lines:
         lines(f"{p}_Clock clock;") if item.time_out else (),
         lines(f"{p}_Verdict range;") if item.range_error else (),
         lines(f"{p}_Verdict overflow;") if queue and queue.overflow_error else (),
+        lines(f"{p}_Verdict e2e;\nbool is_rejected;") if item.e2e_error else (),
         lines("bool is_set;") if item.is_reset else (),
     ]
     return _state(members, item.named.name)

@@ -73,8 +73,9 @@ def place_of(call: str, item: Input) -> str:
 
 
 def receive_functions(scope: Scope) -> list[Lines]:
-    """One function for each signal."""
-    return [_receive(port, scope) for port in scope.plan.ports]
+    """One function for each signal, and one for what of it is not accepted."""
+    rejections = [_reject(port, scope) for port in scope.plan.ports if port.tells_of_rejection]
+    return [*(_receive(port, scope) for port in scope.plan.ports), *rejections]
 
 
 def receive_head(port: Port, scope: Scope) -> str:
@@ -98,10 +99,25 @@ def _receive(port: Port, scope: Scope) -> Lines:
         lines(f"{place}.reception.time = {now};\n{place}.reception.count++;")
         if is_timed(port)
         else lines(f"(void){now};"),
+        lines(f"{place}.e2e = {scope.absent};") if port.tells_of_rejection else (),
         () if holds_init(port) else lines(f"{place}.reception.is_there = true;"),
         *(_triggered(call, scope) for call in port.triggers),
     ]
     return function(receive_head(port, scope), body, port.comment)
+
+
+def reject_head(port: Port, scope: Scope) -> str:
+    """The head of the function that is told of a message which is not accepted."""
+    return f"void {scope.prefix}_Reject_{port.name}({scope.self_argument}, uint64_t t)"
+
+
+def _reject(port: Port, scope: Scope) -> Lines:
+    told = [f"{place_of(call, item)}.is_rejected = true;" for call, item in port.consumers if item.e2e_error]
+    body = [
+        lines(f"(void){scope.prefix}_Now(self, t);\nself->received.{port.name}.e2e = {scope.present};"),
+        *map(lines, told),
+    ]
+    return function(reject_head(port, scope), body, port.comment)
 
 
 def _triggered(name: str, scope: Scope) -> Lines:
@@ -131,7 +147,7 @@ def _pushed(call: str, item: Input) -> Lines:
 
 
 def judged(call: Call, item: Input, scope: Scope) -> Lines:
-    """Whether an input is late, and whether values were lost: in each snapshot."""
+    """Whether an input is late, whether values were lost, and whether messages were rejected: in each snapshot."""
     place, found = place_of(call.name, item), list[Lines]()
     if item.time_out:
         first = "true" if item.time_out.starts_with_first else "false"
@@ -143,6 +159,13 @@ def judged(call: Call, item: Input, scope: Scope) -> Lines:
     if item.queue:
         verdict = f"{place}.overflow = {place}.is_overflown ? {scope.present} : {scope.absent};\n"
         found.append(lines(f"{verdict if item.queue.overflow_error else ''}{place}.is_overflown = false;"))
+    if item.e2e_error:
+        found.append(
+            lines(f"""
+            {place}.e2e = {place}.is_rejected ? {scope.present} : self->received.{item.port}.e2e;
+            {place}.is_rejected = false;
+        """)
+        )
     return joined(found)
 
 

@@ -52,6 +52,7 @@ class Input:
     time_out: TimeOut | None = None
     time_out_error: str | None = None
     range_error: str | None = None
+    e2e_error: str | None = None
     queue: Queue | None = None
     names: tuple[str, ...] = ()
     """How the declaration may call it."""
@@ -81,6 +82,11 @@ class Port:
     """Calls that it triggers."""
     consumers: tuple[tuple[str, Input], ...] = ()
     """Calls and their inputs."""
+
+    @property
+    def tells_of_rejection(self) -> bool:
+        """Whether a message that is not accepted sets an error."""
+        return any(item.e2e_error for _, item in self.consumers)
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,7 @@ class Input:
     time_out: TimeOut | None = None
     time_out_error: str | None = None
     range_error: str | None = None
+    e2e_error: str | None = None
     queue: Queue | None = None
 
     @property
@@ -54,6 +55,12 @@ class InputState:
     clock: Clock | None = None
     overflow: bool | None = None
     is_outside: bool | None = None
+    is_rejected: bool | None = None
+    """Whether its messages are rejected, as the last snapshot has judged."""
+    was_rejected: bool | None = None
+    """Whether the last message was."""
+    rejections: int = 0
+    """Since the last snapshot."""
     is_set: bool = False
     """Whether a number that the call saw in its last snapshot is not 0."""
 
@@ -63,12 +70,18 @@ class InputState:
 
     def receive(self, value: Value, t: int) -> None:
         """A value came."""
+        self.was_rejected = False
         if self.clock:
             self.clock.receive(t)
         if self.input.queue is None:
             self.waiting = deque([numbers_of(value)])
         else:
             self._append(numbers_of(value), self.input.queue)
+
+    def reject(self) -> None:
+        """A message came that is not accepted."""
+        self.was_rejected = True
+        self.rejections += 1
 
     def _append(self, numbers: Numbers, queue: Queue) -> None:
         is_full = len(self.waiting) == queue.length
@@ -80,11 +93,12 @@ class InputState:
         self.waiting.append(numbers)
 
     def judge(self, t: int) -> None:
-        """Decide whether it is late, and whether values were lost."""
+        """Decide whether it is late, whether values were lost, and whether messages were rejected."""
         if self.clock:
             self.clock.judge(t)
         if self.input.queue:
             self.overflow, self.lost = self.lost > 0, 0
+        self.is_rejected, self.rejections = True if self.rejections else self.was_rejected, 0
 
     def take(self) -> None:
         """Take what came; without anything new, all stays."""

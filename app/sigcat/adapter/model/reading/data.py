@@ -38,6 +38,7 @@ def input_of(item: Data, ports: Mapping[str, str], table: Table) -> Input:
         time_out=_time_out(item),
         time_out_error=item.timeout_error,
         range_error=item.range_error,
+        e2e_error=item.e2e_error,
         queue=_queue(item) if isinstance(item, DataQueue) else None,
     )
 
