@@ -50,7 +50,9 @@ std::optional<UdpSocket> UdpSocket::Bound(const Endpoint& endpoint) {
 
 std::optional<UdpSocket> UdpSocket::OfGroup(const Endpoint& group, std::uint32_t interface_address) {
     UdpSocket made{socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+    // Both, as the system wants all who share a port to share it in the same way, and others have either.
     const bool joins = made.descriptor_ >= 0 && Sets(made.descriptor_, SOL_SOCKET, SO_REUSEADDR, 1) &&
+                       Sets(made.descriptor_, SOL_SOCKET, SO_REUSEPORT, 1) &&
                        Binds(made.descriptor_, group) &&
                        Sets(made.descriptor_, IPPROTO_IP, IP_ADD_MEMBERSHIP,
                             Membership(group.address, interface_address));

@@ -52,8 +52,7 @@ void Consumer::Subscribe(const std::shared_ptr<EventQueue>& queue) {
     remote.queues.push_back(queue);
     queue->SetState(SubscriptionState::kSubscriptionPending);
     if (is_first && remote.offer.has_value()) {
-        SendSubscription(key, remote, queue->Instance().Service(), event.group,
-                         queue->Instance().Service().times.subscribe_time_to_live);
+        BeginSubscription(key, remote, queue->Instance().Service(), event.group);
     } else if (remote.acknowledged.count(event.group) > 0) {
         queue->SetState(SubscriptionState::kSubscribed);
         if (const auto latest = remote.latest.find(event.id); latest != remote.latest.end()) {
@@ -72,6 +71,7 @@ void Consumer::Unsubscribe(const std::shared_ptr<EventQueue>& queue) {
     remote.queues.erase(found);
     const auto group = queue->Event().group;
     if (remote.Groups().count(group) == 0) {
+        remote.begun.erase(group);
         remote.acknowledged.erase(group);
         for (const auto& event : queue->Instance().Service().events) {
             if (event.group == group) {
@@ -249,13 +249,22 @@ void Consumer::Renew(const InstanceKey& key, RemoteService& remote, bool is_mult
     });
 }
 
-void Consumer::SendSubscriptions(const InstanceKey& key, const RemoteService& remote) {
+void Consumer::SendSubscriptions(const InstanceKey& key, RemoteService& remote) {
     if (remote.offer.has_value() && !remote.queues.empty()) {
         const auto& service = remote.queues.front()->Instance().Service();
         for (const auto group : remote.Groups()) {
-            SendSubscription(key, remote, service, group, service.times.subscribe_time_to_live);
+            BeginSubscription(key, remote, service, group);
         }
     }
+}
+
+void Consumer::BeginSubscription(const InstanceKey& key, RemoteService& remote, const ServiceDescription& service,
+                                 std::uint16_t group) {
+    // The provider may still have a subscription of before it was lost; only a new one is sent the values of fields.
+    if (remote.begun.insert(group).second) {
+        SendSubscription(key, remote, service, group, 0);
+    }
+    SendSubscription(key, remote, service, group, service.times.subscribe_time_to_live);
 }
 
 void Consumer::SendSubscription(const InstanceKey& key, const RemoteService& remote,
@@ -275,6 +284,7 @@ void Consumer::Withdraw(const InstanceKey& key, RemoteService& remote) {
         }
     }
     remote.offer.reset();
+    remote.begun.clear();
     remote.acknowledged.clear();
     remote.latest.clear();
     for (const auto& queue : remote.queues) {

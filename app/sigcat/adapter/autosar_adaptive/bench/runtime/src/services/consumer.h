@@ -44,7 +44,9 @@ private:
     void Renew(const InstanceKey& key, RemoteService& remote, bool is_multicast);
     void SendSubscription(const InstanceKey& key, const RemoteService& remote, const ServiceDescription& service,
                           std::uint16_t group, std::uint32_t time_to_live);
-    void SendSubscriptions(const InstanceKey& key, const RemoteService& remote);
+    void BeginSubscription(const InstanceKey& key, RemoteService& remote, const ServiceDescription& service,
+                           std::uint16_t group);
+    void SendSubscriptions(const InstanceKey& key, RemoteService& remote);
     void Withdraw(const InstanceKey& key, RemoteService& remote);
     void Fail(RemoteService& remote);
 

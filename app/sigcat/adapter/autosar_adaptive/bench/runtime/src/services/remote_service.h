@@ -31,6 +31,7 @@ struct RemoteService {
 
     std::optional<Offer> offer{};
     std::vector<std::shared_ptr<EventQueue>> queues{};
+    std::set<std::uint16_t> begun{};          // groups that were subscribed to since it was offered
     std::set<std::uint16_t> acknowledged{};   // groups
     std::map<std::uint16_t, Bytes> latest{};  // of fields, for who subscribes after another one
     std::map<std::uint16_t, Call> calls{};    // by session

@@ -1,0 +1,22 @@
+"""Programs that use the bench, and a network for each test."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.autosar_adaptive.bench.building import ADDRESSES, programs
+from tests.adapter.autosar_adaptive.own_network import Network, network
+
+
+@pytest.fixture(scope="session")
+def built() -> Mapping[str, Path]:
+    """Each program, checked by the address sanitizer while it runs."""
+    return programs(("sender", "receiver"), ADDRESSES)
+
+
+@pytest.fixture
+def net(tmp_path: Path) -> Iterator[Network]:
+    """A network of its own."""
+    with network(tmp_path) as made:
+        yield made

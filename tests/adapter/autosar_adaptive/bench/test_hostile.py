@@ -1,0 +1,225 @@
+"""What comes from the network may be anything: an error is answered, or nothing; the next message is served."""
+
+import os
+import random
+import struct
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.autosar_adaptive.bench.probe_service import (
+    ADD,
+    FAST,
+    IMAGE,
+    INSTANCE_ID,
+    SERVICE_ID,
+    SPEED,
+    TRACK,
+)
+from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
+from tests.needs import c_compiler
+
+pytestmark = [own_network, c_compiler]
+_PEER = Path(__file__).parent / "datagrams.py"
+SENDER, STRANGER = "127.0.0.20", "127.0.0.66"
+SERVICES, DISCOVERY = 30509, 30490
+REQUEST, REQUEST_NO_RETURN, NOTIFICATION, RESPONSE, ERROR = 0x00, 0x01, 0x02, 0x80, 0x81
+IS_LONG = "SIGCAT_FUZZ" in os.environ
+TRIES = 25_000 if IS_LONG else 1000
+"""Spoilt datagrams of each of four kinds; `make fuzz` sends 100,000, other ones each time."""
+
+
+def message(
+    method: int = ADD,
+    payload: bytes = struct.pack("!ii", 40, 2),
+    *,
+    service: int = SERVICE_ID,
+    kind: int = REQUEST,
+    code: int = 0,
+    protocol: int = 1,
+    interface: int = 1,
+    session: int = 1,
+) -> bytes:
+    """A message of SOME/IP."""
+    head = struct.pack("!HHIHHBBBB", service, method, len(payload) + 8, 0x77, session, protocol, interface, kind, code)
+    return head + payload
+
+
+def entry(kind: int, ttl: int, last: bytes, *, options: int = 1, service: int = SERVICE_ID, major: int = 1) -> bytes:
+    """An entry of service discovery with the first of the options, or none."""
+    return (
+        struct.pack("!BBBBHHB", kind, 0, 0, options << 4, service, INSTANCE_ID, major) + ttl.to_bytes(3, "big") + last
+    )
+
+
+def discovery(*entries: bytes, options: bytes = b"", session: int = 1, flags: int = 0xC0) -> bytes:
+    """A message of service discovery."""
+    listed = b"".join(entries)
+    payload = struct.pack("!BxxxI", flags, len(listed)) + listed + struct.pack("!I", len(options)) + options
+    return message(0x8100, payload, service=0xFFFF, kind=NOTIFICATION, session=session)
+
+
+def endpoint(address: str, port: int) -> bytes:
+    """An option that names an endpoint of UDP."""
+    return struct.pack("!HBx4BxBH", 9, 4, *map(int, address.split(".")), 0x11, port)
+
+
+SUBSCRIBE = entry(0x06, 3, struct.pack("!HH", 0, FAST))
+OFFER = entry(0x01, 3, struct.pack("!I", 0))
+FIND = entry(0x00, 3, b"\xff" * 4, options=0)
+
+
+def stranger(net: Network, port: int = 40000) -> Program:
+    """Somebody who sends datagrams by hand."""
+    return net.start([sys.executable, _PEER, STRANGER, str(port)]).tells("ready")
+
+
+@pytest.fixture
+def sender(net: Network, built: Mapping[str, Path]) -> Program:
+    """Who offers the service, at a known address."""
+    started = net.start([built["sender"]], SIGCAT_BENCH_ADDRESS=SENDER).tells("ready")
+    return started.do("mode 0", "offer").tells("done offer")
+
+
+@pytest.mark.parametrize(
+    ("request_", "code"),
+    [
+        (message(service=0x4321), 0x02),
+        (message(0x7777), 0x03),
+        (message(protocol=2), 0x07),
+        (message(interface=2), 0x08),
+        (message(payload=b"\x00\x00\x00"), 0x09),
+        (message(payload=b""), 0x09),
+    ],
+    ids=["unknown service", "unknown method", "protocol version", "interface version", "short", "empty"],
+)
+def test_a_request_that_cannot_be_served_is_answered_with_its_error(
+    net: Network, sender: Program, request_: bytes, code: int
+) -> None:
+    client = stranger(net).do(f"{SENDER} {SERVICES} {request_.hex()}")
+    answer = bytes.fromhex(client.next_line().split()[2])
+    assert answer[:4] == request_[:4]
+    assert answer[8:12] == request_[8:12]
+    assert (answer[14], answer[15]) == (ERROR, code)
+    sender.quit()
+
+
+@pytest.mark.parametrize(
+    "datagram",
+    [
+        message(kind=REQUEST_NO_RETURN),
+        message(0x7777, kind=REQUEST_NO_RETURN),
+        message(kind=RESPONSE),
+        message(kind=ERROR, code=1),
+        message(SPEED, b"\x00" * 4, kind=NOTIFICATION),
+        message(kind=0x42),
+        message()[:15],
+        message()[:4] + b"\xff\xff\xff\xff" + message()[8:],
+        message()[:4] + b"\x00\x00\x00\x07" + message()[8:],
+        b"",
+    ],
+    ids=[
+        "no answer wanted", "no answer wanted of an unknown method", "answer", "error", "event", "unknown type",
+        "cut", "too long", "too short", "empty",
+    ],
+)  # fmt: skip
+def test_what_asks_for_no_answer_gets_none_and_the_next_is_served(
+    net: Network, sender: Program, datagram: bytes
+) -> None:
+    client = stranger(net).do(f"{SENDER} {SERVICES} {datagram.hex()}") if datagram else stranger(net)
+    client.do(f"{SENDER} {SERVICES} {message(session=9).hex()}")
+    answer = bytes.fromhex(client.next_line().split()[2])
+    assert answer == message(payload=struct.pack("!i", 42), kind=RESPONSE, session=9)
+    sender.quit()
+
+
+def test_several_messages_in_a_datagram_are_all_served(net: Network, sender: Program) -> None:
+    both = message(session=1) + message(payload=struct.pack("!ii", 1, 1), session=2)
+    client = stranger(net).do(f"{SENDER} {SERVICES} {both.hex()}")
+    answers = [bytes.fromhex(client.next_line().split()[2]) for _ in range(2)]
+    assert [struct.unpack("!i", answer[16:])[0] for answer in answers] == [42, 2]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "options"),
+    [
+        (entry(0x06, 3, struct.pack("!HH", 0, 0x99)), endpoint(STRANGER, 40000)),
+        (entry(0x06, 3, struct.pack("!HH", 0, FAST), major=2), endpoint(STRANGER, 40000)),
+        (entry(0x06, 3, struct.pack("!HH", 0, FAST), service=0x4321), endpoint(STRANGER, 40000)),
+        (entry(0x06, 3, struct.pack("!HH", 0, FAST), options=0), b""),
+        (SUBSCRIBE, endpoint("192.0.2.1", 40000)),
+    ],
+    ids=["unknown group", "major version", "unknown service", "no endpoint", "endpoint outside of loopback"],
+)
+def test_a_subscription_that_cannot_be_is_refused(net: Network, sender: Program, wrong: bytes, options: bytes) -> None:
+    client = stranger(net, DISCOVERY)
+    while True:  # until the service is past its initial wait, every subscription is refused
+        client.do(f"{SENDER} {DISCOVERY} {discovery(SUBSCRIBE, options=endpoint(STRANGER, 40000)).hex()}")
+        if acknowledged(client) > 0:
+            break
+    client.do(f"{SENDER} {DISCOVERY} {discovery(wrong, options=options, session=2).hex()}")
+    assert acknowledged(client) == 0
+    sender.quit()
+
+
+def acknowledged(client: Program) -> int:
+    """Seconds for which the next acknowledgement holds; 0 refuses."""
+    while True:
+        answer = bytes.fromhex(client.next_line().split()[2])
+        if answer[24] == 0x07:
+            return int.from_bytes(answer[33:36], "big")
+
+
+def _seed(usual: int) -> int:
+    seed = random.randrange(10**6) if IS_LONG else usual
+    print(f"seed {seed}")
+    return seed
+
+
+def test_a_sender_stands_spoilt_datagrams(net: Network, sender: Program) -> None:
+    client = stranger(net)
+    good = [
+        message(),
+        message(0x0002, b""),
+        message(0x0003, b""),
+        message(kind=0x20, payload=b"\x00\x00\x00\x01" + b"x" * 16),
+    ]
+    searches = [
+        discovery(SUBSCRIBE, FIND, options=endpoint(STRANGER, 40001)),
+        discovery(OFFER, options=endpoint(STRANGER, 40001)),
+        discovery(SUBSCRIBE, SUBSCRIBE, options=endpoint(STRANGER, 40001) * 3),
+    ]
+    for port, samples in ((SERVICES, good), (DISCOVERY, searches)):
+        client.do(f"fuzz {_seed(1)} {TRIES} {SENDER} {port} {' '.join(each.hex() for each in samples)}").tells(
+            f"sent {TRIES}", within=120
+        )
+    client.do(f"{SENDER} {SERVICES} {message(payload=struct.pack('!ii', 1000, 1), session=77).hex()}")
+    client.tells(f"{SENDER} {SERVICES} {message(payload=struct.pack('!i', 1001), kind=RESPONSE, session=77).hex()}")
+    sender.quit()
+
+
+def test_a_receiver_stands_spoilt_datagrams(net: Network, built: Mapping[str, Path]) -> None:
+    receiver = net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS=SENDER).tells("ready")
+    server = stranger(net, SERVICES)
+    offers = discovery(OFFER, options=endpoint(STRANGER, SERVICES))
+    lasting = discovery(entry(0x01, 0xFFFFFF, struct.pack("!I", 0)), options=endpoint(STRANGER, SERVICES))
+    server.do(f"{SENDER} {DISCOVERY} {lasting.hex()}")
+    receiver.tells("found 1").do("subscribe").tells("done subscribe")
+    events = [
+        message(SPEED, struct.pack("!f", 1.0), kind=NOTIFICATION),
+        message(TRACK, bytes.fromhex("00000006efbbbf6162 00 01 00000008 0001fffe0003fffc 00000003 010001 3fe0000000000000"), kind=NOTIFICATION),
+        message(IMAGE, struct.pack("!I", 5) + b"12345", kind=NOTIFICATION),
+        message(IMAGE, b"\x00\x00\x00\x01" + struct.pack("!I", 1500) + b"x" * 1388, kind=0x22),
+    ]  # fmt: skip
+    server.do(f"fuzz {_seed(2)} {TRIES} {SENDER} {SERVICES} {' '.join(each.hex() for each in events)}").tells(
+        f"sent {TRIES}", within=120
+    )
+    server.do(f"fuzz {_seed(3)} {TRIES} {SENDER} {DISCOVERY} {offers.hex()}").tells(f"sent {TRIES}", within=120)
+    # As one that has started anew: whatever the last spoilt offer said is forgotten.
+    server.do(f"{SENDER} {DISCOVERY} {lasting.hex()}", f"{SENDER} {DISCOVERY} {lasting.hex()}")
+    server.do(f"{SENDER} {SERVICES} {message(SPEED, struct.pack('!f', 4711.0), kind=NOTIFICATION).hex()}")
+    receiver.tells("speed 4711").do("quit")
+    assert receiver.process.wait(20) == 0
+    assert "ERROR" not in receiver.errors

@@ -1,0 +1,71 @@
+"""Either side may end at any moment, and begin anew: the other one notices, and goes on."""
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.autosar_adaptive.bench.test_services import pair, subscribed
+from tests.adapter.autosar_adaptive.own_network import Network, own_network
+from tests.needs import IS_SLOW_RUN, c_compiler
+
+pytestmark = [own_network, c_compiler]
+TIMES = 20 if IS_SLOW_RUN else 3
+OFFER_HOLDS = 1.0
+"""Seconds, as the deployment of the service says."""
+UNHURRIED = 1.0
+"""Seconds more that a machine with other work may take."""
+
+
+def test_a_sender_that_was_killed_is_missed_when_its_offer_ends(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    subscribed(receiver)
+    sender.kill()
+    killed = time.monotonic()
+    receiver.tells("Speed is pending", "found 0")
+    assert time.monotonic() - killed < OFFER_HOLDS + UNHURRIED
+
+
+@pytest.mark.parametrize("address", ["127.0.0.50", ""], ids=["same address", "whichever is free"])
+def test_a_sender_that_begins_anew_is_found_at_once(net: Network, built: Mapping[str, Path], address: str) -> None:
+    own = {"SIGCAT_BENCH_ADDRESS": address} if address else {}
+    sender = net.start([built["sender"]], **own).tells("ready").do("mode 0", "offer").tells("done offer")
+    receiver = subscribed(net.start([built["receiver"]]).tells("found 1"))
+    for turn in range(TIMES):
+        sender.kill()
+        sender = net.start([built["sender"]], **own).tells("ready").do(f"mode {turn % 2}", "offer")
+        receiver.tells("found 1", "Mode is subscribed", f"mode {turn % 2}", within=OFFER_HOLDS + UNHURRIED)
+        sender.do(f"speed {turn}")
+        receiver.tells(f"speed {turn}")
+
+
+def test_a_receiver_that_begins_anew_is_sent_everything_at_once(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    subscribed(receiver)
+    for turn in range(TIMES):
+        receiver.kill()
+        sender.do(f"mode {turn % 2}").tells("done mode")
+        receiver = net.start([built["receiver"]]).tells("found 1", within=OFFER_HOLDS + UNHURRIED)
+        receiver.do("subscribe").tells(f"mode {turn % 2}")
+        sender.do(f"speed {turn}")
+        receiver.tells(f"speed {turn}")
+
+
+def test_a_request_to_who_was_killed_fails_when_its_offer_ends(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    sender.kill()
+    receiver.do("add 1 1").tells("done add")
+    assert {"add timed out", "add failed: The service is not available. 0"} & set(receiver.told)
+    if "found 0" not in receiver.told:
+        receiver.tells("found 0")
+    receiver.do("add 1 1").tells("add failed: The service is not available. 0")
+
+
+def test_a_subscription_lasts_for_as_long_as_there_are_offers(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    subscribed(receiver)
+    time.sleep(2 * OFFER_HOLDS + 0.2)
+    sender.do("speed 9")
+    receiver.tells("speed 9")
+    assert "Speed is pending" not in receiver.told[receiver.told.index("Speed is subscribed") :]
