@@ -78,7 +78,7 @@ static uint64_t CoreAcc_Adapter_Earlier(uint64_t a, uint64_t b)
 /* A sum that stays at the largest number. */
 static uint32_t CoreAcc_Adapter_Added(uint32_t sum, uint64_t more)
 {
-    return (more > (uint64_t)(UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
+    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
 /* The worse of two verdicts: present, absent, not judged. */
@@ -373,7 +373,7 @@ static void CoreAcc_Adapter_Load_ALatMax(CoreAcc_Adapter *self)
 }
 
 /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] */
-static void CoreAcc_Adapter_Write_ALatMax(CoreAcc_Adapter *self)
+static void CoreAcc_Adapter_Write_ALatMax(const CoreAcc_Adapter *self)
 {
     if (self->parameter.ALatMax.origin == CORE_ACC_ADAPTER_RECEIVED) {
         core_params.ALatMax = self->parameter.ALatMax.value;

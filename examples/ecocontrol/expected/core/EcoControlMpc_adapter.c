@@ -47,7 +47,7 @@
     ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
         #variable " must be " #type)
 #define ECO_CONTROL_MPC_ADAPTER_HAS(variable, count) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((count) * sizeof((variable)[0])), \
+    ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((size_t)(count) * sizeof((variable)[0])), \
         #variable " must have " #count " elements")
 
 /* Variables of EcoControlMpc are as large as declared: a build fails where one is not. */
@@ -77,7 +77,7 @@ static uint64_t EcoControlMpc_Adapter_Earlier(uint64_t a, uint64_t b)
 /* A sum that stays at the largest number. */
 static uint32_t EcoControlMpc_Adapter_Added(uint32_t sum, uint64_t more)
 {
-    return (more > (uint64_t)(UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
+    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
 /* The worse of two verdicts: present, absent, not judged. */
@@ -629,7 +629,7 @@ void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t 
     const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
 
     if (self->Step.is_running) {
-        self->Step.deadline = (((now - self->Step.begun) > UINT64_C(400000000)))
+        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(400000000))
             ? ECO_CONTROL_MPC_ADAPTER_PRESENT : ECO_CONTROL_MPC_ADAPTER_ABSENT;
     }
     /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */

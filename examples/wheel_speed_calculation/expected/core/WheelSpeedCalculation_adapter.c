@@ -80,7 +80,7 @@ static uint64_t WheelSpeedCalculation_Adapter_Earlier(uint64_t a, uint64_t b)
 /* A sum that stays at the largest number. */
 static uint32_t WheelSpeedCalculation_Adapter_Added(uint32_t sum, uint64_t more)
 {
-    return (more > (uint64_t)(UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
+    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
 /* The worse of two verdicts: present, absent, not judged. */
@@ -251,7 +251,7 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(WheelSpeedCalculation
 }
 
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
-static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(WheelSpeedCalculation_Adapter *self)
+static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaFrnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.TireDiaFrnt = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaFrnt.value * 25.4));
@@ -283,7 +283,7 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaRear(WheelSpeedCalculation
 }
 
 /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] */
-static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(WheelSpeedCalculation_Adapter *self)
+static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaRear.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.TireDiaRear = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaRear.value * 25.4));
@@ -315,7 +315,7 @@ static void WheelSpeedCalculation_Adapter_Load_SpdMax(WheelSpeedCalculation_Adap
 }
 
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] */
-static void WheelSpeedCalculation_Adapter_Write_SpdMax(WheelSpeedCalculation_Adapter *self)
+static void WheelSpeedCalculation_Adapter_Write_SpdMax(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.SpdMax.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.SpdMax = self->parameter.SpdMax.value;
@@ -335,7 +335,7 @@ static void WheelSpeedCalculation_Adapter_Load_RangeErrCnt(WheelSpeedCalculation
 }
 
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.RangeErrorCount */
-static void WheelSpeedCalculation_Adapter_Write_RangeErrCnt(WheelSpeedCalculation_Adapter *self)
+static void WheelSpeedCalculation_Adapter_Write_RangeErrCnt(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.RangeErrCnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
         whl_par.RangeErrCnt = self->parameter.RangeErrCnt.value;
@@ -411,7 +411,7 @@ static void WheelSpeedCalculation_Adapter_CloseWindows(WheelSpeedCalculation_Ada
 /* The checkpoint of WheelSpeedCalculation_Init. */
 static void WheelSpeedCalculation_Adapter_Report_Init(WheelSpeedCalculation_Adapter *self)
 {
-    if ((self->checkpoint.active == 0U)) {
+    if (self->checkpoint.active == 0U) {
         self->checkpoint.active = 1U;
         self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
     } else {
@@ -509,8 +509,7 @@ static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculat
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->error.RangeError.variable);
     WheelSpeedCalculation_Adapter_Update(&self->error.RangeError, &self->stored.RangeError, verdict, false, true,
         UINT64_C(50000000), UINT64_C(1000000000), t);
-    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences > 0U)
-        && (self->stored.RangeError.occurrences >= 3U);
+    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences >= 3U);
     if ((self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
         && (self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
         const uint8_t status = WheelSpeedCalculation_Adapter_HasFailed(&self->error.RangeError) ? 1U : 0U;
@@ -804,7 +803,7 @@ void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter 
         self->Step.alive.ends++;
     }
     if (self->Step.is_running) {
-        self->Step.deadline = (((now - self->Step.begun) > UINT64_C(5000000)))
+        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(5000000))
             ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
     }
     WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(self);
@@ -905,8 +904,7 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     self->out.DeadlineError = 0U;
     self->out.SequenceError = 0U;
     self->out.WhlSpdRLInvalid = 0U;
-    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences > 0U)
-        && (self->stored.RangeError.occurrences >= 3U);
+    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences >= 3U);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
     self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);

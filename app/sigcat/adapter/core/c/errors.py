@@ -140,9 +140,8 @@ def _sent(error: Error, scope: Scope) -> Lines:
 def confirmed(error: Error) -> Lines:
     """Whether an error has failed as often, and in as many ignition cycles, as it takes."""
     name = error.named.name
-    limits = [f"(self->stored.{name}.occurrences > 0U)"]
-    if error.occurrence_limit:
-        limits.append(f"(self->stored.{name}.occurrences >= {error.occurrence_limit}U)")
+    least = f">= {error.occurrence_limit}U" if error.occurrence_limit else "> 0U"
+    limits = [f"(self->stored.{name}.occurrences {least})"]
     if error.ignition_limit:
         limits.append(f"(self->stored.{name}.ignition_cycles >= {error.ignition_limit}U)")
     return lines(f"self->error.{name}.is_confirmed = {' && '.join(limits)};")

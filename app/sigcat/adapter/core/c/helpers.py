@@ -92,7 +92,7 @@ def _added(prefix: str) -> Lines:
         /* A sum that stays at the largest number. */
         static uint32_t {prefix}_Added(uint32_t sum, uint64_t more)
         {{
-            return (more > (uint64_t)(UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
+            return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
         }}
     """)
 

@@ -14,7 +14,7 @@ from sigcat.adapter.core.c.values import (
     stored,
     tables,
 )
-from sigcat.adapter.core.plan import Parameter, Value
+from sigcat.adapter.core.plan import GLOBALS, Parameter, Value
 
 
 def ends_of(parameter: Parameter, scope: Scope) -> Ends:
@@ -116,7 +116,8 @@ def _write(parameter: Parameter, scope: Scope) -> Lines:
         replaced = constant(value, "replacement", ends)
         ways.append((f"{place} == {scope.constant('REPLACEMENT')}", replaced))
     body = [index(value), known_values(value), choice([*ways, ("", constant(value, "init", ends))])]
-    head = f"static void {scope.prefix}_Write_{parameter.named.name}({scope.self_argument})"
+    is_read_only = "const " if scope.plan.code.signature == GLOBALS else ""
+    head = f"static void {scope.prefix}_Write_{parameter.named.name}({is_read_only}{scope.self_argument})"
     return function(head, body, parameter.named.comment)
 
 

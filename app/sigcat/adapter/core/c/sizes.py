@@ -48,8 +48,8 @@ def _assertion(scope: Scope) -> Lines:
 _MACROS = {
     "HOLDS": ("variable, type", "{size}(variable) >= sizeof(type)", '#variable " must be " #type'),
     "FITS": ("variable, type", "{size}(variable) <= sizeof(type)", '#variable " must be " #type'),
-    "HAS": ("variable, count", "sizeof(variable) == ((count) * sizeof((variable)[0]))", '#variable " must have " #count " elements"'),
-    "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((count) * sizeof((variable)[0]))", '#variable " must have at least " #count " elements"'),
+    "HAS": ("variable, count", "sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))", '#variable " must have " #count " elements"'),
+    "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))", '#variable " must have at least " #count " elements"'),
 }  # fmt: skip
 """Arguments, condition and message of each check."""
 

@@ -76,8 +76,8 @@ def checkpoint_functions(scope: Scope) -> list[Lines]:
 
 def _report(call: Call, logical: Logical, scope: Scope) -> Lines:
     active = "self->checkpoint.active"
-    conditions = [f"({active} == {number}U)" for number in logical.previous]
-    conditions += [f"({active} == 0U)"] if logical.is_initial else []
+    follows = [*logical.previous, *([0] if logical.is_initial else [])]
+    conditions = [f"{active} == {number}U" for number in follows]
     absent = [
         lines(f"self->checkpoint.{each.name} = {scope.absent};")
         for each in scope.plan.calls
@@ -85,7 +85,8 @@ def _report(call: Call, logical: Logical, scope: Scope) -> Lines:
     ]
     right = joined([lines(f"{active} = {0 if logical.is_final else logical.number}U;"), *absent])
     wrong = lines(f"self->checkpoint.{call.name} = {scope.present};" if logical.error else "/* no error is told */")
-    body = choice([(" || ".join(conditions), right), ("", wrong)]) if conditions else wrong
+    any_of = conditions[0] if len(conditions) == 1 else " || ".join(f"({each})" for each in conditions)
+    body = choice([(any_of, right), ("", wrong)]) if conditions else wrong
     head = f"static void {scope.prefix}_Report_{call.name}({scope.self_argument})"
     return function(head, [body], f"The checkpoint of {call.interface}.")
 
@@ -103,9 +104,9 @@ def ended(call: Call, scope: Scope) -> Lines:
         found.append(block(f"if ({counts})" if " && " in counts else f"if {counts}", [lines(f"{place}.alive.ends++;")]))
     if call.deadline:
         took = f"(t - {place}.begun)"
-        late = f"({took} > {time(call.deadline.most)})"
-        early = f"({took} < {time(call.deadline.least)}) || " if call.deadline.least else ""
-        judged = lines(f"{place}.deadline = ({early}{late}) ? {scope.present} : {scope.absent};")
+        late, early = f"({took} > {time(call.deadline.most)})", f"({took} < {time(call.deadline.least)})"
+        is_bad = f"({early} || {late})" if call.deadline.least else late
+        judged = lines(f"{place}.deadline = {is_bad} ? {scope.present} : {scope.absent};")
         found.append(block(f"if ({place}.is_running)", [judged]))
     return joined(found)
 
