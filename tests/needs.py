@@ -6,6 +6,7 @@ those that `sigcat pull` fetched are taken. ELIV_PRESENTATION names a checkout o
 
 import os
 import sys
+from collections.abc import Container, Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from shutil import which
@@ -26,6 +27,12 @@ official_releases = pytest.mark.skipif(
 IS_SLOW_RUN = "SIGCAT_SLOW" in os.environ
 """Whether `make slow` runs the tests: with every repetition of what a usual run does once."""
 slow = pytest.mark.skipif(not IS_SLOW_RUN, reason="time: `make slow` runs these too")
+
+
+def sampled(cases: Iterable[object], usual: Container[object]) -> list[object]:
+    """Cases that say the same again and again, for `parametrize`: all but the usual ones are for `make slow`."""
+    return [case if case in usual else pytest.param(case, marks=slow) for case in cases]
+
 
 _PUBLISHED = os.environ.get("ELIV_PRESENTATION")
 _FILES = {path.name: path for path in Path(_PUBLISHED).rglob("*.*")} if _PUBLISHED else {}

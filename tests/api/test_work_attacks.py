@@ -18,6 +18,7 @@ from sigcat.api.tokens import new_token
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
 from tests.api.test_hostile_requests import BOMBS, HONEST
+from tests.needs import slow
 from tests.processes import PROC, memory
 from tests.waiting import DEADLINE
 
@@ -63,10 +64,10 @@ class Watched(NamedTuple):
 @pytest.mark.parametrize(
     ("texts", "settings", "reasons"),
     [
-        ([BOMBS[name] for name in LONG], {}, {200}),
+        pytest.param([BOMBS[name] for name in LONG], {}, {200}, marks=slow),
         ([BOMBS[name] for name in LONG], {"SIGCAT_HEAVY_SECONDS": "0.3"}, {"longer than 0.3 seconds"}),
         (LARGE, {}, {200}),
-        (LARGE, {"SIGCAT_HEAVY_BYTES": str(8 * 1024 * 1024)}, {"more than 8 MiB of memory"}),
+        pytest.param(LARGE, {"SIGCAT_HEAVY_BYTES": str(8 * 1024 * 1024)}, {"more than 8 MiB of memory"}, marks=slow),
     ],
     ids=["long", "too long", "large", "too large"],
 )

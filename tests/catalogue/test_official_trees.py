@@ -15,7 +15,7 @@ from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
 pytestmark = official_releases
 
 OVERLAYS = ("", "extensions/OBD", "extensions/dual_wiper_systems", "profiles/motorbike")
-USUAL = (("v5.0", "", "--expand"), ("v6.0", "extensions/OBD", "--expand"), ("v6.0", "", "--no-expand"))
+USUAL = (("v6.0", "extensions/OBD", "--expand"), ("v5.0", "", "--no-expand"))
 CASES = [
     (release, overlay, expand)
     for release in ("v5.0", "v6.0")

@@ -1,4 +1,4 @@
-"""Clients that are generated from the running service compile, pass type checks, and do the same round trip."""
+"""Clients that are generated from the running service compile, pass type checks, and do the same round trip: in `make clients` and `make slow`."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +15,7 @@ from tests.clients.generating import (
     running_service,
 )
 from tests.judges import judged_by
+from tests.needs import slow
 
 DOCUMENT = ROOT / "docs" / "reference" / "openapi.json"
 
@@ -25,11 +26,13 @@ def address() -> Iterator[str]:
         yield found
 
 
+@slow
 @judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_python_client_passes_mypy_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     check_python_client(address, tmp_path)
 
 
+@slow
 @judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     try:
@@ -46,6 +49,7 @@ def test_the_document_passes_the_strict_rules_of_redocly() -> None:
         pytest.skip(str(reason))
 
 
+@slow
 @judged_by("spectral", "The OpenAPI document has no finding")
 def test_the_document_passes_all_rules_of_spectral() -> None:
     try:

@@ -10,7 +10,7 @@ import pytest
 
 from tests.examples.compiled import C99, CPP17, SOURCES, answer, object_file, program
 from tests.examples.signals import POINTS, AccInputs, MpcInputs, WheelInputs
-from tests.needs import C_COMPILERS, c_compiler, object_reader
+from tests.needs import C_COMPILERS, c_compiler, object_reader, slow
 
 pytestmark = c_compiler
 
@@ -22,6 +22,8 @@ BUILDS = [
     for optimization in ("-O0", "-O2")
     for language in (C99, CPP17)
 ]
+USUAL = [("-O0", *C99), ("-O2", *CPP17)]
+"""Of each compiler; `make slow` takes them all."""
 SANITIZERS = ("-g", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all", *C99)
 LIBRARY = {"sqrt", "fabs", "memcpy", "memset"}
 """What the functions may need of a library. A compiler copies structs by the last two."""
@@ -82,7 +84,9 @@ def wheels(dice: random.Random) -> Sequence[float]:
 
 @pytest.mark.parametrize("function", FUNCTIONS)
 @pytest.mark.parametrize(
-    ("compiler", "options"), BUILDS, ids=lambda value: "".join(value[-1:] if value in C_COMPILERS else value[:2])
+    ("compiler", "options"),
+    [pytest.param(*build, marks=() if build[1] in USUAL else slow) for build in BUILDS],
+    ids=lambda value: "".join(value[-1:] if value in C_COMPILERS else value[:2]),
 )
 def test_every_build_compiles_without_a_warning_and_answers_with_the_same_bits(function, compiler, options):
     expected = answer(program(function), steps(function))

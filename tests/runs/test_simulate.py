@@ -11,6 +11,7 @@ from scripts.cases import ROOT, RUNS
 from sigcat.adapter import toolchain
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
+from tests.needs import slow
 
 CASE = ROOT / RUNS.folder / "one_function_feeds_another"
 EXPECTED = (CASE / RUNS.expected).read_text()
@@ -50,7 +51,7 @@ def test_two_runs_give_the_same_bytes_and_leave_nothing_behind(case, monkeypatch
 # -- code that cannot be built -------------------------------------------------------------------------------------
 
 
-@pytest.fixture(params=["system", "pypi"])
+@pytest.fixture(params=["system", pytest.param("pypi", marks=slow)])
 def compiler(request, monkeypatch):
     """The compiler of the system, and that of PyPI: they have words of their own."""
     monkeypatch.delenv("CC", raising=False)
@@ -83,6 +84,7 @@ def test_what_the_declaration_says_of_the_code_and_is_not_so(case, compiler, nam
     assert said[-1].startswith("sigcat: The functions cannot be run: ")
 
 
+@pytest.mark.parametrize("compiler", ["system", "pypi"], indirect=True)
 def test_sources_that_do_not_compile_stand_in_the_words_of_the_compiler(case, compiler):
     status, said = case(counter_c=("self->count += ", "self->cuont += "))
     assert status == 1

@@ -59,8 +59,8 @@ def test_a_mistyped_spelling_of_vspec_is_refused_with_the_near_one(capsys):
 
 
 def test_or_into_a_zip_archive(tree):
-    assert main(["export", "s2dm", "-s", "tree.vspec", "-o", "schema.zip"]) == 0
-    assert "schema.graphql" in zipfile.ZipFile("schema.zip").namelist()
+    assert main(["export", "ros2interface", "-s", "tree.vspec", "-o", "ros.zip", "--package-name", "cars"]) == 0
+    assert "cars/msg/Vehicle.msg" in zipfile.ZipFile("ros.zip").namelist()
 
 
 def test_types_go_where_they_are_asked_for(tree):

@@ -15,7 +15,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
 from tests.catalogue.exporting.judging import judged
 from tests.judges import judged_by
-from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
+from tests.needs import OFFICIAL, official_releases, sampled
 
 TREE = Path(__file__).parent / "tree"
 V5 = OFFICIAL / "v5.0" / "spec" / "VehicleSignalSpecification.vspec"
@@ -79,7 +79,7 @@ FIRST = {case.format: case for case in reversed(CASES)}
 
 
 @judged_by("vss-tools", "Every export has the same bytes")
-@pytest.mark.parametrize("case", CASES if IS_SLOW_RUN else list(FIRST.values()), ids=named)
+@pytest.mark.parametrize("case", sampled(CASES, list(FIRST.values())), ids=named)
 def test_a_tree_with_everything(case, tmp_path):
     tree = tree_without_structs(tmp_path) if not case.types else TREE / "tree.vspec"
     overlays = [TREE / "overlay.vspec"] if case.overlay else []
@@ -117,12 +117,10 @@ def official() -> Catalogue:
 SLOW = ("id", "s2dm", "vhal")
 """Formats of which one whole tree is enough; the last one takes no overlays."""
 WHOLE = [name for name, exporter in EXPORTERS.items() if not exporter.needs_types]
-USUAL = ("json", "csv", "ros2interface")
-"""Formats of whole trees in every run; `make slow` takes them all."""
 
 
 @judged_by("vss-tools", "Every export has the same bytes")
-@pytest.mark.parametrize("name", WHOLE if IS_SLOW_RUN else USUAL)
+@pytest.mark.parametrize("name", sampled(WHOLE, {"csv"}))
 def test_the_shipped_tree(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
@@ -130,7 +128,7 @@ def test_the_shipped_tree(name, tmp_path):
 
 @judged_by("vss-tools", "Every export has the same bytes")
 @official_releases
-@pytest.mark.parametrize("name", [name for name in WHOLE if name not in SLOW] if IS_SLOW_RUN else USUAL)
+@pytest.mark.parametrize("name", sampled([name for name in WHOLE if name not in SLOW], {"ros2interface"}))
 def test_an_official_release_with_its_overlay(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
     assert {file.name: file.data for file in export(official(), name)} == expected

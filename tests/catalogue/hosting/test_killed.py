@@ -1,6 +1,6 @@
 """Killed at any point of a pull or of a reload, the service starts again with the last good catalogue.
 
-Real processes are killed after random times, drawn from a fixed seed. `make fuzz` sets SIGCAT_FUZZ: then it is 50 times each.
+Real processes are killed after random times, drawn from a fixed seed. `make fuzz` sets SIGCAT_FUZZ: then it is 50 times each, and in `make slow` two.
 """
 
 import json
@@ -23,9 +23,10 @@ from sigcat.api.tokens import new_token
 from sigcat.catalogue.hosting.library import Source, load
 from sigcat.catalogue.hosting.releases import pull, pulled_releases, releases_folder
 from tests.catalogue.hosting.archives import FILES, everything_in
+from tests.needs import IS_SLOW_RUN
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="the SIGKILL of POSIX")
-TIMES = 50 if "SIGCAT_FUZZ" in os.environ else 2
+TIMES = 50 if "SIGCAT_FUZZ" in os.environ else 2 if IS_SLOW_RUN else 1
 SECRET, TOKEN = new_token("ci", ["reload"])
 WHOLE = sorted([*(name for name in FILES if not name.startswith("docs")), "release.json"])
 SIGCAT = (sys.executable, "-m", "sigcat.cli")
