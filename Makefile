@@ -5,10 +5,10 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow trust sbom audit lock clean
+.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow trust sbom audit lock clean run-autosar
 
 help:  ## list the commands
-	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
@@ -33,6 +33,9 @@ tests: .venv/dev
 
 bench: .venv/dev  ## measure, each figure beside its reference
 	$(BIN)/python -m bench
+
+run-autosar: .venv/dev  ## EcoControl as three processes over SOME/IP: generate, build, play the drive, compare with the simulation
+	$(BIN)/python -m scripts.run_autosar
 
 pictures: .venv/dev  ## picture every page into docs/pictures
 	$(BIN)/python scripts/pictures.py
