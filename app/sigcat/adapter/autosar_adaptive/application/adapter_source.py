@@ -223,7 +223,19 @@ def _received(receiver: Receiver, core: str, component: ComponentPlan) -> Lines:
         indented(lines(f"logger_, service.{receiver.member}, {receiver.capacity}U,")),
         indented(lines(lambda_head)),
         indented(_taken(receiver, core, wakes=wakes), 2),
-        indented(lines("});")),
+        indented(_rejected(receiver, core)),
+    ])  # fmt: skip
+
+
+def _rejected(receiver: Receiver, core: str) -> Lines:
+    if not receiver.tells_of_rejection:
+        return lines("});")
+    return joined([
+        lines("},"),
+        block("[this]", [
+            lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
+            lines(f"{core}_Reject_{receiver.function}(&core_, clock_->Now());"),
+        ], "});"),
     ])  # fmt: skip
 
 

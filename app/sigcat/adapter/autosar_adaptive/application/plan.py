@@ -19,6 +19,8 @@ class Receiver(NamedTuple):
     wire: WireType
     capacity: int
     comment: str
+    tells_of_rejection: bool = False
+    """Whether the core wants to know of messages that end-to-end protection rejects."""
 
 
 class SentEvent(NamedTuple):

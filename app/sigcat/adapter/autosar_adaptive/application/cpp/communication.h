@@ -7,20 +7,39 @@
 #include <utility>
 
 #include "application/values.h"
+#include "ara/com/e2e/types.h"
 #include "ara/log/logger.h"
 
 namespace application {
 
-/// Subscribes to an event or a field; each of its values goes to `take`, in a thread of the platform.
-template <typename Event, typename Take>
-void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take) {
-    const auto set = event.SetReceiveHandler([&event, take] {
-        static_cast<void>(event.GetNewSamples([&take](const auto& sample) { take(*sample); }));
+/// Whether end-to-end protection has nothing against a sample. What is not protected is not checked.
+inline bool IsAccepted(ara::com::e2e::ProfileCheckStatus status) {
+    using Status = ara::com::e2e::ProfileCheckStatus;
+    return status != Status::kError && status != Status::kRepeated && status != Status::kWrongSequence;
+}
+
+/// Subscribes to an event or a field; each of its values goes to `take`, in a thread of the platform. For one that
+/// end-to-end protection rejects, `reject` is called.
+template <typename Event, typename Take, typename Reject>
+void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take, Reject reject) {
+    const auto set = event.SetReceiveHandler([&event, take, reject] {
+        static_cast<void>(event.GetNewSamples([&take, &reject](const auto& sample) {
+            if (IsAccepted(sample.GetProfileCheckStatus())) {
+                take(*sample);
+            } else {
+                reject();
+            }
+        }));
     });
     const auto subscribed = event.Subscribe(capacity);
     if (!set.HasValue() || !subscribed.HasValue()) {
         logger.LogError() << "An event cannot be subscribed to";
     }
+}
+
+template <typename Event, typename Take>
+void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take) {
+    Receive(logger, event, capacity, take, [] {});
 }
 
 /// Sends a value of the core as an event.
