@@ -58,15 +58,23 @@ def _output(number: int) -> str:
 def _function(number: int) -> str:
     items = [(branch, "consumed") for branch in _inputs(number)] + [(_output(number), "provided")]
     data = "".join(
-        f"\n          - {{path: {branch}.Signal{i}, role: {role}, name: {branch.rpartition('.')[2]}Signal{i}, init: 0.0}}"
+        f"\n          - {{path: {branch}.Signal{i}, role: {role}, name: {_name(branch)}Signal{i}, init: 0.0, "
+        f"variable: control{number}.{_name(branch)}Signal{i}}}"
         for branch, role in items
         for i in range(SIGNALS)
     )
     return (
         f"function: Control{number}\ndescription: Controls.\nresponsible: Team\nversion: 1.0.0\ndate: 2025-09-12\n"
-        f"components:\n  - name: Control{number}\n    runnables:\n      - Control{number}_Init\n"
-        f"      - interface: Control{number}_Step\n        data:{data}\n      - Control{number}_Terminate\n"
+        f"code: {{signature: globals, headers: [control{number}.h]}}\n"
+        f"components:\n  - name: Control{number}\n    runnables:\n"
+        f"      - {{interface: Control{number}_Init, symbol: control{number}_init}}\n"
+        f"      - interface: Control{number}_Step\n        symbol: control{number}_step\n        data:{data}\n"
+        f"      - {{interface: Control{number}_Terminate, symbol: control{number}_end}}\n"
     )
+
+
+def _name(branch: str) -> str:
+    return branch.rpartition(".")[2]
 
 
 def derive_all(folder: Path) -> None:

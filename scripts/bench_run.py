@@ -25,11 +25,8 @@ def main(arguments: Sequence[str]) -> int:
     end = rest.index("--")
     _loopback_up()
     environment = {**os.environ, "BENCH_PLAYER": PORT}
-    started = [
-        subprocess.Popen([Path(build, name, name)], env=environment)  # noqa: S603 — what was built
-        for name in rest[:end]
-    ]
-    player = subprocess.run([Path(build, "player/player"), *rest[end + 1 :]], env=environment, check=False)  # noqa: S603
+    started = [subprocess.Popen([Path(build, name, name)], env=environment) for name in rest[:end]]
+    player = subprocess.run([Path(build, "player/player"), *rest[end + 1 :]], env=environment, check=False)
     for each in started:
         each.send_signal(signal.SIGTERM)
     ends = [each.wait(timeout=10) for each in started]

@@ -14,9 +14,6 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from sigcat.adapter.autosar_adaptive.application.generate import generate
-from sigcat.limits import DEFAULT_LIMITS
-
 HERE = Path(__file__).parents[1]
 EXAMPLES = HERE / "examples"
 DRIVE = EXAMPLES / "ecocontrol/drive.csv"
@@ -45,6 +42,9 @@ def main() -> int:
 
 def generate_into(folder: Path, integration: Path = INTEGRATION) -> None:
     """Write the applications with the bench."""
+    from sigcat.adapter.autosar_adaptive.application.generate import generate
+    from sigcat.limits import DEFAULT_LIMITS
+
     for file in generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None, bench=True):
         path = folder / file.name
         if not path.exists() or path.read_bytes() != file.data:
@@ -61,7 +61,7 @@ def build(folder: Path, flags: str = "", *options: str, code: Mapping[str, Path]
 
 
 def _run(*command: str) -> None:
-    done = subprocess.run(command, check=False, capture_output=True, text=True)  # noqa: S603 — cmake, and no shell
+    done = subprocess.run(command, check=False, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(f"{' '.join(command)}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
 
@@ -74,7 +74,7 @@ def has_own_network() -> bool:
 def _own_network() -> Sequence[str] | None:
     for command in (("unshare", "-n"), ("unshare", "-Urn")):
         try:
-            if subprocess.run([*command, "true"], check=False, capture_output=True).returncode == 0:  # noqa: S603
+            if subprocess.run([*command, "true"], check=False, capture_output=True).returncode == 0:
                 return command
         except OSError:
             return None

@@ -13,6 +13,7 @@ from shutil import which
 
 import pytest
 
+from scripts.run_autosar import has_own_network
 from sigcat.catalogue.hosting.releases import releases_folder
 
 RELEASES = ("v5.0", "v6.0")
@@ -51,4 +52,13 @@ _ZIG = ((sys.executable, "-m", "ziglang", "cc"),) if find_spec("ziglang") and no
 C_COMPILERS = (*((name,) for name in ("gcc", "clang") if which(name)), *_ZIG)
 """Commands of this machine that compile C and C++: gcc, and clang or what PyPI has of it."""
 c_compiler = pytest.mark.skipif(not C_COMPILERS, reason="a C compiler: install gcc or clang, or `pip install ziglang`")
+_ZIG_CPP = tuple((*command[:-1], "c++") for command in _ZIG)
+CPP_COMPILERS = (*((name,) for name in ("g++", "clang++") if which(name)), *_ZIG_CPP)
+"""Those of C++."""
+cmake = pytest.mark.skipif(
+    not (which("cmake") and CPP_COMPILERS), reason="CMake and a C++ compiler: install cmake and g++"
+)
+own_network = pytest.mark.skipif(
+    not has_own_network(), reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
+)
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")

@@ -1,0 +1,1 @@
+"""Applications for AUTOSAR adaptive, generated and run."""

@@ -1,0 +1,39 @@
+"""Applications, generated from functions."""
+
+from functools import cache
+from pathlib import Path
+
+from sigcat.adapter.autosar_adaptive.application.generate import generate
+from sigcat.data import EXAMPLES
+from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.limits import DEFAULT_LIMITS
+from tests.integration.autosar_adaptive.sets import derive
+
+ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
+FULL = Path(__file__).parent / "full"
+"""A function that uses everything that a declaration can say."""
+
+
+def integration(*functions):
+    """The Integration JSON of functions."""
+    return to_json(derive(functions).model)
+
+
+@cache
+def ecocontrol():
+    """The files of EcoControl with the bench, by name."""
+    return files(ECOCONTROL.read_bytes(), bench=True)
+
+
+def files(document, *, bench=False):
+    """The files that are generated from an Integration JSON, by name."""
+    made = generate(document, "integration.json", DEFAULT_LIMITS, None, bench=bench)
+    return {file.name: file.data.decode() for file in made}
+
+
+def write(made, folder):
+    """Write files below a folder."""
+    for name, text in made.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")

@@ -1,0 +1,128 @@
+"""`sigcat generate autosar-adaptive` writes adaptive applications whole."""
+
+import json
+import re
+import subprocess
+from time import process_time
+
+import pytest
+
+from bench import integration as large_set
+from sigcat.adapter.autosar_adaptive.application.report import report
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.errors import InputRefused
+from sigcat.function.function_file import build_function
+from sigcat.integration.reading import read_functions
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
+from tests.adapter.autosar_adaptive.application.generated import ECOCONTROL, FULL, ecocontrol, files, integration, write
+from tests.function.shipped import interfaces
+from tests.needs import CPP_COMPILERS, slow
+
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror")
+
+
+def full():
+    function, _ = build_function((FULL / "function.yaml").read_bytes(), "function.yaml", interfaces())
+    return files(integration(function), bench=True)
+
+
+def refused(document):
+    with pytest.raises(InputRefused) as caught:
+        files(json.dumps(document).encode())
+    return caught.value.findings
+
+
+def test_each_executable_has_a_main_function_and_an_adapter_for_each_component():
+    assert {name for name in ecocontrol() if name.startswith("CoreAccExecutable/")} == {
+        "CoreAccExecutable/CMakeLists.txt",
+        "CoreAccExecutable/core_acc_adapter.cpp",
+        "CoreAccExecutable/core_acc_adapter.h",
+        "CoreAccExecutable/main.cpp",
+    }
+
+
+def test_beside_it_are_the_arxml_and_the_cores():
+    folders = {name.partition("/")[0] for name in ecocontrol()}
+    assert folders == {
+        "CMakeLists.txt", "CoreAccExecutable", "EcoControlMpcExecutable", "README.md", "application", "arxml", "bench",
+        "core", "generated", "player",
+    }  # fmt: skip
+
+
+def test_what_runs_it_without_a_platform_is_there_on_request_only():
+    plain = files(ECOCONTROL.read_bytes())
+    assert {"bench", "generated", "player"} & {name.partition("/")[0] for name in plain} == set()
+    assert plain == {name: text for name, text in ecocontrol().items() if name in plain}
+
+
+def test_an_adapter_uses_names_of_ara_and_of_the_standard_library_alone():
+    adapters = "".join(text for name, text in full().items() if re.match(r"\w+Executable/.*\.(h|cpp)$", name))
+    included = {name.partition("/")[0] for name in re.findall(r'#include "(.*)"', adapters)}
+    assert included == {"application", "ara", "core", "full", "full_adapter.h", "full_structs.h"}
+    assert "bench" not in set(re.findall(r"\b(\w+)::", adapters))
+
+
+def test_all_that_a_declaration_can_say_reaches_the_core():
+    adapter = full()["FullExecutable/full_adapter.cpp"]
+    for called in ("Init", "Start", "NextCall", "NextTime", "SetInput_Step", "Begin_Step", "Run_Step", "GetOutput_Step",
+                   "Supervise", "Published", "Terminate", "Receive_Speed", "Reject_Speed", "Receive_Stop", "Receive_Mode_In",
+                   "Method_Do", "Answer_Ask"):  # fmt: skip
+        assert f"Full_Adapter_{called}(&core_" in adapter, called
+
+
+def test_only_a_signal_that_triggers_a_call_wakes_it():
+    connects = full()["FullExecutable/full_adapter.cpp"].partition("::Connect(")[2]
+    assert connects.count("clock_->Wake();") == 1
+
+
+def test_a_document_without_its_functions_is_refused():
+    document = json.loads(ECOCONTROL.read_bytes())
+    del document["SourceFunctionList"]
+    (finding,) = refused(document)
+    assert (finding.rule, finding.pointer) == ("A020", "/SourceFunctionList")
+
+
+def test_a_function_has_one_component():
+    document = json.loads(ECOCONTROL.read_bytes())
+    document["ComponentList"][1]["Function"] = "CoreAcc"
+    (finding,) = refused(document)
+    assert (finding.pointer, "CoreAcc must have one component" in finding.message) == (
+        "/ComponentList/1/Function",
+        True,
+    )
+
+
+def test_the_report_says_what_is_not_left_to_the_platform():
+    entries = report(ECOCONTROL.read_bytes(), "integration.json", DEFAULT_LIMITS)
+    (alive,) = [each for each in entries if each.field == "SupervisionType Alive"]
+    assert (alive.interface, alive.target) == ("CoreAcc_Step", "core")
+    assert "not exported to ara::phm" in alive.note
+
+
+def test_three_executables_with_162_events_take_less_than_two_seconds(tmp_path):
+    folder = large_set.write_set(tmp_path)
+    catalogue = read_catalogue(folder / "tree.vspec")
+    sources = [(path.read_bytes(), path.name) for path in sorted(folder.glob("*.yaml"))]
+    functions, _ = read_functions(sources, catalogue)
+    document = integrate(PLATFORMS["autosar-adaptive"], functions).document
+    start = process_time()
+    made = files(document, bench=True)
+    assert process_time() - start < 2
+    assert sum(name.endswith("/main.cpp") for name in made) == 3 + 1
+
+
+# -- compilers ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "compiler", [pytest.param(each, marks=slow if at else (), id=each[-1]) for at, each in enumerate(CPP_COMPILERS)]
+)
+def test_no_compiler_warns_of_an_adapter_with_everything(compiler, tmp_path):
+    write(full(), tmp_path)
+    includes = ("-I.", "-Igenerated/include", "-Ibench/include", f"-I{FULL}")
+    sources = sorted(str(path) for path in tmp_path.glob("FullExecutable/*.cpp"))
+    command = [*compiler, "-std=c++17", "-fsyntax-only", *STRICT, *includes, *sources]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
