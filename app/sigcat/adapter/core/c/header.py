@@ -28,7 +28,14 @@ def header(scope: Scope, title: Lines) -> Lines:
         _extern_c(begins=False),
         lines(f"#endif /* {guard} */"),
     ]
-    return spaced(parts)
+    return spaced(_without_unused_verdict(parts, f"{scope.prefix}_Verdict"))
+
+
+def _without_unused_verdict(parts: list[Lines], name: str) -> list[Lines]:
+    """Where nothing can be wrong, nothing is judged."""
+    if sum(name in line.text for part in parts for line in part) > 1:
+        return parts
+    return [part for part in parts if not any(name in line.text for line in part)]
 
 
 def _extern_c(*, begins: bool) -> Lines:
