@@ -39,18 +39,6 @@ def case(tmp_path, monkeypatch, capfd):
     return run
 
 
-def test_two_runs_give_the_same_bytes_and_leave_nothing_behind(case, monkeypatch, tmp_path):
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
-    Path("temporary").mkdir()
-    for _ in range(2):
-        assert case() == (0, [])
-        assert Path("out.csv").read_text() == EXPECTED
-    assert list(Path("temporary").iterdir()) == []
-
-
-# -- code that cannot be built -------------------------------------------------------------------------------------
-
-
 @pytest.fixture(params=["system", pytest.param("pypi", marks=slow)])
 def compiler(request, monkeypatch):
     """The compiler of the system, and that of PyPI: they have words of their own."""
@@ -60,6 +48,27 @@ def compiler(request, monkeypatch):
         if toolchain.packaged() is None:
             pytest.skip("the compiler of PyPI: pip install ziglang")
         monkeypatch.setenv("PATH", "")
+
+
+def test_two_runs_give_the_same_bytes_and_leave_nothing_behind(case, monkeypatch, tmp_path):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
+    Path("temporary").mkdir()
+    for _ in range(2):
+        assert case() == (0, [])
+        assert Path("out.csv").read_text() == EXPECTED
+    assert list(Path("temporary").iterdir()) == []
+
+
+def test_state_and_stack_of_each_core_are_told(case, compiler):
+    status, said = case("--memory")
+    assert status == 0
+    stack = r"(\d+ bytes of stack in \w+_Adapter_\w+|stack not told)"
+    assert [re.sub(rf": \d+ bytes of state, {stack}", "", line) for line in said] == ["Filter", "Counter"]
+    states = [int(re.findall(r"\d+", line)[0]) for line in said]
+    assert all(100 < state < 5000 for state in states)
+
+
+# -- code that cannot be built -------------------------------------------------------------------------------------
 
 
 UNFIT = {

@@ -50,6 +50,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--step-limit", type=positive(float), default=10.0, metavar="SECONDS",
         help="how long a call may take before the run is stopped (default: 10)",
     )  # fmt: skip
+    parser.add_argument(
+        "--memory", action="store_true", help="say how much state and stack the core of each function takes"
+    )
     add_tree_options(parser)
     parser.set_defaults(run=simulate)
 
@@ -66,6 +69,8 @@ def simulate(arguments: argparse.Namespace) -> int:
     check_plotted(arguments.plot, signals_of(prepared, trace))
     simulated = run(prepared, trace, _settings(arguments), tools)
     _print(simulated.findings)
+    for each in simulated.memory:
+        print(each.text, file=sys.stderr)
     for path, form in forms:
         write_bytes(written(form, simulated, prepared, trace, arguments.plot), path)
     if simulated.stop is not None:
@@ -119,4 +124,4 @@ def _settings(arguments: argparse.Namespace) -> "Settings":
     from sigcat.runs.simulate import Settings
 
     duration = None if arguments.duration is None else round(arguments.duration * NANOSECONDS)
-    return Settings(duration, arguments.ignition_cycle, arguments.step_limit)
+    return Settings(duration, arguments.ignition_cycle, arguments.step_limit, tells_memory=arguments.memory)

@@ -10,6 +10,7 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.runs.building.build import build
+from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
 from sigcat.runs.kept import Kept
 from sigcat.runs.prepare import Prepared
@@ -34,6 +35,7 @@ class Settings(NamedTuple):
     """Seconds that a call may take."""
     kept: Mapping[Kept, Value] = {}
     """What the functions kept from before."""
+    tells_memory: bool = False
 
 
 class Simulated(NamedTuple):
@@ -47,6 +49,8 @@ class Simulated(NamedTuple):
     """Why it did not come to its end."""
     end: int
     """When it was to end, in ns."""
+    memory: tuple[Memory, ...] = ()
+    """What the core of each function takes, if that was asked for."""
 
 
 def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Simulated:
@@ -55,8 +59,10 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
         folder = Path(name)
         start, end = _times(_write_input(prepared, trace, settings, folder / INPUT), settings)
         program = build(prepared.connections, prepared.numbers, folder, tools)
+        members = prepared.connections.members
+        memory = memory_of(members, folder, tools) if settings.tells_memory else ()
         command = Command(program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit)
-        return _run(prepared, command, trace)
+        return _run(prepared, command, trace)._replace(memory=memory)
 
 
 def _write_input(prepared: Prepared, trace: Trace | None, settings: Settings, path: Path) -> Span:
