@@ -33,12 +33,20 @@ struct DiscoveryTimes {
     double response_delay_max;
 };
 
+// End-to-end protection of an event, by a profile of AUTOSAR.
+struct Protection {
+    std::uint8_t profile = 0;  // none
+    std::uint32_t data_id = 0;
+    std::uint32_t max_delta_counter = 1;  // the largest step from one counter to the next
+};
+
 // An event, or the notifier of a field.
 struct EventDescription {
     std::string_view name;
     std::uint16_t id;
     std::uint16_t group;
     bool is_field;
+    Protection protection{};
 };
 
 // The instance that a port of an executable means.

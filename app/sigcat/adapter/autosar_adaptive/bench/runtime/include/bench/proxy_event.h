@@ -46,6 +46,9 @@ private:
 
     ara::com::SamplePtr<const T> Read(Received received) {
         auto held = std::make_shared<Held>(Held{T{}, std::move(received.place)});
+        if (received.status == ara::com::e2e::ProfileCheckStatus::kError) {
+            return {std::shared_ptr<const T>{held, &held->value}, received.status};  // its bytes mean nothing
+        }
         Reader reader{received.payload, connection_->Service().serialization};
         Codec<T>::Read(reader, held->value);
         if (!reader.IsValid()) {

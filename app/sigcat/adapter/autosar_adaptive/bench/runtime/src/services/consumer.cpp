@@ -56,7 +56,7 @@ void Consumer::Subscribe(const std::shared_ptr<EventQueue>& queue) {
     } else if (remote.acknowledged.count(event.group) > 0) {
         queue->SetState(SubscriptionState::kSubscribed);
         if (const auto latest = remote.latest.find(event.id); latest != remote.latest.end()) {
-            queue->Push(latest->second);
+            queue->Push({Header{}, latest->second});  // fields are not protected
         }
     }
 }
@@ -169,7 +169,7 @@ void Consumer::TakeEvent(const Message& message, const Endpoint& from) {
     }
     for (const auto& queue : remote->queues) {
         if (queue->Event().id == message.header.method) {
-            queue->Push(message.payload);
+            queue->Push(message);
         }
     }
     // Also of a field that nobody reads yet: with its group subscribed to, it comes once.

@@ -8,6 +8,7 @@ namespace bench {
 void EventQueue::Open(std::size_t count) {
     std::lock_guard<std::mutex> lock{mutex_};
     kept_.clear();
+    checker_ = Checker{event_.protection};
     count_ = count;
     // Samples of a former subscription give their places back to that one.
     free_ = std::make_shared<Places>(count);
@@ -23,15 +24,17 @@ std::size_t EventQueue::Count() const {
     return count_;
 }
 
-void EventQueue::Push(ByteView payload) {
+void EventQueue::Push(const Message& message) {
     std::lock_guard<std::mutex> lock{mutex_};
     if (count_ == 0) {
         return;
     }
+    const auto status = checker_.Check(message.header, message.payload);
     if (kept_.size() == count_) {
         kept_.pop_front();  // what is newest counts
     }
-    kept_.emplace_back(payload.begin(), payload.end());
+    const ByteView values = Values(event_.protection, message.payload);
+    kept_.push_back({{values.begin(), values.end()}, status});
     if (receive_handler_ != nullptr && !is_posted_) {
         PostReceived();
     }
@@ -43,7 +46,8 @@ std::optional<Received> EventQueue::Pop() {
         return std::nullopt;
     }
     --*free_;
-    Received received{std::move(kept_.front()), std::shared_ptr<void>{nullptr, [free = free_](void*) { ++*free; }}};
+    auto& [values, status] = kept_.front();
+    Received received{std::move(values), std::shared_ptr<void>{nullptr, [free = free_](void*) { ++*free; }}, status};
     kept_.pop_front();
     return received;
 }

@@ -11,6 +11,7 @@
 #include "ara/com/types.h"
 #include "bench/event_receiver.h"
 #include "bench/handle.h"
+#include "e2e/protection.h"
 #include "services/dispatcher.h"
 
 namespace bench {
@@ -18,7 +19,7 @@ namespace bench {
 class EventQueue : public std::enable_shared_from_this<EventQueue> {
 public:
     EventQueue(const Handle& handle, const EventDescription& event, Dispatcher& dispatcher)
-        : handle_{handle}, event_{event}, dispatcher_{dispatcher} {}
+        : handle_{handle}, event_{event}, dispatcher_{dispatcher}, checker_{event.protection} {}
 
     const Handle& Instance() const noexcept { return handle_; }
     const EventDescription& Event() const noexcept { return event_; }
@@ -28,7 +29,7 @@ public:
     void Close();
     std::size_t Count() const;
 
-    void Push(ByteView payload);
+    void Push(const Message& message);
     std::optional<Received> Pop();
     std::size_t Free() const noexcept;
     void TellMalformed();
@@ -49,7 +50,12 @@ private:
     Dispatcher& dispatcher_;
 
     mutable std::mutex mutex_;
-    std::deque<Bytes> kept_;
+    struct Kept {
+        Bytes values;
+        ara::com::e2e::ProfileCheckStatus status;
+    };
+    Checker checker_;
+    std::deque<Kept> kept_;
     std::size_t count_ = 0;
     std::shared_ptr<Places> free_ = std::make_shared<Places>(0);
     ara::com::SubscriptionState state_ = ara::com::SubscriptionState::kNotSubscribed;

@@ -54,6 +54,7 @@ public:
     std::vector<Subscriber> subscribers{};
 
     std::map<std::uint16_t, SessionCounter> sessions{};  // by event
+    std::map<std::uint16_t, std::uint32_t> counters{};   // of protected events
     std::map<std::uint16_t, Bytes> values{};             // of fields, by notifier
     std::map<std::uint16_t, std::uint16_t> getters{};    // to notifiers
     std::set<std::uint16_t> setters{};

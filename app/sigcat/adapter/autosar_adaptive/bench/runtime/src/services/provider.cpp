@@ -5,6 +5,7 @@
 
 #include "ara/com/com_error_domain.h"
 #include "discovery/discovery_message.h"
+#include "e2e/protection.h"
 #include "services/runtime.h"
 
 namespace bench {
@@ -86,9 +87,10 @@ void Provider::Send(ProvidedInstance& instance, const EventDescription& event, B
     const auto now = Clock::now();
     Remove(instance.subscribers, [now](const auto& each) { return each.end.has_value() && *each.end <= now; });
     const Header header = instance.EventHeader(event.id);
+    const Bytes payload = Protected(event.protection, instance.counters[event.id], header, value);
     for (const auto& subscriber : instance.subscribers) {
         if (subscriber.group == event.group) {
-            runtime_.Send(header, value, subscriber.endpoint);
+            runtime_.Send(header, payload, subscriber.endpoint);
         }
     }
 }
