@@ -9,8 +9,10 @@ from sigcat.adapter.autosar_adaptive.bench.proxies import proxy_header, proxy_so
 from sigcat.adapter.autosar_adaptive.bench.services import Service, services
 from sigcat.adapter.autosar_adaptive.bench.skeletons import skeleton_header, skeleton_source
 from sigcat.adapter.autosar_adaptive.bench.tables import tables_header, tables_source
+from sigcat.adapter.autosar_adaptive.bench.unusable_names import unusable_names
 from sigcat.adapter.autosar_adaptive.cpp_names import type_names
 from sigcat.adapter.files import GeneratedFile
+from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 
@@ -21,10 +23,12 @@ TARGET = "generated_services"
 def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
     """Headers, sources and the CMake library of them. The same model gives the same bytes.
 
-    Raises InputRefused if the model names what AUTOSAR cannot.
+    Raises InputRefused if the model names what AUTOSAR cannot, or C++.
     """
     whole = writable(model)
     listed, names = services(whole), type_names(whole)
+    if problems := list(unusable_names(listed)):
+        raise InputRefused(" ".join(problems))
     headers = {**datatypes.headers(whole, names)}
     sources = {NAME: codecs_source(whole, listed, names)}
     for service in listed:

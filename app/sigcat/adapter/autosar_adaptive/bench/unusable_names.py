@@ -1,0 +1,56 @@
+"""What ARXML may have and C++ not: names that hide others, or that two classes would have."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from sigcat.adapter.autosar_adaptive.bench.services import Service
+from sigcat.adapter.autosar_adaptive.cpp_names import member_name
+from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
+
+_OF_EVERY_PROXY = {"Create", "FindService", "StartFindService", "StopFindService", "GetHandle", "HandleType"}
+_OF_EVERY_SKELETON = {"OfferService", "StopOfferService", "ProcessNextMethodCall"}
+_OF_THE_PLATFORM = ("ara", "std", "bench")
+
+
+def unusable_names(services: Sequence[Service]) -> Iterator[str]:
+    """A sentence for each, with what to do."""
+    for service in services:
+        yield from _hiding(service)
+        yield from _taken(service)
+    yield from _shared(services)
+
+
+def _hiding(service: Service) -> Iterator[str]:
+    inner = {*service.names.namespace[1:], *service.types.namespace[1:]}
+    outer = {*_OF_THE_PLATFORM, *service.types.namespace[:1]}
+    found = sorted((inner & outer) | ({"bench"} & {*service.names.namespace[:1], *service.types.namespace[:1]}))
+    for name in found:
+        yield (
+            f"The namespace of {service.whole.name} must not have {name} in it, which hides the namespace {name} of others. "
+            "Rename it under `namespace` of the deployment."
+        )
+
+
+def _taken(service: Service) -> Iterator[str]:
+    for elements in _kinds(service).values():
+        for element in elements:
+            if member_name(element.name) in _OF_EVERY_PROXY | _OF_EVERY_SKELETON:
+                yield f"{element.name} of {service.whole.name} must have another name: every proxy or skeleton has one of this name. Rename it."
+
+
+def _shared(services: Sequence[Service]) -> Iterator[str]:
+    owners: dict[tuple[tuple[str, ...], str, str], str] = {}
+    for service in services:
+        for kind, elements in _kinds(service).items():
+            for element in elements:
+                key = (service.names.namespace, kind, member_name(element.name))
+                owner = owners.setdefault(key, service.whole.name)
+                if owner != service.whole.name:
+                    yield (
+                        f"{owner} and {service.whole.name} must not both have {element.name} in one namespace, as AUTOSAR "
+                        "names its class without the service. Give one of them a `namespace` of its own in the deployment."
+                    )
+
+
+def _kinds(service: Service) -> Mapping[str, Sequence[Event | ServiceField | Method]]:
+    whole = service.whole
+    return {"events": whole.events, "fields": whole.fields, "methods": whole.methods}
