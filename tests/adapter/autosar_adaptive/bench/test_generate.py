@@ -115,7 +115,7 @@ def test_two_services_of_one_namespace_share_no_name() -> None:
     both = document()
     for component in both["ComponentList"]:
         first = component["ServiceInterfaceList"][0]
-        second = {**first, "Name": "OtherService", "ServiceID": 77, "ServiceInstanceID": 78}
+        second = {**first, "Name": "OtherService", "ServiceID": 0x777, "ServiceInstanceID": 78}
         component["ServiceInterfaceList"].append(second)
     with pytest.raises(InputRefused, match="OtherService and ProbeService must not both have Speed in one namespace"):
         files(json.dumps(both).encode())
@@ -144,7 +144,7 @@ def test_18_services_with_162_events_are_generated_in_two_seconds() -> None:
         {
             "Name": f"Event{n}",
             "DataType": "Track_T",
-            "EventID": 0x8000 + n,
+            "EventID": 0x8001 + n,
             "EventGroup": "Fast",
             "DataMappingList": None,
         }
@@ -153,7 +153,7 @@ def test_18_services_with_162_events_are_generated_in_two_seconds() -> None:
     for component in large["ComponentList"]:
         first = component["ServiceInterfaceList"][0]
         component["ServiceInterfaceList"] = [
-            {**first, "Name": f"Service{n}", "Namespace": f"service{n}", "ServiceID": 100 + n,
+            {**first, "Name": f"Service{n}", "Namespace": f"service{n}", "ServiceID": 0x100 + n,
              "ServiceInstanceID": 200 + n, "ServiceList": [{"Events": events, "Methods": [], "Fields": []}]}
             for n in range(18)
         ]  # fmt: skip
