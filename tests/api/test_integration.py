@@ -79,6 +79,20 @@ def test_arxml_is_an_archive(shipped):
     assert all(name.endswith(".arxml") for name in archive.namelist())
 
 
+def test_an_application_is_an_archive_with_the_bench_on_request(shipped):
+    document = posted(shipped, "/api/v1/integrate/autosar-adaptive", CORE_ACC).content
+    plain, bench = (
+        zipfile.ZipFile(io.BytesIO(posted(shipped, f"/api/v1/generate/autosar-adaptive{query}", document).content))
+        for query in ("", "?bench=true")
+    )
+    assert "CoreAccExecutable/main.cpp" in plain.namelist()
+    assert {name.partition("/")[0] for name in set(bench.namelist()) - set(plain.namelist())} == {
+        "bench",
+        "generated",
+        "player",
+    }
+
+
 def test_arxml_is_of_the_release_that_is_asked_for(shipped):
     document = posted(shipped, "/api/v1/integrate/autosar-adaptive", CORE_ACC).content
     answer = posted(shipped, "/api/v1/generate/arxml?release=R20-11", document)

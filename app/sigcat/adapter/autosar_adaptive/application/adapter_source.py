@@ -3,7 +3,7 @@
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
 from sigcat.adapter.autosar_adaptive.application.calls import call_functions
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
-from sigcat.adapter.autosar_adaptive.application.names import braces, commented, cpp_type, monitor_name
+from sigcat.adapter.autosar_adaptive.application.names import braces, commented, cpp_type, in_namespace, monitor_name
 from sigcat.adapter.autosar_adaptive.application.plan import (
     ApplicationPlan,
     ComponentPlan,
@@ -18,10 +18,7 @@ from sigcat.adapter.core.identifiers import string
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
     """The whole source."""
-    namespace = "::".join(application.namespace)
-    return spaced([
-        _includes(component),
-        lines(f"namespace {namespace} {{"),
+    return spaced([_includes(component), in_namespace(application, [
         _constructor(component),
         _destructor(component),
         _start(component),
@@ -33,8 +30,7 @@ def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Li
         *method_functions(component),
         *(_connect(service, component) for service in component.required),
         *(part for service in component.provided for part in offered_functions(service, component)),
-        lines(f"}}  // namespace {namespace}"),
-    ])  # fmt: skip
+    ])])  # fmt: skip
 
 
 def _includes(component: ComponentPlan) -> Lines:

@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Iterable
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
-from sigcat.adapter.core.c.lines import Line, Lines, indented, joined
+from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import GLOBALS, Error
 from sigcat.names import screaming_snake_case
 
@@ -12,6 +12,13 @@ from sigcat.names import screaming_snake_case
 def constant_guard(application: ApplicationPlan, component: ComponentPlan) -> str:
     """The include guard, unlike that of the core."""
     return f"{screaming_snake_case('_'.join((*application.namespace, component.stem)))}_COMPONENT_H"
+
+
+def in_namespace(application: ApplicationPlan, parts: Iterable[Lines]) -> Lines:
+    """Parts in the namespace of the application, as C++14 writes it."""
+    opens = lines("\n".join(f"namespace {name} {{" for name in application.namespace))
+    closes = lines("\n".join(f"}}  // namespace {name}" for name in reversed(application.namespace)))
+    return spaced([opens, *parts, closes])
 
 
 def services_of(component: ComponentPlan) -> tuple[Required | Provided, ...]:
