@@ -39,6 +39,8 @@ from tests.function.shipped import interfaces
         ("fixdt(0,16,0.01,-40)", Remark(factor=0.01, offset=-40)),
         ("fixdt(0,16,2^-3,0)", Remark(factor=0.125, offset=0)),
         ("scaling 2^-8", Remark(factor=0.00390625)),
+        ("m/s 2^-8", Remark(units=("m/s",), factor=0.00390625)),
+        ("speed in 2**(-4) km/h", Remark(units=("km/h",), factor=0.0625, text="speed in km/h")),
         ("LSB = 1/256", Remark(factor=0.00390625)),
         ("slope 0.1, bias -40", Remark(factor=0.1, offset=-40)),
         ("factor: 2^-200", Remark(factor=1)),

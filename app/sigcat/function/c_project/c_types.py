@@ -22,7 +22,7 @@ def vss_datatype(kind: CType) -> str:
         if sized := _SIZED.fullmatch(name):
             return f"{'u' if sized['sign'] == 'u' else ''}int{sized['bits']}"
     if kind.kind == "enumeration":
-        return "int32"
+        return _computed(kind.sort, kind.bits) if kind.bits else "int32"
     if kind.kind != "number":
         return ""
     return _computed(kind.sort, kind.bits)

@@ -172,9 +172,22 @@ def _by_value(functions: Iterable[CFunction]) -> Iterator[Finding]:
     for function in functions:
         wrong = [each for each in function.parameters if not _is_object(each.type)]
         if wrong:
-            names = ", ".join(repr(each.name) for each in wrong[:3]) + (", ..." if len(wrong) > 3 else "")
-            message = f"{function.name!r} must take pointers to objects; it takes {len(wrong)} by value: {names}."
+            taken = "; ".join(_taken(kind, wrong) for kind in _OTHERWISE if any(_kind(each) == kind for each in wrong))
+            message = f"{function.name!r} must take pointers to objects; it takes {taken}."
             yield codes.CALL_NOT_EXPRESSIBLE.finding(message, *function.place, fix=_FIX)
+
+
+_OTHERWISE = {"": "by value", "array": "as arrays", "pointer": "as pointers to what no header declares"}
+
+
+def _kind(parameter: Member) -> str:
+    return parameter.type.kind if parameter.type.kind in _OTHERWISE else ""
+
+
+def _taken(kind: str, wrong: list[Member]) -> str:
+    """`2 by value: 'a', 'b'`."""
+    named = [repr(each.name) for each in wrong if _kind(each) == kind]
+    return f"{len(named)} {_OTHERWISE[kind]}: {', '.join(named[:3])}{', ...' if len(named) > 3 else ''}"
 
 
 _FIX = (

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from sigcat.findings import Finding
 from sigcat.function.c_project.calls import CallKind, Use
-from sigcat.function.c_project.declarations import Place
+from sigcat.function.c_project.declarations import CFunction, Place
 from sigcat.function.c_project.values import Value
 
 Signature = Literal["globals", "pointers", "class"]
@@ -68,3 +68,5 @@ class CodeProject(NamedTuple):
     """What the head of the generated header says: `model`, `version`, `tool`."""
     findings: tuple[Finding, ...] = ()
     folder: Path = Path()
+    left_out: tuple[CFunction, ...] = ()
+    """Functions that the header of the calls declares, and nothing calls."""

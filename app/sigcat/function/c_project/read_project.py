@@ -76,6 +76,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
+        left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
     )
 
@@ -87,6 +88,21 @@ def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signat
         found = pointer_interface(group, code)
         return ("pointers" if found.objects else "globals"), found
     return "globals", global_interface(group, code, linked)
+
+
+def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:
+    """Public functions beside the calls that the calls do not call either; what gives or takes members is no call."""
+    known = reachable((_full_name(each, group) for each in group.functions), declarations)
+    header = group.steps[0].place.file
+    found = group.owner.methods if group.owner else declarations.functions
+    beside = [each for each in found if each.place.file == header and each.public and not each.is_static]
+    for each in {one.name: one for one in beside}.values():
+        is_new = each not in group.functions and _full_name(each, group) not in known
+        if is_new and Path(header).suffix.lower() in HEADERS and not _ACCESSOR.match(each.name):
+            yield each
+
+
+_ACCESSOR = re.compile(r"(?:get|set)[A-Z_]|operator\b|~|main$")
 
 
 # -- calls --------------------------------------------------------------------------------------------------------

@@ -38,6 +38,8 @@ _FACTOR = re.compile(
     rf"\b(?:factor|slope|resolution|res|lsb|scal(?:e|ing)|quantization)\b\s*(?:is|=|:)?\s*{_POWER}", re.IGNORECASE
 )
 _BINARY = re.compile(r"\b[su]?fix\d+_E(?P<sign>n?)(?P<digits>\d{1,3})\b|\bQ\d*\.(?P<fraction>\d{1,2})\b", re.IGNORECASE)
+_BARE_POWER = re.compile(r"(?<![\w.^*])2\s*(?:\^|\*\*)\s*\(?(?P<exponent>-\d{1,3})\)?")
+"""A negative power of two that stands alone: a resolution, as `m/s 2^-8`."""
 _FIXDT = re.compile(
     rf"\bfixdt\(\s*[01]\s*,\s*\d+\s*(?:,\s*(?P<first>{_NUMBER}|2\^-?\d+)\s*)?(?:,\s*(?P<second>{_NUMBER})\s*)?\)"
 )
@@ -136,6 +138,8 @@ def _scale(said: str) -> tuple[float | int | None, float | int | None]:
         return _power(digits if found["sign"] == "" and found["digits"] else -digits), shift
     if found := _FACTOR.search(said):
         return _written(found), shift
+    if found := _BARE_POWER.search(_RANGE.sub(" ", said)):
+        return _power(int(found["exponent"])), shift
     return None, shift
 
 
@@ -161,7 +165,7 @@ def _written(found: "re.Match[str]") -> float | int:
     return number(found["plain"])
 
 
-_SAID = (_FIXDT, _UNIT, _RANGE, _MIN, _MAX, _FACTOR, _BINARY, _OFFSET)
+_SAID = (_FIXDT, _UNIT, _RANGE, _MIN, _MAX, _FACTOR, _BARE_POWER, _BINARY, _OFFSET)
 
 
 def _description(said: str) -> str:

@@ -29,6 +29,7 @@ from sigcat.function.function_json.walk import (
     contracts,
     data,
     errors,
+    methods,
     parameters,
     references,
     runnables,
@@ -146,9 +147,10 @@ def _priorities(function: FunctionJson) -> Problems:
 
 
 def _spellings(function: FunctionJson) -> Problems:
-    for pointer, _, item in data(function):
-        subject = Subject("data", item.name)
-        yield from _spelling(codes.ROLE_MISSPELLED, (*pointer, "Role"), item.role, (CONSUMER, PROVIDER), subject)
+    roles = [(pointer, item.role, Subject("data", item.name)) for pointer, _, item in data(function)]
+    roles += [(pointer, item.role, Subject("method", item.name)) for pointer, _, item in methods(function)]
+    for pointer, role, subject in roles:
+        yield from _spelling(codes.ROLE_MISSPELLED, (*pointer, "Role"), role, (CONSUMER, PROVIDER), subject)
     rule = codes.RUN_TYPE_OR_SCHEDULING_MISSPELLED
     for pointer, _, runnable in runnables(function):
         subject = Subject("scheduling", runnable.name)

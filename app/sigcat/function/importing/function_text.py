@@ -14,6 +14,7 @@ from sigcat.function.importing.signals import Signal
 from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
 from sigcat.names import camel_case
 
+_MOST_NAMED = 5
 ASSUMED_CYCLE = 10
 """Cycle time in ms of a step whose code tells none."""
 
@@ -82,6 +83,10 @@ def to_do(draft: Draft) -> Iterator[str]:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
     if any(call.returns and call.kind == "init" for call in draft.project.calls):
         yield "check that 0 is what init returns for success."
+    if draft.project.left_out:
+        named = ", ".join(f"{each.name} ({_at(each.place, draft)})" for each in draft.project.left_out[:_MOST_NAMED])
+        more = len(draft.project.left_out) - _MOST_NAMED
+        yield f"add what else is to be called, as calls or methods: {named}{f' and {more} more' if more > 0 else ''}."
     without_value = sum(bool(each.definition) and each.value.start is None for each in draft.parameters)
     if without_value:
         yield f"give the defaults of {without_value} parameter{'s' if without_value > 1 else ''}, which the code does not tell."

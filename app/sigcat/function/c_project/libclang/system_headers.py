@@ -50,6 +50,10 @@ SYSTEM_HEADERS: Mapping[str, str] = {
     )
     + "#define FLT_RADIX 2\n",
     "cfloat": "#include <float.h>\n",
+    "array": "#pragma once\n#include <stddef.h>\n"
+    "namespace std { template <typename T, size_t N> struct array { T elements[N]; "
+    "T &operator[](size_t); const T &operator[](size_t) const; T *begin(); T *end(); T *data(); "
+    "const T *begin() const; const T *end() const; const T *data() const; size_t size() const; void fill(const T &); }; }\n",
     "string.h": "#include <stddef.h>\n",
     "cstring": "#include <stddef.h>\n",
     "stdlib.h": "#include <stddef.h>\n",

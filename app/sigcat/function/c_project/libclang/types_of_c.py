@@ -1,5 +1,6 @@
 """Types: numbers, arrays, pointers, structs and enumerations, each with the names that it goes by."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from clang.cindex import Cursor, CursorKind, TypeKind
@@ -7,6 +8,8 @@ from clang.cindex import Cursor, CursorKind, TypeKind
 from sigcat.function.c_project.libclang.answer import Answer, Json, place_of, qualified
 
 _DEEPEST = 12
+_INT = 4
+"""Bytes of an enumeration of C, whatever its numbers."""
 _FLOATING = (TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE)
 _UNSIGNED = (
     TypeKind.CHAR_U, TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG,
@@ -32,13 +35,22 @@ def type_of(kind: Any, answer: Answer, depth: int = 0) -> Json:
         to = _inner(kind.get_pointee(), canonical.get_pointee())
         return {"kind": "pointer", "const": to.is_const_qualified(), "to": type_of(to, answer, depth + 1)}
     if canonical.kind == TypeKind.RECORD:
-        return {"kind": "record", "names": names, "key": _record(canonical.get_declaration(), answer, depth)}
+        return _struct(canonical, names, answer, depth)
     if canonical.kind == TypeKind.ENUM:
-        return {"kind": "enumeration", "names": names, "key": _enumeration(canonical.get_declaration(), answer)}
+        declaration = canonical.get_declaration()
+        number = _number(declaration.enum_type.get_canonical(), ()) if canonical.get_size() != _INT else {}
+        return {**number, "kind": "enumeration", "names": names, "key": _enumeration(declaration, answer)}
     return _number(canonical, names)
 
 
-def _number(canonical: Any, names: list[str]) -> Json:
+def _struct(canonical: Any, names: list[str], answer: Answer, depth: int) -> Json:
+    if canonical.spelling.startswith("std::array<"):
+        elements = next(iter(canonical.get_fields())).type
+        return _array(elements, elements.get_canonical(), answer, depth)
+    return {"kind": "record", "names": names, "key": _record(canonical.get_declaration(), answer, depth)}
+
+
+def _number(canonical: Any, names: Sequence[str]) -> Json:
     if canonical.kind in _SORTS:
         return {"kind": "number", "names": names, "sort": _SORTS[canonical.kind], "bits": canonical.get_size() * 8}
     return {"kind": "void" if canonical.kind == TypeKind.VOID else "other", "names": names}
