@@ -35,6 +35,8 @@ def machine(tmp_path, monkeypatch):
         (("gcc", "g++", "other"), {"CC": "other -m32"}, (("other", "-m32"), ("g++",))),
         (("gcc", "g++", "other"), {"CXX": "other"}, (("gcc",), ("other",))),
         (("gcc", "g++"), {"CC": ""}, (("gcc",), ("g++",))),
+        (("gcc",), {}, (("gcc",), ())),
+        (("tcc",), {"CC": "tcc"}, (("tcc",), ())),
     ],
 )
 def test_the_one_that_is_named_or_a_systems(machine, programs, variables, expected):
@@ -52,12 +54,19 @@ def test_else_the_one_of_pypi(machine):
     ("programs", "variables", "words"),
     [
         ((), {}, "There is no C compiler. Install gcc or clang"),
+        (("g++",), {}, "There is no C compiler. Install gcc or clang"),
         (("gcc", "g++"), {"CC": "nowhere"}, "CC must name a compiler, not 'nowhere'"),
         (("gcc", "g++"), {"CXX": "nowhere"}, "CXX must name a compiler, not 'nowhere'"),
-        (("tcc",), {"CC": "tcc"}, "There is no C++ compiler beside 'tcc'"),
     ],
 )
 def test_one_line_says_that_there_is_none(machine, programs, variables, words):
     with pytest.raises(UsageError, match=words.replace("+", r"\+")) as raised:
         toolchain(machine(*programs, **variables))
     assert "\n" not in str(raised.value)
+
+
+def test_without_a_compiler_of_cpp_code_in_c_is_compiled(machine):
+    tools = toolchain(machine("gcc"))
+    assert tools.compiler(is_cpp=False) == ("gcc",)
+    with pytest.raises(UsageError, match="There is no C\\+\\+ compiler beside 'gcc'"):
+        tools.compiler(is_cpp=True)

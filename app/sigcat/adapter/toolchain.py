@@ -23,7 +23,13 @@ class Toolchain(NamedTuple):
 
     c: tuple[str, ...]
     cpp: tuple[str, ...]
-    """The C++ compiler of the same maker, unless CXX names another one."""
+    """The C++ compiler of the same maker, unless CXX names another one; empty if there is none."""
+
+    def compiler(self, *, is_cpp: bool) -> tuple[str, ...]:
+        """The one for a language. Raises UsageError if there is none."""
+        if is_cpp and not self.cpp:
+            raise UsageError(f"There is no C++ compiler beside {self.c[0]!r}. Name one in CXX.")
+        return self.cpp if is_cpp else self.c
 
     @property
     def is_zig(self) -> bool:
@@ -35,7 +41,7 @@ def toolchain(environment: Mapping[str, str] = os.environ) -> Toolchain:
     """The compilers. Raises UsageError if there are none."""
     named = {variable: _named(variable, environment) for variable in ("CC", "CXX")}
     known = [found for found in (*(_pair(c, environment) for c, _ in _PAIRS), packaged()) if found]
-    c = named["CC"] or (known[0].c if known else None)
+    c = named["CC"] or (known[0].c if known else _alone(environment))
     if c is None:
         raise UsageError(_MISSING)
     return Toolchain(c, named["CXX"] or _beside(c, known))
@@ -63,9 +69,12 @@ def _pair(c: str, environment: Mapping[str, str]) -> Toolchain | None:
     return Toolchain((c,), (cpp,)) if has_both else None
 
 
+def _alone(environment: Mapping[str, str]) -> tuple[str, ...] | None:
+    """A compiler for C alone: many machines have gcc without g++."""
+    return next(((c,) for c, _ in _PAIRS if shutil.which(c, path=environment.get("PATH"))), None)
+
+
 def _beside(c: tuple[str, ...], known: list[Toolchain]) -> tuple[str, ...]:
-    """The C++ compiler that belongs to a C compiler, or else any."""
+    """The C++ compiler that belongs to a C compiler, or else any, or none."""
     same = [found.cpp for found in known if found.c[0] == c[0]]
-    if not known:
-        raise UsageError(f"There is no C++ compiler beside {c[0]!r}. Name one in CXX.")
-    return (*same, known[0].cpp)[0]
+    return next(iter([*same, *(found.cpp for found in known)]), ())

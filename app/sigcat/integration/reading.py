@@ -42,8 +42,8 @@ def read_functions(
 def _refusal(files: Sequence[tuple[bytes, str]], members: Sequence[CheckedFunction]) -> str:
     refused = [name for (_, name), each in zip(files, members, strict=True) if has_errors(each.findings)]
     if not refused:
-        return "The functions cannot be integrated: they do not fit together."
-    return f"{', '.join(refused[:5])} cannot be integrated: {'it has' if len(refused) == 1 else 'they have'} errors."
+        return "The functions cannot be used: they do not fit together."
+    return f"{', '.join(refused[:5])} cannot be used: {'it has' if len(refused) == 1 else 'they have'} errors."
 
 
 def _of_one_kind(checked: CheckedFunction) -> CheckedFunction:

@@ -24,7 +24,7 @@ LOOK = ("--std=c11", "--addon=misra", "--enable=style,warning,performance,portab
 HAVING_MUCH = [name for name in FIXED if name != "classes"]
 
 
-@pytest.mark.parametrize("example", CORES)
+@pytest.mark.parametrize("example", [*list(CORES)[:1], *(pytest.param(each, marks=slow) for each in list(CORES)[1:])])
 def test_cppcheck_finds_documented_deviations_in_examples(example):
     assert undocumented(ROOT / "examples" / CORES[example], ROOT / "examples" / example) == []
 
@@ -56,7 +56,7 @@ def documented() -> set[str]:
     return set(re.findall(r"^\| `?([\w.-]+)`? \|", PAGE, re.MULTILINE))
 
 
-@pytest.mark.parametrize("name", FIXED)
+@pytest.mark.parametrize("name", ["life", "classes", *(pytest.param(each, marks=slow) for each in HAVING_MUCH)])
 def test_clang_has_no_warning_but_those_that_are_left_out_for_a_reason(name, tmp_path):
     made = subject(FIXED[name]())
     source = core_side.write(made, tmp_path)

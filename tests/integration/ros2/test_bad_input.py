@@ -110,7 +110,7 @@ def test_another_schema_version_is_refused():
 
 def test_integration_json_is_no_function():
     data = to_json(derived([function(signal())]).model)
-    with pytest.raises(InputRefused, match="cannot be integrated") as refused:
+    with pytest.raises(InputRefused, match="cannot be used") as refused:
         read_functions([(data, "ros2.json")], interfaces())
     assert any("not Integration JSON" in finding.message for finding in refused.value.findings)
 

@@ -52,7 +52,7 @@ def _of_member(index: int, member: Member, folder: Path, tools: Toolchain) -> It
 
 
 def _compilation(member: int | None, source: Path, output: Path, flags: Sequence[str], tools: Toolchain) -> Compilation:
-    compiler = tools.cpp if is_cpp(source) else tools.c
+    compiler = tools.compiler(is_cpp=is_cpp(source))
     command = (*compiler, *_FLAGS, *flags, "-o", str(output), str(source.absolute()))
     return Compilation(member, source, output, command)
 
@@ -69,5 +69,5 @@ def _folders(code: CodeInterface, member: Member, folder: Path) -> list[str]:
 
 def linking(compiled: Sequence[Compilation], program: Path, tools: Toolchain) -> tuple[str, ...]:
     """The command that links everything."""
-    linker = tools.cpp if any(is_cpp(each.source) for each in compiled) else tools.c
+    linker = tools.compiler(is_cpp=any(is_cpp(each.source) for each in compiled))
     return (*linker, "-o", str(program), *(str(each.output) for each in compiled), "-lm")
