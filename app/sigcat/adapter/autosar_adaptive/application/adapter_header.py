@@ -9,6 +9,7 @@ from sigcat.adapter.autosar_adaptive.application.names import (
     monitor_name,
     services_of,
     without_indent,
+    writes,
 )
 from sigcat.adapter.autosar_adaptive.application.plan import (
     ApplicationPlan,
@@ -136,7 +137,8 @@ def _class(component: ComponentPlan) -> Lines:
 
 def _functions(component: ComponentPlan) -> Lines:
     core = component.core.type_name
-    storage = f"{core}_Stored Load();\nvoid Store();\n" if component.storage else ""
+    storage = f"{core}_Stored Load();\n" if component.storage else ""
+    storage += "void Store();\n" if writes(component) else ""
     deadline = "void Watch();\n" if has_deadline(component) else ""
     calls = "".join(f"void Run{step.name}();\n" for step in component.core.steps)
     requests = "".join(
@@ -160,7 +162,7 @@ def _members(component: ComponentPlan) -> Lines:
         lines(f"application::RequiredService<::{each.names.proxy}> {each.variable};") for each in component.required
     ]
     pending = [_pending(each, service) for service in component.required for each in service.methods]
-    monitors = [lines(f"application::ErrorMonitor {monitor_name(error)};") for error, _ in component.monitors]
+    monitors = [lines(f"application::ErrorMonitor {monitor_name(each.error)};") for each in component.monitors]
     late = lines("std::mutex running_mutex_;\nstd::condition_variable running_changed_;\nstd::uint64_t longest_{0};  // of the call that runs\n"
                  "bool is_running_{false};\nbool is_watched_{false};\nstd::thread watching_;")  # fmt: skip
     answering = (

@@ -3,7 +3,14 @@
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
 from sigcat.adapter.autosar_adaptive.application.calls import call_functions
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
-from sigcat.adapter.autosar_adaptive.application.names import braces, commented, cpp_type, in_namespace, monitor_name
+from sigcat.adapter.autosar_adaptive.application.names import (
+    braces,
+    commented,
+    cpp_type,
+    in_namespace,
+    monitor_name,
+    writes,
+)
 from sigcat.adapter.autosar_adaptive.application.plan import (
     ApplicationPlan,
     ComponentPlan,
@@ -48,7 +55,7 @@ def _constructor(component: ComponentPlan) -> Lines:
     context = component.name[:4].upper()
     initial = [f"logger_(ara::log::CreateLogger({string(context)}, {string(f'Adapter of {component.name}')}))"]
     initial += [f"storage_{{{string(component.storage)}, logger_}}"] if component.storage else []
-    initial += [f"{monitor_name(error)}{{{string(port)}, logger_}}" for error, port in component.monitors]
+    initial += [f"{monitor_name(each.error)}{{{string(each.port)}, logger_}}" for each in component.monitors]
     initial += [_constructed(each) for each in component.provided]
     initial += [
         f"{each.variable}{{{string(each.port)}, logger_, [this](auto& service) {{ Connect(service); }}}}"
@@ -96,7 +103,7 @@ def _stop(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     offered = "\n".join(f"{each.variable}.StopOfferService();" for each in component.provided)
     left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
-    monitors = "\n".join(f"{monitor_name(error)}.StopOffer();" for error, _ in component.monitors)
+    monitors = "\n".join(f"{monitor_name(each.error)}.StopOffer();" for each in component.monitors)
     watch = """
 {
     const std::lock_guard<std::mutex> lock{running_mutex_};
@@ -105,7 +112,7 @@ def _stop(component: ComponentPlan) -> Lines:
 running_changed_.notify_all();
 watching_.join();
 """ if has_deadline(component) else ""  # fmt: skip
-    stored = "Store();" if component.storage else ""
+    stored = "Store();" if writes(component) else ""
     body = f"""
 clock_->Stop();
 thread_.join();
@@ -134,7 +141,7 @@ def _offer(component: ComponentPlan) -> Lines:
               [lines(f'logger_.LogError() << "{service.name} cannot be offered";')])
         for service in component.provided
     ]  # fmt: skip
-    monitors = [lines(f"{monitor_name(error)}.Offer();") for error, _ in component.monitors]
+    monitors = [lines(f"{monitor_name(each.error)}.Offer();") for each in component.monitors]
     return block(f"void {component.type}::Offer()", [*initial, *monitors, lines("Publish();"), *offers])
 
 
@@ -148,9 +155,7 @@ def _initial(place: str, number: int | None) -> str:
 def _publish(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     sent = [part for service in component.provided for part in _sent(service)]
-    told = [
-        part for error, _ in component.monitors for part in [_told(error.named.name, error.failed, monitor_name(error))]
-    ]
+    told = [_told(each.error.named.name, each.error.failed, monitor_name(each.error)) for each in component.monitors]
     reactions = [_logged(each.named.name, each.active) for each in component.core.reactions]
     asked = [
         block(f"if (publish.{each.method.named.name})", [lines(f"Request{each.member}();")])

@@ -5,19 +5,18 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
-from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan, Monitor
 from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
-from sigcat.adapter.autosar_adaptive.arxml.components import root_name
+from sigcat.adapter.autosar_adaptive.arxml.components import monitor_port, root_name, stores
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames, service_names, type_names
-from sigcat.adapter.core.plan import CorePlan, Error
+from sigcat.adapter.core.plan import CorePlan
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
 from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
-from sigcat.integration.autosar_names import short_name
 from sigcat.names import snake_case
 
 
@@ -82,7 +81,7 @@ def _component(
     structs = struct_pairs(core.plan, model, function, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"
-    stores = bool(core.plan.parameters or core.plan.errors)
+    names_of_errors = {id(error): name for name, error in context.errors.items()}
     return ComponentPlan(
         name=component.name,
         stem=snake_case(component.name),
@@ -92,14 +91,12 @@ def _component(
         provided=provided,
         structs=structs,
         type_headers=tuple(types.headers(pair.type.rpartition("::")[2] for pair in structs)),
-        monitors=tuple((error, f"{ports}/{monitor_port(error)}") for error in core.plan.errors if error.call),
-        storage=f"{ports}/Parameters" if stores else None,
+        monitors=tuple(
+            Monitor(error, names_of_errors[id(error)], f"{ports}/{monitor_port(names_of_errors[id(error)])}")
+            for error in core.plan.errors
+        ),
+        storage=f"{ports}/Parameters" if stores(component) else None,
     )
-
-
-def monitor_port(error: Error) -> str:
-    """The port over which an error is told to the diagnosis."""
-    return short_name(f"{error.named.name}_Monitor")
 
 
 def _sources(function: FunctionJson) -> tuple[str, ...]:

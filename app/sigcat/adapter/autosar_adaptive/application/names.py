@@ -59,3 +59,8 @@ def without_indent(part: Lines) -> Lines:
     return tuple(
         line._replace(text=line.text.strip()) if line.text.strip() in ("public:", "private:") else line for line in part
     )
+
+
+def writes(component: ComponentPlan) -> bool:
+    """Whether there is anything to write."""
+    return bool(component.monitors) or any(each.learned is not None for each in component.core.parameters)

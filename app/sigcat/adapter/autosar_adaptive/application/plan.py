@@ -95,6 +95,16 @@ class Provided:
         return f"Offered{self.names.stem}" if self.methods else f"::{self.names.skeleton}"
 
 
+class Monitor(NamedTuple):
+    """An error, told to the diagnosis."""
+
+    error: Error
+    name: str
+    """Of its interface."""
+    port: str
+    """Its instance specifier."""
+
+
 class StructPair(NamedTuple):
     """A struct of the platform and the one of the core, whose members have the same order."""
 
@@ -117,8 +127,8 @@ class ComponentPlan:
     provided: tuple[Provided, ...]
     structs: tuple[StructPair, ...]
     type_headers: tuple[str, ...]
-    monitors: tuple[tuple[Error, str], ...]
-    """Errors, and the instance specifiers of their monitors."""
+    monitors: tuple[Monitor, ...]
+    """Of its errors, which are stored too."""
     storage: str | None
     """Instance specifier of its key-value storage."""
 

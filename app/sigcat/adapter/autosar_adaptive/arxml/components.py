@@ -8,6 +8,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     COMPONENTS,
     EXECUTABLES,
     INTERFACES,
+    MONITORS,
     PROCESS_DESIGNS,
     STORAGES,
     TYPE,
@@ -22,13 +23,19 @@ from sigcat.integration.autosar_names import distinct, short_name
 
 COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
 STORAGE = "PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
+MONITOR = "DIAGNOSTIC-MONITOR-INTERFACE"
+MONITOR_NAME = "ErrorMonitor"
+IGNITION_CYCLE = "IgnitionCycle"
+COUNTS = (("Occurrences", "uint16_t"), ("IgnitionCycles", "uint16_t"), ("HasFailed", "bool"), ("IsTested", "bool"))
+"""What is stored of each error: keys after its name, and words of their datatypes."""
 
 
 def packages(components: Iterable[Component], known: Library, release: Release) -> list[Package]:
     """The packages of the file of components."""
     listed_components = list(components)
     return [
-        Package(STORAGES, tuple(_storage(item, known) for item in listed_components if item.parameters)),
+        Package(STORAGES, tuple(_storage(item, known) for item in listed_components if stores(item))),
+        Package(MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, listed_components)) else ()),
         Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
         Package(EXECUTABLES, tuple(_executable(item, known) for item in listed_components)),
         Package(PROCESS_DESIGNS, tuple(_process_design(item, release, known) for item in listed_components)),
@@ -52,8 +59,9 @@ def root_name(component: Component) -> str:
 
 def _component(component: Component, known: Library) -> Tag:
     ports = [_port(interface, known) for interface in component.services]
-    if component.parameters:
+    if stores(component):
         ports.append(_storage_port(component, known))
+    ports += (_monitor_port(name, known) for name in reported_errors(component))
     return tag(
         COMPONENT,
         description(component.description),
@@ -146,16 +154,54 @@ def _method_used(use: MethodUse) -> dict[str, object]:
     return {"Function": use.function, **use.method.model_dump(mode="json", exclude=left_out, exclude_none=True)}
 
 
+def reported_errors(component: Component) -> tuple[str, ...]:
+    """Errors that the component reports, by the names of their interfaces."""
+    return tuple(
+        field.error.name
+        for interface in component.services if interface.role == "Provider"
+        for services in interface.services
+        for field in services.fields if field.error is not None
+    )  # fmt: skip
+
+
+def monitor_port(error: str) -> str:
+    """The port over which an error is told to the diagnosis."""
+    return short_name(f"{error}_Monitor")
+
+
+def _monitor_port(error: str, known: Library) -> Tag:
+    path = known.paths.of(MONITORS, MONITOR_NAME)
+    return tag("P-PORT-PROTOTYPE", reference("PROVIDED-INTERFACE-TREF", path, MONITOR), name=monitor_port(error))
+
+
+def stores(component: Component) -> bool:
+    """Whether anything of the component outlives its process."""
+    return bool(component.parameters or reported_errors(component))
+
+
+def stored_counts(component: Component) -> Iterable[tuple[str, str]]:
+    """Keys and words of what is stored of errors."""
+    errors = reported_errors(component)
+    yield from [(IGNITION_CYCLE, "uint32")] if errors else ()
+    for error in errors:
+        yield from ((short_name(f"{error}_{key}"), word) for key, word in COUNTS)
+
+
 def _storage_port(component: Component, known: Library) -> Tag:
-    """Read only, or both ways if the component learns a parameter."""
+    """Read only, or both ways if the component learns a parameter or counts errors."""
     path = known.paths.of(STORAGES, storage_name(component))
-    if any(parameter.attribute == "LearningParameter" for parameter in component.parameters or ()):
+    learns = any(parameter.attribute == "LearningParameter" for parameter in component.parameters or ())
+    if learns or reported_errors(component):
         return tag("PR-PORT-PROTOTYPE", reference("PROVIDED-REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
     return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
 
 
 def _storage(component: Component, known: Library) -> Tag:
-    elements = (_parameter(parameter, known) for parameter in component.parameters or ())
+    elements = [_parameter(parameter, known) for parameter in component.parameters or ()]
+    elements += (
+        tag("PERSISTENCY-DATA-ELEMENT", reference("TYPE-TREF", known.type_path(word), TYPE), name=key)
+        for key, word in stored_counts(component)
+    )
     return tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component))
 
 

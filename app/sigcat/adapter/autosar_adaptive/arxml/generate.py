@@ -56,6 +56,7 @@ def _words(model: IntegrationModel) -> Iterable[str]:
     """Words and names of the datatypes that elements refer to."""
     for component in model.components:
         yield from (parameter.datatype.word for parameter in component.parameters or ())
+        yield from (word for _, word in components.stored_counts(component))
         for interface in component.services:
             for services in interface.services:
                 yield from (event.datatype for event in services.events)

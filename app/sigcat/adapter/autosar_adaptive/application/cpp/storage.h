@@ -52,19 +52,19 @@ public:
     template <typename Counts>
     void ReadCounts(ara::core::StringView error, Counts& counts) const {
         const ara::core::String name{error};
-        Read(name + ".Occurrences", counts.occurrences);
-        Read(name + ".IgnitionCycles", counts.ignition_cycles);
-        Read(name + ".HasFailed", counts.has_failed);
-        Read(name + ".IsTested", counts.is_tested);
+        Read(name + "_Occurrences", counts.occurrences);
+        Read(name + "_IgnitionCycles", counts.ignition_cycles);
+        Read(name + "_HasFailed", counts.has_failed);
+        Read(name + "_IsTested", counts.is_tested);
     }
 
     template <typename Counts>
     void WriteCounts(ara::core::StringView error, const Counts& counts) {
         const ara::core::String name{error};
-        Write(name + ".Occurrences", counts.occurrences);
-        Write(name + ".IgnitionCycles", counts.ignition_cycles);
-        Write(name + ".HasFailed", counts.has_failed);
-        Write(name + ".IsTested", counts.is_tested);
+        Write(name + "_Occurrences", counts.occurrences);
+        Write(name + "_IgnitionCycles", counts.ignition_cycles);
+        Write(name + "_HasFailed", counts.has_failed);
+        Write(name + "_IsTested", counts.is_tested);
     }
 
     /// Makes what was written permanent, all of it or nothing.
