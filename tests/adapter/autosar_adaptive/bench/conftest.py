@@ -12,7 +12,7 @@ from tests.adapter.autosar_adaptive.own_network import Network, network
 @pytest.fixture(scope="session")
 def built() -> Mapping[str, Path]:
     """Each program, checked by the address sanitizer while it runs."""
-    return programs(("sender", "receiver", "serialization"), ADDRESSES)
+    return programs(("sender", "receiver", "serialization", "core", "stress"), ADDRESSES)
 
 
 @pytest.fixture

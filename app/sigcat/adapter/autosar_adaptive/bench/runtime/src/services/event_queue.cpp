@@ -82,26 +82,28 @@ void EventQueue::SetState(ara::com::SubscriptionState state) {
 }
 
 void EventQueue::SetReceiveHandler(ara::com::EventReceiveHandler handler) {
+    const bool ends = !handler;
     {
         std::lock_guard<std::mutex> lock{mutex_};
         is_posted_ = false;
-        receive_handler_ = handler ? std::make_shared<ara::com::EventReceiveHandler>(std::move(handler)) : nullptr;
+        receive_handler_ = !ends ? std::make_shared<ara::com::EventReceiveHandler>(std::move(handler)) : nullptr;
         if (receive_handler_ != nullptr && !kept_.empty()) {
             PostReceived();
         }
     }
-    if (!handler) {
+    if (ends) {
         dispatcher_.Retire(&receive_handler_);
     }
 }
 
 void EventQueue::SetStateHandler(ara::com::SubscriptionStateChangeHandler handler) {
+    const bool ends = !handler;
     {
         std::lock_guard<std::mutex> lock{mutex_};
         state_handler_ =
-            handler ? std::make_shared<ara::com::SubscriptionStateChangeHandler>(std::move(handler)) : nullptr;
+            !ends ? std::make_shared<ara::com::SubscriptionStateChangeHandler>(std::move(handler)) : nullptr;
     }
-    if (!handler) {
+    if (ends) {
         dispatcher_.Retire(&state_handler_);
     }
 }

@@ -1,0 +1,39 @@
+"""What ara::core and ara::com promise within one process, and what holds when everything ends in the middle of everything."""
+
+import platform
+import shutil
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.autosar_adaptive.bench.building import THREADS, programs
+from tests.adapter.autosar_adaptive.own_network import PATIENCE, Network, own_network
+from tests.needs import IS_SLOW_RUN, c_compiler, slow
+
+pytestmark = [own_network, c_compiler]
+ROUNDS = 200 if IS_SLOW_RUN else 20
+
+
+def run(net: Network, command: Sequence[str | Path]) -> None:
+    """It says that all is done, and no sanitizer says anything."""
+    program = net.start(command).tells("done", within=10 * PATIENCE)
+    assert program.process.wait(PATIENCE) == 0, program.errors
+    assert program.errors == ""
+
+
+def test_results_futures_fields_and_samples_are_as_the_standard_says(net: Network, built: Mapping[str, Path]) -> None:
+    run(net, [built["core"]])
+
+
+def test_proxies_and_skeletons_may_end_while_their_handlers_run(net: Network, built: Mapping[str, Path]) -> None:
+    run(net, [built["stress"], str(ROUNDS)])
+
+
+@slow
+@pytest.mark.parametrize("name", ["core", "stress"])
+def test_the_thread_sanitizer_is_quiet(net: Network, name: str) -> None:
+    made = programs(("core", "stress"), THREADS)
+    # Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
+    fixed = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
+    run(net, [*fixed, made[name], str(ROUNDS)])
