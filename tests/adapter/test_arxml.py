@@ -16,6 +16,7 @@ from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.releases import RELEASES
+from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter.arxml_judge import (
     VERSIONS,
     dangling,
@@ -73,7 +74,9 @@ def every_kind():
 @cache
 def made(name, release="R23-11"):
     functions = examples() if name == "examples" else (every_kind(),)
-    return generate(derive(functions).model, release)
+    protected = {"profile": 4, "events": {"DemoService": {"profile": 5, "maxDeltaCounter": 3}}}
+    deployment = DEFAULT_DEPLOYMENT if name == "examples" else deployed(autosarAdaptive={"e2e": protected})
+    return generate(derive(functions, deployment).model, release)
 
 
 SETS = pytest.mark.parametrize("name", ["examples", "every kind"])
@@ -342,6 +345,23 @@ def test_a_service_from_outside_keeps_the_layout_of_its_provider():
     assert values(model, f"{package}/ChassisService_Transformation")["TRANSFORMATION-PROPS-REF"] == properties
     other = values(model, f"{package}/DemoService_Transformation")["TRANSFORMATION-PROPS-REF"]
     assert other == f"{package}/SomeIp/Default"
+
+
+def test_a_protected_event_has_its_profile_and_data_id_at_each_instance():
+    model = with_settings(
+        e2e={"events": {"DemoService.A_Points": {"profile": 5, "maxDeltaCounter": 3}}},
+        identifiers={"DemoService.A_Points:dataId": 77},
+    )
+    configuration = "/Eco/E2eProfiles/Profiles/Profile05_MaxDeltaCounter3"
+    assert values(model, configuration) == {
+        "SHORT-NAME": "Profile05_MaxDeltaCounter3", "MAX-DELTA-COUNTER": "3", "PROFILE-NAME": "PROFILE_05",
+    }  # fmt: skip
+    kind = "END-2-END-EVENT-PROTECTION-PROPS"
+    found = [element.path for _, element in model.elements_dfs if element.element_name == kind]
+    assert [values(model, path) for path in found] == [{
+        "SHORT-NAME": "A_Points_E2e", "DATA-ID": "77", "E-2-E-PROFILE-CONFIGURATION-REF": configuration,
+        "EVENT-REF": "/Eco/ServiceDeployments/DemoService_SomeIp/A_Points_SomeIp",
+    }]  # fmt: skip
 
 
 _MAPPED = {"EVENT-REF", "FIELD-REF", "METHOD-REF"}

@@ -62,6 +62,7 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
         scaling=None if is_catalogue else _text(interface.factor),
         offset=None if is_catalogue else _text(interface.offset),
         cycle_time=cycle_of(element),
+        protection=service.protections.get(element.name),
         vss_path=context.path_of(leading) or None,
         uses=tuple(_use(side, symbols, types) for side in sides),
     )

@@ -8,6 +8,7 @@ from pydantic import BaseModel
 from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
+from sigcat.function.function_json.data_interfaces import Signal
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
 from sigcat.function.function_json.status_interfaces import ErrorInterface
@@ -22,6 +23,7 @@ from sigcat.integration.autosar_adaptive.elements import Service, element_paths,
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
+from sigcat.integration.autosar_adaptive.protection import protected, unprotected_errors
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
     AutosarAdaptiveSettings,
@@ -49,6 +51,10 @@ UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
 
 
+_PROTECT_EVENT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
+_PROTECT_OTHER = "Add an E2E profile for it to the deployment manifest, or protect it in the code."
+
+
 class Derived(NamedTuple):
     """The document, the findings about it, and where each field of each interface went."""
 
@@ -69,9 +75,10 @@ def derive(
     )
     types = TypeTable(context)
     sides = placed(list(items(context.parts)), context)
-    all_services = services(sides, context)
+    all_services = protected(services(sides, context), context)
     report_disagreements(all_services, types, context)
-    _report_asil(sides, context)
+    _report_asil(all_services, context)
+    unprotected_errors(all_services, context)
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
@@ -103,16 +110,22 @@ def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) 
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
 
 
-def _report_asil(sides: Sequence[Placed], context: Context) -> None:
-    """SOME/IP as it is written protects nothing end to end: one finding for each interface above QM."""
-    for side in sides:
-        interface = side.item.interface
-        level = level_of(getattr(interface, "asil_level", None))
-        if is_above(level, "QM") and not (isinstance(interface, ErrorInterface) and not side.provides):
-            message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
-            fix = "Add an E2E profile for it to the deployment manifest, or protect it in the code."
-            subject = Subject(side.identity, interface)
-            context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
+def _report_asil(all_services: Sequence[Service], context: Context) -> None:
+    """One finding for each interface above QM that nothing protects end to end."""
+    for service in all_services:
+        for element in service.elements:
+            for side in element.sides if element.name not in service.protections else ():
+                _report_unprotected(side, is_event=element.kind is Signal, context=context)
+
+
+def _report_unprotected(side: Placed, *, is_event: bool, context: Context) -> None:
+    interface = side.item.interface
+    level = level_of(getattr(interface, "asil_level", None))
+    if is_above(level, "QM") and not (isinstance(interface, ErrorInterface) and not side.provides):
+        message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
+        fix = _PROTECT_EVENT if is_event else _PROTECT_OTHER
+        subject = Subject(side.identity, interface)
+        context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
 
 
 def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:

@@ -1,7 +1,8 @@
 """Events, methods and fields of each service: named, typed, with ids, and with every side that takes part."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat import codes
@@ -9,6 +10,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.context import Context, Item
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
@@ -52,6 +54,8 @@ class Service(NamedTuple):
     ids: dict[str, int]
     """Ids of events and methods by name, of notifiers by the field's name, of getters by `Get<field>`."""
     event_groups: dict[str, int]
+    protections: Mapping[str, E2eProtection] = MappingProxyType({})
+    """Of events that are protected end to end, by name."""
 
 
 def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:

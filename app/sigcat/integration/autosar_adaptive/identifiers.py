@@ -21,6 +21,8 @@ INSTANCES = Span(0x0001, 0xFEFF)
 METHODS = Span(0x0001, 0x7FFF)
 EVENTS = Span(0x8001, 0xFFFE)
 EVENT_GROUPS = Span(0x0001, 0xFEFF)
+DATA_IDS = Span(0x0001, 0xFFFE)
+"""Of end-to-end protection: 16 bits, which all profiles have."""
 
 
 class Collision(NamedTuple):

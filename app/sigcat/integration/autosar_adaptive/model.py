@@ -16,6 +16,7 @@ from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_adaptive.si_units import UnitSettings
@@ -226,6 +227,7 @@ class Event(WireModel):
     scaling: str | None = own("Scaling", "Factor, where the value is sent scaled: value = sent × factor + offset.")
     offset: str | None = own("Offset", "Offset of that scaling.")
     cycle_time: Number | None = own("CycleTime", "Time from one value to the next.", unit="ms")
+    protection: E2eProtection | None = own("E2eProtection", "How it is protected end to end, if it is.")
     vss_path: str | None = own("VssPath", "Path of the signal in the catalogue.")
     uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
 

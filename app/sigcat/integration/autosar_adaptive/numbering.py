@@ -18,6 +18,8 @@ class Names(NamedTuple):
     """`Service.` of the elements of a service."""
     suffix: str = ""
     """`:instance` of instances."""
+    has_dots: bool = False
+    """Whether names are those of elements with their services."""
 
     def key(self, name: str) -> str:
         """The key of a name in the deployment, or in an id catalogue."""
@@ -28,7 +30,7 @@ class Names(NamedTuple):
         if not key.startswith(self.scope) or not key.endswith(self.suffix):
             return None
         name = key[len(self.scope) : len(key) - len(self.suffix)]
-        return None if "." in name or ":" in name else name
+        return None if ("." in name) != self.has_dots or ":" in name else name
 
 
 def numbers(names: Names, context: Context) -> dict[str, int]:

@@ -6,6 +6,7 @@ from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
+from sigcat.integration.autosar_adaptive.e2e import NO_E2E, E2eSettings
 from sigcat.integration.autosar_adaptive.namespaces import Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_adaptive.si_units import UnitSettings
@@ -76,11 +77,13 @@ class AutosarAdaptiveSettings(DeclarationModel):
     service_discovery: ServiceDiscoverySettings = Field(
         DEFAULT_SERVICE_DISCOVERY, description="When services are offered, looked for and subscribed to."
     )
+    e2e: E2eSettings = Field(NO_E2E, description="Which events are protected end to end, and how.")
     units: dict[Text, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
     identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
-        "method, field or eventgroup); the others follow the rule.",
+        "method, field or eventgroup); the others follow the rule. Data ids of end-to-end protection: "
+        "`Service.Event:dataId`.",
     )
     identifier_catalogue: dict[Text, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},

@@ -7,6 +7,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.protection import DATA_ID
 from sigcat.integration.autosar_adaptive.si_units import WITHOUT_SI, si_unit
 from sigcat.names import did_you_mean
 
@@ -19,6 +20,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     _report_unknown("paths", context.application.paths, names, context)
     _report_unknown("autosarAdaptive: components", settings.components, {part.name for part in context.parts}, context)
     _report_unknown("autosarAdaptive: identifiers", settings.identifiers, set(_identified(services)), context)
+    _report_unknown("autosarAdaptive: e2e: events", settings.e2e.events, set(_events(services)), context)
     paths = {context.path_of(item) for item in signals}
     for service in settings.services:
         for above in service.paths:
@@ -52,6 +54,13 @@ def _identified(services: Sequence[Service]) -> Iterator[str]:
         yield service.name
         yield f"{service.name}:instance"
         yield from (f"{service.name}.{name}" for name in (*service.ids, *service.event_groups))
+        yield from (f"{service.name}.{name}{DATA_ID}" for name in service.protections)
+
+
+def _events(services: Sequence[Service]) -> Iterator[str]:
+    for service in services:
+        yield service.name
+        yield from (f"{service.name}.{element.name}" for element in service.elements if element.kind is Signal)
 
 
 def _branches(paths: Collection[str]) -> set[str]:

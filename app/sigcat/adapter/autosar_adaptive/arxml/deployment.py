@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.autosar_adaptive.arxml import someip
+from sigcat.adapter.autosar_adaptive.arxml import e2e, someip
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     design_name,
     executables,
@@ -25,6 +25,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     Paths,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
+from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
@@ -35,7 +36,6 @@ OFF = "Off"
 STARTUP_SET = "StartupConfigurationSet"
 GROUP_SUFFIX = "_Group"
 DEPLOYMENT = "SOMEIP-SERVICE-INTERFACE-DEPLOYMENT"
-EVENT = "SOMEIP-EVENT-DEPLOYMENT"
 
 
 def packages(model: IntegrationModel, services: Sequence[Whole], release: Release, paths: Paths) -> list[Package]:
@@ -49,6 +49,7 @@ def packages(model: IntegrationModel, services: Sequence[Whole], release: Releas
         Package(PROCESSES, tuple(_process(item, components, function_group, release, paths) for item in components)),
         Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
         *someip.packages(model.deployment, services, release, paths),
+        e2e.package(model),
         Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
         Package(MAPPINGS, tuple(_mapping(*pair, components, release, paths) for pair in pairs)),
     ]
@@ -176,11 +177,6 @@ def _groups(service: Whole) -> list[tuple[str, int]]:
     return [(group.name, group.id) for group in service.event_groups]
 
 
-def element_name(name: str) -> str:
-    """Name of the deployment of an event, a field or a method."""
-    return short_name(f"{name}_SomeIp")
-
-
 def _event(name: str, number: int | None, interface: str) -> Tag:
     return tag(
         EVENT,
@@ -251,6 +247,7 @@ def _instance(component: Component, interface: ServiceInterface, paths: Paths) -
     )
     return tag(
         f"{word}-SOMEIP-SERVICE-INSTANCE",
+        e2e.properties(interface, own, paths),
         reference("SERVICE-INTERFACE-DEPLOYMENT-REF", own, DEPLOYMENT),
         listed(f"{word}-EVENT-GROUPS", groups),
         someip.instance_timing(provides=is_provider, paths=paths),

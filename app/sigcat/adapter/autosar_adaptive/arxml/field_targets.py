@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from pydantic import BaseModel
 
 from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 _SHORT_NAME = "SHORT-NAME"
@@ -85,6 +86,10 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
         "Min": _EVENT + _PRESENTED.format("DATA-CONSTR"), "Max": _EVENT + _PRESENTED.format("DATA-CONSTR"),
         "Scaling": _EVENT + _PRESENTED.format("COMPU-METHOD"), "Offset": _EVENT + _PRESENTED.format("COMPU-METHOD"),
         "CycleTime": _EVENT + _ADMIN, "VssPath": _EVENT + _ADMIN,
+    }),
+    E2eProtection: ("event", {
+        "Profile": _SETTING + ": E-2-E-PROFILE-CONFIGURATION", "MaxDeltaCounter": _SETTING + ": E-2-E-PROFILE-CONFIGURATION",
+        "DataID": _SETTING + ": END-2-END-EVENT-PROTECTION-PROPS",
     }),
     model.Use: ("use", dict.fromkeys(
         ("Function", "Component", "Call", "CodeDatatype", "CodeSymbols", "Signal", "Queue"), _PORT,

@@ -30,6 +30,7 @@ PROCESSES = "Processes"
 DEPLOYMENTS = "ServiceDeployments"
 TRANSFORMATION = "TransformationProperties"
 DISCOVERY = "ServiceDiscovery"
+E2E = "E2eProfiles"
 INSTANCES = "ServiceInstances"
 MAPPINGS = "PortMappings"
 

@@ -28,6 +28,14 @@ def packages(chosen: ArxmlDeployment, services: Sequence[Whole], release: Releas
     ]
 
 
+EVENT = "SOMEIP-EVENT-DEPLOYMENT"
+
+
+def element_name(name: str) -> str:
+    """Name of the deployment of an event, a field or a method."""
+    return short_name(f"{name}_SomeIp")
+
+
 # -- transformation -----------------------------------------------------------------------------------------------
 
 

@@ -3,7 +3,7 @@
 from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
-from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
 
@@ -26,7 +26,7 @@ def tables_source(service: Service, model: IntegrationModel) -> str:
 def _events(service: Service) -> list[str]:
     groups = {group.name: group.id for group in service.whole.event_groups}
     rows = [
-        f'    {{"{event.name}", {_hex(event.event_id)}, {_hex(groups.get(event.event_group or ""))}, false}},'
+        f'    {{"{event.name}", {_hex(event.event_id)}, {_hex(groups.get(event.event_group or ""))}, false{_protection(event)}}},'
         for event in service.whole.events
     ]
     rows += [
@@ -35,13 +35,19 @@ def _events(service: Service) -> list[str]:
     ]
     if not rows:
         return []
-    about = "// name, id, event group, whether it is the notifier of a field"
+    about = "// name, id, event group, whether it is the notifier of a field; profile, data id and largest step of the counter"
     table = [about, f"static constexpr bench::EventDescription kEvents[{len(rows)}] = {{", *rows, "};"]
     constants = [
         f"const bench::EventDescription {constant(item.name)} = kEvents[{n}];"
         for n, item in enumerate(service.elements)
     ]
     return ["\n".join(table), "\n".join(constants)]
+
+
+def _protection(event: Event) -> str:
+    """Profile, data id and largest step of the counter."""
+    found = event.protection
+    return f", {{{found.profile}, {_hex(found.data_id)}, {found.max_delta_counter}}}" if found else ""
 
 
 def _instances(service: Service, model: IntegrationModel) -> list[str]:

@@ -1,0 +1,60 @@
+"""End-to-end protection of events: the profiles, and the data ids of what they protect."""
+
+from collections.abc import Iterable
+
+from sigcat.adapter.autosar_adaptive.arxml.paths import E2E, Paths
+from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
+from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_names import short_name
+
+_SET = "Profiles"
+_CONFIGURATION = "E-2-E-PROFILE-CONFIGURATION"
+
+
+def package(model: IntegrationModel) -> Package:
+    """The package of profiles; it is empty if nothing is protected."""
+    found = {
+        _name(event.protection): event.protection
+        for component in model.components
+        for interface in component.services
+        for event in _protected(interface)
+        if event.protection
+    }
+    configurations = listed(f"{_CONFIGURATION}S", (_configuration(found[name]) for name in sorted(found)))
+    return Package(E2E, (tag(f"{_CONFIGURATION}-SET", configurations, name=_SET),) if found else ())
+
+
+def _name(protection: E2eProtection) -> str:
+    return f"Profile{protection.profile:02d}_MaxDeltaCounter{protection.max_delta_counter}"
+
+
+def _configuration(protection: E2eProtection) -> Tag:
+    return tag(
+        _CONFIGURATION,
+        tag("MAX-DELTA-COUNTER", text=protection.max_delta_counter),
+        tag("PROFILE-NAME", text=f"PROFILE_{protection.profile:02d}"),
+        name=_name(protection),
+    )
+
+
+def properties(interface: ServiceInterface, deployment: str, paths: Paths) -> Tag | None:
+    """What an instance of a service says of its protected events; `deployment` is the path of those of the service."""
+    protected = _protected(interface)
+    return listed("E-2-E-EVENT-PROTECTION-PROPSS", (_properties(event, deployment, paths) for event in protected))
+
+
+def _properties(event: Event, deployment: str, paths: Paths) -> Tag:
+    assert event.protection is not None
+    return tag(
+        "END-2-END-EVENT-PROTECTION-PROPS",
+        tag("DATA-IDS", tag("DATA-ID", text=event.protection.data_id)),
+        reference("E-2-E-PROFILE-CONFIGURATION-REF", paths.of(E2E, _SET, _name(event.protection)), _CONFIGURATION),
+        reference("EVENT-REF", f"{deployment}/{element_name(event.name)}", EVENT),
+        name=short_name(f"{event.name}_E2e"),
+    )
+
+
+def _protected(interface: ServiceInterface) -> Iterable[Event]:
+    return [event for part in interface.services for event in part.events if event.protection is not None]

@@ -1,0 +1,52 @@
+"""End-to-end protection of events: what a deployment says of it, and what the Integration JSON has of each event."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.function_json.wire import OWN, Integer, WireModel, described
+
+Profile = Literal[4, 5, 6, 7]
+"""Number of a profile of AUTOSAR's E2E protocol."""
+Step = Annotated[Integer, Field(ge=1, le=127)]
+"""Fewer than half of the smallest counter counts: more could not be told from going back."""
+
+
+class EventE2eSettings(DeclarationModel):
+    """What differs for an event, or for all events of a service."""
+
+    profile: Literal[4, 5, 6, 7, "none"] | None = Field(
+        None, description="Profile that protects them whatever their ASIL, or none; as for all if absent."
+    )
+    max_delta_counter: Step | None = Field(
+        None, description="Largest step from one counter to the next that passes; as for all if absent."
+    )
+
+
+class E2eSettings(DeclarationModel):
+    """Which events are protected end to end, and how."""
+
+    profile: Profile | None = Field(None, description="Profile that protects events with an ASIL; none if absent.")
+    max_delta_counter: Step = Field(
+        1, description="Largest step from one counter to the next that passes: 1 passes no lost message, 3 passes two."
+    )
+    events: dict[Text, EventE2eSettings] = Field(
+        {}, description="What differs, by `Service` for all of its events, or by `Service.Event`."
+    )
+
+
+NO_E2E = E2eSettings.model_validate({})
+"""Nothing is protected."""
+
+
+class E2eProtection(WireModel):
+    """How an event is protected."""
+
+    profile: Profile = described("Profile", "Number of the profile: 4, 5, 6 or 7.", source=OWN)
+    data_id: Annotated[Integer, Field(ge=0, le=0xFFFFFFFF)] = described(
+        "DataID", "What tells the event from every other one.", source=OWN
+    )
+    max_delta_counter: Step = described(
+        "MaxDeltaCounter", "Largest step from one counter to the next that passes.", source=OWN
+    )

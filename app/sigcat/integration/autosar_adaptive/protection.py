@@ -1,0 +1,84 @@
+"""Which events are protected end to end, each with a data id of its own."""
+
+from collections.abc import Iterator, Sequence
+
+from sigcat import codes
+from sigcat.asil import is_above, level_of
+from sigcat.function.function_json.data_interfaces import Signal
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.integration.autosar_adaptive.context import Context
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
+from sigcat.integration.autosar_adaptive.elements import Element, Service
+from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.identifiers import DATA_IDS
+from sigcat.integration.autosar_adaptive.numbering import Names, numbers
+from sigcat.integration.finding_collector import Subject
+
+DATA_ID = ":dataId"
+"""What stands after `Service.Event` in the keys of data ids."""
+
+
+def protected(services: Sequence[Service], context: Context) -> tuple[Service, ...]:
+    """The services, with how each of their events is protected."""
+    profiles = dict(_profiles(services, context))
+    names = Names(sorted(profiles), DATA_IDS, suffix=DATA_ID, has_dots=True)
+    ids = numbers(names, context) if profiles else {}
+    made = {
+        key: E2eProtection(profile=profile, data_id=ids[key], max_delta_counter=_step(key, context))
+        for key, profile in profiles.items()
+    }
+    return tuple(
+        service._replace(protections={e.name: made[key] for e in service.elements if (key := _key(service, e)) in made})
+        for service in services
+    )
+
+
+def unprotected_errors(services: Sequence[Service], context: Context) -> None:
+    """Report errors of end-to-end protection that nothing sets."""
+    for service in services:
+        for element in service.elements:
+            for side in element.sides if element.name not in service.protections else ():
+                _report_never_set(side, f"{service.name}.{element.name}", context)
+
+
+def _report_never_set(side: Placed, key: str, context: Context) -> None:
+    interface = side.item.interface
+    error = getattr(interface, "e2e_error", None)
+    if error is not None and getattr(interface, "role", None) == CONSUMER:
+        message = f"{key} must be protected end to end to set {error} of {side.item.part.function_name}."
+        fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
+        context.findings.report(
+            codes.E2E_ERROR_NEVER_SET, message, Subject(side.identity, interface), fix, key="E2eError"
+        )
+
+
+def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[str, Profile]]:
+    for service in services:
+        for element in service.elements:
+            key = _key(service, element)
+            profile = _profile(element, key, context) if element.kind is Signal else None
+            if profile is not None:
+                yield key, profile
+
+
+def _profile(element: Element, key: str, context: Context) -> Profile | None:
+    for stated in _stated(key, context):
+        if stated.profile is not None:
+            return None if stated.profile == "none" else stated.profile
+    levels = (level_of(getattr(side.item.interface, "asil_level", None)) for side in element.sides)
+    return context.settings.e2e.profile if any(is_above(level, "QM") for level in levels) else None
+
+
+def _step(key: str, context: Context) -> int:
+    stated = (each.max_delta_counter for each in _stated(key, context))
+    return next((step for step in stated if step is not None), context.settings.e2e.max_delta_counter)
+
+
+def _stated(key: str, context: Context) -> Iterator[EventE2eSettings]:
+    """What the deployment says of an event: of itself, then of its service."""
+    events = context.settings.e2e.events
+    yield from (events[each] for each in (key, key.partition(".")[0]) if each in events)
+
+
+def _key(service: Service, element: Element) -> str:
+    return f"{service.name}.{element.name}"

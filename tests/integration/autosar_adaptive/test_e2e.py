@@ -1,0 +1,106 @@
+"""End-to-end protection: which events have it, by which profile, and with which data ids."""
+
+import pytest
+
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_adaptive.model import to_json
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
+
+SPEED, ANGLE = "VehicleBranchService.Branch_Speed", "VehicleBranchService.Branch_Angle"
+
+
+def demo(**more):
+    """One signal with an ASIL, one without."""
+    return function(signals=[at("Vehicle.Branch.Speed", AsilLevel="B", **more), at("Vehicle.Branch.Angle")])
+
+
+def derived(e2e, one=None, **settings):
+    return derive([one or demo()], deployed(autosarAdaptive={"e2e": e2e, **settings}))
+
+
+def protections(found):
+    """Profile and largest step, by event."""
+    return {
+        f"{interface.name}.{event.name}": (event.protection.profile, event.protection.max_delta_counter)
+        for component in found.model.components
+        for interface in component.services
+        for event in interface.services[0].events
+        if event.protection
+    }
+
+
+def data_ids(found):
+    return [
+        event.protection.data_id
+        for component in found.model.components
+        for interface in component.services
+        for event in interface.services[0].events
+        if event.protection
+    ]
+
+
+def rules(found):
+    return [finding.rule for finding in found.findings]
+
+
+@pytest.mark.parametrize(
+    ("e2e", "expected"),
+    [
+        ({}, {}),
+        ({"profile": 4}, {SPEED: (4, 1)}),
+        ({"profile": 5, "maxDeltaCounter": 3}, {SPEED: (5, 3)}),
+        ({"events": {ANGLE: {"profile": 6}}}, {ANGLE: (6, 1)}),
+        ({"profile": 4, "events": {"VehicleBranchService": {"profile": 7}}}, {SPEED: (7, 1), ANGLE: (7, 1)}),
+        (
+            {"events": {"VehicleBranchService": {"profile": 7, "maxDeltaCounter": 2}, SPEED: {"profile": 4}}},
+            {SPEED: (4, 2), ANGLE: (7, 2)},
+        ),
+        ({"profile": 4, "events": {SPEED: {"profile": "none"}}}, {}),
+    ],
+    ids=["nothing", "by ASIL", "lost messages pass", "one event", "a service", "an event before its service", "none"],
+)
+def test_protected_are(e2e, expected):
+    assert protections(derived(e2e)) == expected
+
+
+def test_an_event_with_an_asil_is_told_unless_it_is_protected():
+    assert rules(derived({})) == ["A019"]
+    assert rules(derived({"profile": 4})) == []
+
+
+def test_an_error_of_protection_needs_one():
+    one = demo(E2eError="Broken")
+    assert rules(derived({}, one)) == ["A019", "A021"]
+    assert rules(derived({"profile": 4}, one)) == []
+
+
+def test_what_the_deployment_says_of_no_event_is_told():
+    found = derived({"profile": 4, "events": {"VehicleBranchService.Branch_Sped": {"profile": 5}}})
+    assert [(f.rule, SPEED in f.fix) for f in found.findings] == [("A014", True)]
+
+
+def test_a_data_id_is_unique_and_stays_when_another_event_comes():
+    everything = {"events": {"VehicleBranchService": {"profile": 4}}}
+    few = data_ids(derived(everything))
+    many = data_ids(derived(everything, function(signals=[at(f"Vehicle.Branch.A{n}") for n in range(200)])))
+    assert len(set(many)) == 200
+    more = function(signals=[at("Vehicle.Branch.Speed"), at("Vehicle.Branch.Angle"), at("Vehicle.Branch.Other")])
+    assert set(few) < set(data_ids(derived(everything, more)))
+
+
+@pytest.mark.parametrize("key", ["identifiers", "identifierCatalogue"])
+def test_the_deployment_or_an_id_catalogue_may_fix_a_data_id(key):
+    found = derived({"profile": 4}, **{key: {f"{SPEED}:dataId": 4660}})
+    assert data_ids(found) == [4660]
+    assert found.findings == ()
+
+
+def test_an_id_that_the_catalogue_has_for_another_event_is_not_given_away():
+    (own,) = data_ids(derived({"profile": 4}))
+    (moved,) = data_ids(derived({"profile": 4}, identifierCatalogue={"OtherService.Event:dataId": own}))
+    assert moved != own
+
+
+def test_the_document_read_back_has_it():
+    model = derived({"profile": 4, "maxDeltaCounter": 2}).model
+    assert read_integration(to_json(model), "integration.json") == model
