@@ -376,3 +376,21 @@ def test_a_signal_that_the_file_defines_is_named_by_its_path():
     assert [(f.rule, f.fix) for f in found if f.rule == "F010"] == [
         ("F010", "Name it by its path, 'Vehicle.ADAS.LaneKeeping.Torque'.")
     ]
+
+
+def test_code_without_init_and_terminate_defines_a_step_alone():
+    text = b"""
+function: Acc
+description: Controls the speed.
+responsible: Cruise control team
+code: {signature: globals, headers: [acc.h]}
+components:
+  - name: Acc
+    runnables:
+      - {interface: Step, data: [{path: Vehicle.Speed, role: consumed, variable: speed, asil: QM}]}
+define:
+  scheduling:
+    Step: {cycleTime: 50, description: Controls the speed., priority: 10, scheduling: Preemptive, asil: QM}
+"""
+    assert found(text) == []
+    assert [rule for rule, _, _ in found(text.replace(b"code:", b"#"))] == ["F050", "I501"]
