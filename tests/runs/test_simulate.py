@@ -1,5 +1,6 @@
 """`sigcat simulate`: what it says of code that cannot be built, and of calls that do not return. It lives through all of it."""
 
+import json
 import re
 import shutil
 import tempfile
@@ -66,6 +67,49 @@ def test_state_and_stack_of_each_core_are_told(case, compiler):
     assert [re.sub(rf": \d+ bytes of state, {stack}", "", line) for line in said] == ["Filter", "Counter"]
     states = [int(re.findall(r"\d+", line)[0]) for line in said]
     assert all(100 < state < 5000 for state in states)
+
+
+def test_what_functions_keep_is_in_a_file_that_the_next_run_reads(case):
+    assert case("--stored", "stored.json") == (0, [])
+    stored = json.loads(Path("stored.json").read_text())
+    assert stored["Filter"]["ignitionCycle"] == 1
+    assert stored["Filter"]["errors"]["Filter_Standstill_ErrorSts"]["occurrences"] == 1
+    stored["Filter"]["errors"]["Filter_Standstill_ErrorSts"] |= {"occurrences": 7, "isTested": True}
+    Path("stored.json").write_text(json.dumps(stored))
+    assert case("--stored", "stored.json", "--ignition-cycle", "2")[0] == 0
+    again = json.loads(Path("stored.json").read_text())["Filter"]
+    assert (again["ignitionCycle"], again["errors"]["Filter_Standstill_ErrorSts"]["occurrences"]) == (2, 8)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[", "stored.json must be JSON"),
+        ('{"Filter": {"ignitionCycle": -1}}', "stored.json: Filter/ignitionCycle must be a whole number from 0 to"),
+        ('{"Filter": {"errors": {"Filter_Standstill_ErrorSts": 3}}}', "must be a mapping with occurrences"),
+    ],
+)
+def test_a_file_of_what_is_kept_that_cannot_be_used(case, text, words):
+    Path("stored.json").write_text(text)
+    status, (line,) = case("--stored", "stored.json")
+    assert status == 2
+    assert words in line
+
+
+@pytest.mark.parametrize("form", ["json", "sarif"])
+def test_a_report_has_the_words_of_the_compiler_at_the_line_of_the_declaration(case, form):
+    status, _ = case("--report", "report", "--format", form, filter_yaml=("filter_in.speed", "filter_in.sped"))
+    assert status == 1
+    report = json.loads(Path("report").read_text())
+    found = json.dumps(report)
+    assert "T010" in found
+    assert "filter.yaml" in found
+    assert "sped" in found
+
+
+def test_a_report_of_a_good_run_is_empty(case):
+    assert case("--report", "report.json") == (0, [])
+    assert json.loads(Path("report.json").read_text())["findings"] == []
 
 
 # -- code that cannot be built -------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output import could_not_run, discard_output, write_text
-from sigcat.cli.output_options import add_output, refuse_overwriting
+from sigcat.cli.output_options import FORMATS, add_output, refuse_overwriting
 from sigcat.cli.tree_options import add_many
 from sigcat.errors import InputRefused, UsageError
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from sigcat.rules.linting.options import LintOptions, LintResult
 
 _INPUT, _INPUT_NAME = Path("-"), "standard input"
-FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

@@ -8,6 +8,8 @@ from typing import Any
 
 from sigcat.errors import UsageError
 
+FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
+"""Forms of a report of findings."""
 _STANDARD_OUTPUT = Path("-")
 
 

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
-from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_outputs
+from sigcat.cli.output import write_bytes, write_text
+from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import UsageError, existing_file
+from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -51,6 +51,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="how long a call may take before the run is stopped (default: 10)",
     )  # fmt: skip
     parser.add_argument(
+        "--stored", type=Path, metavar="FILE",
+        help="what the functions keep, as JSON: parameters and counts of errors; read if it is there, and written at the end",
+    )  # fmt: skip
+    add_output(parser, "--report", metavar="FILE", help="write what is found here, too")
+    parser.add_argument("--format", choices=FORMATS, default="json", help="form of the report (default: %(default)s)")
+    parser.add_argument(
         "--memory", action="store_true", help="say how much state and stack the core of each function takes"
     )
     add_tree_options(parser)
@@ -58,23 +64,41 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def simulate(arguments: argparse.Namespace) -> int:
-    """Run the functions and write what they send, also if they do not come to the end: then InputRefused is raised."""
+    """Run the functions, and write a report of what was found if one is wanted."""
+    from sigcat.rules.report import report, sources_of
+
+    found: list[Finding] = []
+    try:
+        return _simulate(arguments, found)
+    except InputRefused as refused:
+        found += refused.findings
+        raise
+    finally:
+        if arguments.report is not None:
+            write_text(report(found, arguments.format, sources_of(found)), arguments.report)
+
+
+def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
+    """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
+    from sigcat.runs.stored_file import stored_text
     from sigcat.runs.written import check_plotted, signals_of, written
 
     forms = _forms(arguments)
     tools = toolchain()
-    prepared, trace = _prepared(arguments)
+    prepared, trace = _prepared(arguments, found)
     check_plotted(arguments.plot, signals_of(prepared, trace))
-    simulated = run(prepared, trace, _settings(arguments), tools)
-    _print(simulated.findings)
+    simulated = run(prepared, trace, _settings(arguments, prepared), tools)
+    _told(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
     for path, form in forms:
         write_bytes(written(form, simulated, prepared, trace, arguments.plot), path)
     if simulated.stop is not None:
         raise simulated.stop
+    if arguments.stored is not None:
+        write_text(stored_text(simulated.kept, prepared.connections.members), arguments.stored)
     return 0
 
 
@@ -94,7 +118,7 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
 
 
-def _prepared(arguments: argparse.Namespace) -> "tuple[Prepared, Trace | None]":
+def _prepared(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[Prepared, Trace | None]":
     """The functions and the trace; what is found in them goes to standard error."""
     from sigcat.integration.reading import read_functions
     from sigcat.runs.prepare import prepare
@@ -103,25 +127,30 @@ def _prepared(arguments: argparse.Namespace) -> "tuple[Prepared, Trace | None]":
     catalogue = read_tree(arguments)
     sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
     functions, findings = read_functions(sources, catalogue)
-    _print(findings)
+    _told(findings, found)
     prepared = prepare(functions)
-    _print(prepared.findings)
+    _told(prepared.findings, found)
     if arguments.trace is None:
         return prepared, None
     known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
     trace = open_trace(existing_file(arguments.trace), known)
-    _print(trace.findings)
+    _told(trace.findings, found)
     return prepared, trace
 
 
-def _print(findings: "Iterable[Finding]") -> None:
+def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
+        found.append(finding)
 
 
-def _settings(arguments: argparse.Namespace) -> "Settings":
+def _settings(arguments: argparse.Namespace, prepared: "Prepared") -> "Settings":
     from sigcat.runs.recording.times import NANOSECONDS
     from sigcat.runs.simulate import Settings
+    from sigcat.runs.stored_file import read_stored
 
     duration = None if arguments.duration is None else round(arguments.duration * NANOSECONDS)
-    return Settings(duration, arguments.ignition_cycle, arguments.step_limit, tells_memory=arguments.memory)
+    path, kept = arguments.stored, prepared.numbers.kept
+    is_there = path is not None and path.exists()
+    stored = read_stored(path.read_bytes(), str(path), kept, prepared.connections.members) if is_there else {}
+    return Settings(duration, arguments.ignition_cycle, arguments.step_limit, stored, tells_memory=arguments.memory)

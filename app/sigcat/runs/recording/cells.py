@@ -41,11 +41,11 @@ def value_of(text: str, shape: Shape) -> Value:
     except (ValueError, RecursionError):
         what = "a JSON list" if isinstance(shape, Array) else "a JSON mapping"
         raise Unfit(f"must be {what}, not {shown(text)}") from None
-    return _fitted(given, shape)
+    return fitted(given, shape)
 
 
-def _fitted(given: Any, shape: Shape) -> Value:
-    """A value of JSON in a shape."""
+def fitted(given: Any, shape: Shape) -> Value:
+    """A value of JSON in a shape. Raises Unfit."""
     if isinstance(shape, Number):
         return _number(given if isinstance(given, str) and shape.symbols else _text(given), shape)
     if isinstance(shape, Array):
@@ -54,11 +54,11 @@ def _fitted(given: Any, shape: Shape) -> Value:
             raise Unfit(f"must be a list of {shape.length} elements, not {found}")
         if _are_numbers(given, shape.element):
             return list(map(float, given))
-        return [_fitted(element, shape.element) for element in given]
+        return [fitted(element, shape.element) for element in given]
     names = [name for name, _ in shape.fields]
     if not isinstance(given, dict) or set(given) != set(names):
         raise Unfit(f"must be a mapping with {', '.join(names)}, not {shown(given)}")
-    return {name: _fitted(given[name], field) for name, field in shape.fields}
+    return {name: fitted(given[name], field) for name, field in shape.fields}
 
 
 def _are_numbers(given: list[Any], shape: Shape) -> bool:
@@ -168,16 +168,17 @@ def cell_of(value: Value, shape: Shape) -> str:
     """The text of a value, without the quotes that CSV may need."""
     if isinstance(shape, Number):
         return _number_text(value, shape)
-    return _json_text(value, shape)
+    return json_text(value, shape)
 
 
-def _json_text(value: Value, shape: Shape) -> str:
+def json_text(value: Value, shape: Shape) -> str:
+    """The text of a value within a document of JSON."""
     if isinstance(shape, Array):
-        return f"[{','.join(_json_text(element, shape.element) for element in value)}]"
+        return f"[{','.join(json_text(element, shape.element) for element in value)}]"
     if isinstance(shape, Number):
         text = _number_text(value, shape)
         return _JSON_WORDS.get(text) or (json.dumps(text) if shape.symbols and not _is_number(text) else text)
-    return f"{{{','.join(f'{json.dumps(name)}:{_json_text(value[name], field)}' for name, field in shape.fields)}}}"
+    return f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field)}' for name, field in shape.fields)}}}"
 
 
 _JSON_WORDS = {"nan": "NaN", "inf": "Infinity", "-inf": "-Infinity"}
