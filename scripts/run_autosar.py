@@ -68,10 +68,11 @@ def _run(*command: str) -> None:
 
 def has_own_network() -> bool:
     """Whether a process may have a network of its own."""
-    return _own_network() is not None
+    return own_network() is not None
 
 
-def _own_network() -> Sequence[str] | None:
+def own_network() -> Sequence[str] | None:
+    """The command that gives a process a network of its own; None where it may not have one."""
     for command in (("unshare", "-n"), ("unshare", "-Urn")):
         try:
             if subprocess.run([*command, "true"], check=False, capture_output=True).returncode == 0:
@@ -85,7 +86,7 @@ def run(folder: Path, seconds: int) -> Sent:
     """What the processes send while the drive is played to them."""
     recorded = folder / "recorded.csv"
     script = [sys.executable, str(HERE / "scripts/bench_run.py"), str(folder / "build"), *EXECUTABLES]
-    _run(*(_own_network() or ()), *script, "--", str(DRIVE), str(recorded), str(seconds))
+    _run(*(own_network() or ()), *script, "--", str(DRIVE), str(recorded), str(seconds))
     with recorded.open(newline="", encoding="utf-8") as file:
         return _by_name((int(row["time"]), row["name"], row["value"]) for row in csv.DictReader(file))
 

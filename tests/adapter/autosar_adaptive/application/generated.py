@@ -5,8 +5,10 @@ from pathlib import Path
 
 from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.data import EXAMPLES
+from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.limits import DEFAULT_LIMITS
+from tests.function.shipped import interfaces
 from tests.integration.autosar_adaptive.sets import derive
 
 ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
@@ -23,6 +25,13 @@ def integration(*functions):
 def ecocontrol():
     """The files of EcoControl with the bench, by name."""
     return files(ECOCONTROL.read_bytes(), bench=True)
+
+
+@cache
+def full():
+    """The files of the function that uses everything, with the bench, by name."""
+    function, _ = build_function((FULL / "function.yaml").read_bytes(), "function.yaml", interfaces())
+    return files(integration(function), bench=True)
 
 
 def files(document, *, bench=False):

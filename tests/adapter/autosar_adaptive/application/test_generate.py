@@ -11,21 +11,14 @@ from bench import integration as large_set
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused
-from sigcat.function.function_file import build_function
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
-from tests.adapter.autosar_adaptive.application.generated import ECOCONTROL, FULL, ecocontrol, files, integration, write
-from tests.function.shipped import interfaces
+from tests.adapter.autosar_adaptive.application.generated import ECOCONTROL, FULL, ecocontrol, files, full, write
 from tests.needs import CPP_COMPILERS, slow
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror")
-
-
-def full():
-    function, _ = build_function((FULL / "function.yaml").read_bytes(), "function.yaml", interfaces())
-    return files(integration(function), bench=True)
 
 
 def refused(document):

@@ -200,8 +200,12 @@ def _told(place: str, failed: int, monitor: str) -> Lines:
 
 def _logged(place: str, active: int) -> Lines:
     """A safety reaction is decided by the function: there is no service over which it is sent."""
-    text = f'logger_.LogWarn() << "{place} is " << (out.{place} == {active}U ? "active" : "inactive");'
-    return block(f"if (publish.{place})", [lines(text)])
+    body = f"""
+        const bool is_active = out.{place} == {active}U;
+        logger_.WithLevel(is_active ? ara::log::LogLevel::kWarn : ara::log::LogLevel::kInfo)
+            << "{place} is " << (is_active ? "active" : "inactive");
+    """
+    return block(f"if (publish.{place})", [lines(body)])
 
 
 # -- receiving ----------------------------------------------------------------------------------------------------

@@ -1,0 +1,56 @@
+"""A process of a function that uses everything: it starts, is stopped, keeps what it has learned, and says when it cannot start."""
+
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+
+from scripts import run_autosar
+from tests.adapter.autosar_adaptive.application.generated import FULL, full, write
+from tests.needs import cmake, own_network, slow
+
+pytestmark = [cmake, own_network, slow]
+
+
+@pytest.fixture(scope="module")
+def executable(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("full")
+    write(full(), folder)
+    run_autosar.build(folder, "", "-DCMAKE_BUILD_TYPE=None", code={"FULL_CODE": FULL})
+    return folder / "build/FullExecutable/FullExecutable"
+
+
+def started(executable, storage, **environment):
+    storage.mkdir(exist_ok=True)
+    return subprocess.Popen(
+        [*(run_autosar.own_network() or ()), "sh", "-c", 'ip link set lo up; exec "$0"', executable],
+        env={**os.environ, "BENCH_STORAGE": str(storage), **environment},
+    )
+
+
+def run(executable, storage, seconds=1.0):
+    process = started(executable, storage)
+    time.sleep(seconds)
+    process.send_signal(signal.SIGTERM)
+    return process.wait(timeout=10)
+
+
+def test_it_ends_well_when_it_is_asked_to(executable, tmp_path):
+    assert run(executable, tmp_path / "storage") == 0
+
+
+def test_it_keeps_what_it_has_learned_and_counted(executable, tmp_path):
+    storage = tmp_path / "storage"
+    run(executable, storage)
+    (file,) = storage.iterdir()
+    first = file.read_bytes()
+    run(executable, storage)
+    assert b"IgnitionCycle" in first
+    assert b"Cnt" in first
+    assert file.read_bytes() != first
+
+
+def test_it_fails_if_the_initialization_of_the_function_does(executable, tmp_path):
+    assert started(executable, tmp_path / "storage", FULL_FAILS="1").wait(timeout=10) == 1
