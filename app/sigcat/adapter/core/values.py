@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from sigcat import codes
@@ -61,17 +62,22 @@ class Side(NamedTuple):
     def of(self, physical: Fraction) -> Fraction:
         """A number of the document on this side. The document has doubles in the code's unit: in the catalogue's unit
         the shortest decimal number that gives this double is meant."""
-        exact = self.scale(physical)
         if not self.is_catalogue or self.scale == IDENTITY:
-            return exact
-        wanted, back = float(physical), self.scale.inverse
-        digits = range(-len(str(abs(round(exact)))), _FINEST)
-        near = (round(exact, places) for places in digits)
-        return next((number for number in near if float(back(number)) == wanted), exact)
+            return self.scale(physical)
+        return _shortest(physical, self.scale)
 
 
 _FINEST = 345
 """Decimal places of any double."""
+
+
+@lru_cache(maxsize=4096)
+def _shortest(physical: Fraction, scale: Linear) -> Fraction:
+    """The shortest decimal number that gives the double of a physical value again."""
+    exact, wanted, back = scale(physical), float(physical), scale.inverse
+    digits = range(-len(str(abs(round(exact)))), _FINEST)
+    near = (round(exact, places) for places in digits)
+    return next((number for number in near if float(back(number)) == wanted), exact)
 
 
 def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Planning[Value | None]:
