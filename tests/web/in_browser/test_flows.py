@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Route, expect
 
-from tests.web.in_browser.conftest import Opener, Use
+from tests.web.in_browser.conftest import Opener, Use, put
 
 NODE = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationProposal"
 COPYING = {"permissions": ["clipboard-read", "clipboard-write"]}
@@ -213,14 +213,14 @@ def test_a_function_with_mistakes_is_mended_on_the_page_and_its_arxml_kept(open_
     field = page.get_by_role("textbox", name="Function")
     mistakes = {"CylP\n": "CylPressure\n", "rangeErrorAction": "rangeErorAction", "timeout: 200": "timeout: soon"}
     for right, wrong in mistakes.items():
-        field.fill(field.input_value().replace(right, wrong, 1))
+        put(field, field.input_value().replace(right, wrong, 1))
     height = height_of(field)
     for wrong, right in (("soon", "200"), ("rangeEror", "rangeError"), ("CylPressure", "CylP")):
         finding = page.locator(".findings li", has_text=wrong)
         use(finding.get_by_role("link", name="Line"))
         expect(field).to_be_focused()
         assert wrong in field.evaluate("field => field.value.slice(field.selectionStart).split('\\n')[0]")
-        field.fill(field.input_value().replace(wrong, right))
+        put(field, field.input_value().replace(wrong, right))
         expect(finding).to_have_count(0)
     use(page.get_by_role("button", name="ARXML"))
     assert height_of(field) == height

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import expect
 
-from tests.web.in_browser.conftest import Opener
+from tests.web.in_browser.conftest import Opener, put
 
 
 def test_findings_come_as_one_types(open_page: Opener) -> None:
@@ -28,10 +28,10 @@ def test_markup_that_is_typed_shows_as_text(open_page: Opener) -> None:
 def test_a_function_is_drawn_as_one_types(open_page: Opener) -> None:
     page = open_page("/try?kind=function&catalogue=interfaces")
     field = page.get_by_role("textbox", name="Function")
-    field.fill(field.input_value().replace("CoreAcc_Mode_Out", "CoreAcc_Mode_Ou"))
+    put(field, field.input_value().replace("CoreAcc_Mode_Out", "CoreAcc_Mode_Ou"))
     expect(page.locator("[data-tally]")).to_contain_text("error")
     expect(page.locator("#outcome .diagram")).to_have_count(0)
-    field.fill(field.input_value().replace("CoreAcc_Mode_Ou]", "CoreAcc_Mode_Out]"))
+    put(field, field.input_value().replace("CoreAcc_Mode_Ou]", "CoreAcc_Mode_Out]"))
     expect(page.locator("#outcome .diagram").first).to_be_visible()
 
 
