@@ -4,7 +4,8 @@ import hashlib
 import os
 import subprocess
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from sigcat.adapter.autosar_adaptive.bench.generate import generate
@@ -23,8 +24,15 @@ _OWN = Path(__file__).parent
 def programs(names: Iterable[str], sanitizer: Sequence[str] = ()) -> Mapping[str, Path]:
     """The programs of these sources, with the runtime and the generated services in each."""
     generated = generate(read_integration(integration_json(), "probe.json"))
-    flags = ("-std=c++17", "-O0", "-g", *WARNINGS, *_usable(sanitizer))
+    flags = ("-std=c++17", "-O0", "-g1", *WARNINGS, *_usable(sanitizer))
     folder = _kept(generated, flags)
+    with _alone(folder):
+        return _built(folder, names, generated, flags)
+
+
+def _built(
+    folder: Path, names: Iterable[str], generated: Iterable[GeneratedFile], flags: Sequence[str]
+) -> Mapping[str, Path]:
     _write(folder / "runtime", runtime_files())
     _write(folder / "generated", generated)
     includes = [f"-I{folder}/{each}" for each in ("runtime/include", "runtime/src", "generated/include")]
@@ -33,6 +41,16 @@ def programs(names: Iterable[str], sanitizer: Sequence[str] = ()) -> Mapping[str
     return {
         name: _linked(folder, name, (*flags, *objects[:2]), own) for name, own in zip(names, objects[2:], strict=True)
     }
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Other workers of pytest-xdist wait, and find it built."""
+    import fcntl  # which Windows lacks
+
+    with (folder / "lock").open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
 
 
 def _usable(sanitizer: Sequence[str]) -> Sequence[str]:

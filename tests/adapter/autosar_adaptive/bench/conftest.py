@@ -1,5 +1,6 @@
 """Programs that use the bench, and a network for each test."""
 
+import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -12,7 +13,9 @@ from tests.adapter.autosar_adaptive.own_network import Network, network
 @pytest.fixture(scope="session")
 def built() -> Mapping[str, Path]:
     """Each program, checked by the address sanitizer while it runs."""
-    return programs(("sender", "receiver", "serialization", "core", "stress"), ADDRESSES)
+    if sys.platform != "linux":
+        pytest.skip("the bench: it runs on Linux")
+    return programs(("sender", "receiver", "serialization", "core", "stress", "sessions"), ADDRESSES)
 
 
 @pytest.fixture

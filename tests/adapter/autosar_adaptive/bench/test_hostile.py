@@ -3,77 +3,38 @@
 import os
 import random
 import struct
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
-from tests.adapter.autosar_adaptive.bench.probe_service import (
-    ADD,
-    FAST,
-    IMAGE,
-    INSTANCE_ID,
-    SERVICE_ID,
-    SPEED,
-    TRACK,
+from tests.adapter.autosar_adaptive.bench.messages import (
+    DISCOVERY,
+    ERROR,
+    FIND,
+    NOTIFICATION,
+    OFFER,
+    REQUEST_NO_RETURN,
+    RESPONSE,
+    SERVICES,
+    STRANGER,
+    SUBSCRIBE,
+    discovery,
+    endpoint,
+    entry,
+    message,
+    next_datagram,
+    stranger,
 )
+from tests.adapter.autosar_adaptive.bench.probe_service import FAST, IMAGE, SPEED, TRACK
 from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
 from tests.needs import c_compiler
 
 pytestmark = [own_network, c_compiler]
-_PEER = Path(__file__).parent / "datagrams.py"
-SENDER, STRANGER = "127.0.0.20", "127.0.0.66"
-SERVICES, DISCOVERY = 30509, 30490
-REQUEST, REQUEST_NO_RETURN, NOTIFICATION, RESPONSE, ERROR = 0x00, 0x01, 0x02, 0x80, 0x81
+SENDER = "127.0.0.20"
 IS_LONG = "SIGCAT_FUZZ" in os.environ
 TRIES = 25_000 if IS_LONG else 1000
 """Spoilt datagrams of each of four kinds; `make fuzz` sends 100,000, other ones each time."""
-
-
-def message(
-    method: int = ADD,
-    payload: bytes = struct.pack("!ii", 40, 2),
-    *,
-    service: int = SERVICE_ID,
-    kind: int = REQUEST,
-    code: int = 0,
-    protocol: int = 1,
-    interface: int = 1,
-    session: int = 1,
-) -> bytes:
-    """A message of SOME/IP."""
-    head = struct.pack("!HHIHHBBBB", service, method, len(payload) + 8, 0x77, session, protocol, interface, kind, code)
-    return head + payload
-
-
-def entry(kind: int, ttl: int, last: bytes, *, options: int = 1, service: int = SERVICE_ID, major: int = 1) -> bytes:
-    """An entry of service discovery with the first of the options, or none."""
-    return (
-        struct.pack("!BBBBHHB", kind, 0, 0, options << 4, service, INSTANCE_ID, major) + ttl.to_bytes(3, "big") + last
-    )
-
-
-def discovery(*entries: bytes, options: bytes = b"", session: int = 1, flags: int = 0xC0) -> bytes:
-    """A message of service discovery."""
-    listed = b"".join(entries)
-    payload = struct.pack("!BxxxI", flags, len(listed)) + listed + struct.pack("!I", len(options)) + options
-    return message(0x8100, payload, service=0xFFFF, kind=NOTIFICATION, session=session)
-
-
-def endpoint(address: str, port: int) -> bytes:
-    """An option that names an endpoint of UDP."""
-    return struct.pack("!HBx4BxBH", 9, 4, *map(int, address.split(".")), 0x11, port)
-
-
-SUBSCRIBE = entry(0x06, 3, struct.pack("!HH", 0, FAST))
-OFFER = entry(0x01, 3, struct.pack("!I", 0))
-FIND = entry(0x00, 3, b"\xff" * 4, options=0)
-
-
-def stranger(net: Network, port: int = 40000) -> Program:
-    """Somebody who sends datagrams by hand."""
-    return net.start([sys.executable, _PEER, STRANGER, str(port)]).tells("ready")
 
 
 @pytest.fixture
@@ -99,7 +60,7 @@ def test_a_request_that_cannot_be_served_is_answered_with_its_error(
     net: Network, sender: Program, request_: bytes, code: int
 ) -> None:
     client = stranger(net).do(f"{SENDER} {SERVICES} {request_.hex()}")
-    answer = bytes.fromhex(client.next_line().split()[2])
+    answer = next_datagram(client)
     assert answer[:4] == request_[:4]
     assert answer[8:12] == request_[8:12]
     assert (answer[14], answer[15]) == (ERROR, code)
@@ -130,7 +91,7 @@ def test_what_asks_for_no_answer_gets_none_and_the_next_is_served(
 ) -> None:
     client = stranger(net).do(f"{SENDER} {SERVICES} {datagram.hex()}") if datagram else stranger(net)
     client.do(f"{SENDER} {SERVICES} {message(session=9).hex()}")
-    answer = bytes.fromhex(client.next_line().split()[2])
+    answer = next_datagram(client)
     assert answer == message(payload=struct.pack("!i", 42), kind=RESPONSE, session=9)
     sender.quit()
 
@@ -138,7 +99,7 @@ def test_what_asks_for_no_answer_gets_none_and_the_next_is_served(
 def test_several_messages_in_a_datagram_are_all_served(net: Network, sender: Program) -> None:
     both = message(session=1) + message(payload=struct.pack("!ii", 1, 1), session=2)
     client = stranger(net).do(f"{SENDER} {SERVICES} {both.hex()}")
-    answers = [bytes.fromhex(client.next_line().split()[2]) for _ in range(2)]
+    answers = [next_datagram(client) for _ in range(2)]
     assert [struct.unpack("!i", answer[16:])[0] for answer in answers] == [42, 2]
 
 
@@ -159,7 +120,7 @@ def test_a_subscription_that_cannot_be_is_refused(net: Network, sender: Program,
         client.do(f"{SENDER} {DISCOVERY} {discovery(SUBSCRIBE, options=endpoint(STRANGER, 40000)).hex()}")
         if acknowledged(client) > 0:
             break
-    client.do(f"{SENDER} {DISCOVERY} {discovery(wrong, options=options, session=2).hex()}")
+    client.do(f"{SENDER} {DISCOVERY} {discovery(wrong, options=options).hex()}")
     assert acknowledged(client) == 0
     sender.quit()
 
@@ -167,7 +128,7 @@ def test_a_subscription_that_cannot_be_is_refused(net: Network, sender: Program,
 def acknowledged(client: Program) -> int:
     """Seconds for which the next acknowledgement holds; 0 refuses."""
     while True:
-        answer = bytes.fromhex(client.next_line().split()[2])
+        answer = next_datagram(client)
         if answer[24] == 0x07:
             return int.from_bytes(answer[33:36], "big")
 
