@@ -115,7 +115,7 @@ def test_three_executables_with_162_events_take_less_than_two_seconds(tmp_path):
 def test_no_compiler_warns_of_an_adapter_with_everything(compiler, tmp_path):
     write(full(), tmp_path)
     includes = ("-I.", "-Igenerated/include", "-Ibench/include", f"-I{FULL}")
-    sources = sorted(str(path) for path in tmp_path.glob("FullExecutable/*.cpp"))
-    command = [*compiler, "-std=c++17", "-fsyntax-only", *STRICT, *includes, *sources]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    for source in ("FullExecutable/full_adapter.cpp", "FullExecutable/main.cpp", "player/ports.cpp"):
+        command = [*compiler, "-std=c++17", *STRICT, *includes, "-c", source, "-o", "compiled.o"]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr

@@ -83,7 +83,7 @@ def _offered(service: Provided, component: ComponentPlan) -> Lines:
         lines(f"class {component.type};\n\n// {service.name}, whose methods the component answers."),
         without_indent(block(f"class {service.type} final : public ::{service.names.skeleton}", [
             (Line("public:"),),
-            lines(f"{service.type}({component.type}& adapter);"),
+            lines(f"explicit {service.type}({component.type}& adapter);"),
             lines(""),
             *heads,
             lines(""),
@@ -96,8 +96,8 @@ def _offered(service: Provided, component: ComponentPlan) -> Lines:
 def output_type(service: Provided, method: CalledMethod) -> str:
     """What an offered method returns."""
     if not method.results:
-        return "::ara::core::Future<void>"
-    return f"::ara::core::Future<::{service.names.skeleton}::{method.member}Output>"
+        return "ara::core::Future<void>"
+    return f"ara::core::Future<::{service.names.skeleton}::{method.member}Output>"
 
 
 def method_parameters(method: CalledMethod) -> str:

@@ -1,5 +1,7 @@
 """The source of a component's adapter."""
 
+from collections.abc import Mapping
+
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
 from sigcat.adapter.autosar_adaptive.application.calls import call_functions
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
@@ -14,6 +16,7 @@ from sigcat.adapter.autosar_adaptive.application.names import (
 from sigcat.adapter.autosar_adaptive.application.plan import (
     ApplicationPlan,
     ComponentPlan,
+    Monitor,
     Provided,
     Receiver,
     Required,
@@ -142,6 +145,10 @@ def _offer(component: ComponentPlan) -> Lines:
         for service in component.provided
     ]  # fmt: skip
     monitors = [lines(f"{monitor_name(each.error)}.Offer();") for each in component.monitors]
+    if initial:
+        initial.insert(
+            0, commented("A field has a value from the beginning: an error that was not tested yet is PASSED.")
+        )
     return block(f"void {component.type}::Offer()", [*initial, *monitors, lines("Publish();"), *offers])
 
 
@@ -154,14 +161,14 @@ def _initial(place: str, number: int | None) -> str:
 
 def _publish(component: ComponentPlan) -> Lines:
     core = component.core.type_name
-    sent = [part for service in component.provided for part in _sent(service)]
-    told = [_told(each.error.named.name, each.error.failed, monitor_name(each.error)) for each in component.monitors]
+    monitors = {each.error.named.name: each for each in component.monitors}
+    sent = [part for service in component.provided for part in _sent(service, monitors)]
     reactions = [_logged(each.named.name, each.active) for each in component.core.reactions]
     asked = [
         block(f"if (publish.{each.method.named.name})", [lines(f"Request{each.member}();")])
         for service in component.required for each in service.methods
     ]  # fmt: skip
-    uses_out = bool(sent or told or reactions)
+    uses_out = bool(sent or reactions)
     taken = braces([
         lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
         lines("out = core_.out;") if uses_out else (),
@@ -174,11 +181,11 @@ def _publish(component: ComponentPlan) -> Lines:
         lines("decltype(core_.out) out{};") if uses_out else (),
         lines("decltype(core_.publish) publish{};"),
         taken,
-        *sent, *told, *reactions, *asked,
+        *sent, *reactions, *asked,
     ])  # fmt: skip
 
 
-def _sent(service: Provided) -> list[Lines]:
+def _sent(service: Provided, monitors: Mapping[str, Monitor]) -> list[Lines]:
     found = []
     for event in service.events:
         target = f"{service.variable}.{event.member}"
@@ -190,12 +197,14 @@ def _sent(service: Provided) -> list[Lines]:
         found.append(block(f"if (publish.{event.place})", [commented(event.comment), send]))
     for field in service.fields:
         update = f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, out.{field.place});"
-        found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update)]))
+        told = _told(monitors[field.place]) if field.error else ()
+        found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update), told]))
     return found
 
 
-def _told(place: str, failed: int, monitor: str) -> Lines:
-    return block(f"if (publish.{place})", [lines(f"{monitor}.Tell(out.{place} == {failed}U);")])
+def _told(monitor: Monitor) -> Lines:
+    error = monitor.error
+    return lines(f"{monitor_name(error)}.Tell(out.{error.named.name} == {error.failed}U);")
 
 
 def _logged(place: str, active: int) -> Lines:

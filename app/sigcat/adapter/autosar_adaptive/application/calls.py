@@ -113,11 +113,10 @@ def _watch(component: ComponentPlan) -> Lines:
                 running_changed_.wait(lock, [this] { return is_running_ || !is_watched_; });
                 const std::chrono::nanoseconds longest{static_cast<std::int64_t>(longest_)};
                 const auto has_ended = [this] { return !is_running_ || !is_watched_; };
-                if (!running_changed_.wait_for(lock, longest + std::chrono::milliseconds{1}, has_ended)) {
+                while (!running_changed_.wait_for(lock, longest + std::chrono::milliseconds{1}, has_ended)) {
                     lock.unlock();
                     Supervise();
                     lock.lock();
-                    running_changed_.wait(lock, has_ended);
                 }
             }
         """)]),
