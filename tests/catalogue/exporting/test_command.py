@@ -18,7 +18,7 @@ def tree(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_a_file_goes_to_standard_output(tree, capfd):
+def test_a_file_goes_to_standard_output(tree, capfd, as_a_command):
     assert main(["export", "tree", "-s", "tree.vspec"]) == 0
     assert capfd.readouterr().out == "Vehicle\n└── Speed\n"
 
@@ -33,7 +33,7 @@ def test_a_folder_needs_a_name(tree, capsys):
     assert "name it with -o" in capsys.readouterr().err
 
 
-def test_a_folder_is_written_into_a_folder(tree):
+def test_a_folder_is_written_into_a_folder(tree, as_a_command):
     assert main(["export", "ros2interface", "-s", "tree.vspec", "-o", "ros", "--package-name", "cars"]) == 0
     assert (tree / "ros/cars/msg/Vehicle.msg").is_file()
 
@@ -89,7 +89,7 @@ def test_android_properties_keep_their_numbers_from_export_to_export(tree):
     assert first.strip(" []\n") in second
 
 
-def test_warnings_of_vss_tools_go_to_standard_error(tree, capfd):
+def test_warnings_of_vss_tools_go_to_standard_error(tree, capfd, as_a_command):
     assert main(["export", "apigear", "-s", "tree.vspec", "-o", "api"]) == 0
     assert "vss-tools: No layers provided" in capfd.readouterr().err
 

@@ -116,18 +116,20 @@ def test_what_is_told_of_a_failure_is_its_cause():
     assert ["integer" in finding.message for finding in refusal.value.findings] == [True]
 
 
-def test_an_exporter_that_raises_is_told_too():
+def test_an_exporter_that_raises_is_told_too(as_a_command):
     with pytest.raises(InputRefused) as refusal:
         export(catalogue_of(ROOT + SPEED.replace("Speed:", "1:")), "csv", {"stats-piechart": "chart.csv"})
     assert "stats-old-piechart is required" in refusal.value.findings[-1].message
 
 
-def test_an_export_that_takes_too_long_is_stopped():
+@pytest.mark.parametrize("process", ["_as_in_a_service", "as_a_command"])
+def test_an_export_that_takes_too_long_is_stopped(process, request):
+    request.getfixturevalue(process)
     with pytest.raises(InputRefused, match=r"longer than 0\.01 s"):
         export(catalogue_of(ROOT + SPEED), "csv", timeout=0.01)
 
 
-def test_modules_in_the_current_folder_are_not_run(tmp_path, monkeypatch):
+def test_modules_in_the_current_folder_are_not_run(as_a_command, tmp_path, monkeypatch):
     for name in ("yaml", "json", "logging", "vss_tools"):
         (tmp_path / f"{name}.py").write_text("raise SystemExit('run')")
     monkeypatch.chdir(tmp_path)

@@ -10,7 +10,6 @@ from sigcat.limits import FetchLimits
 from tests.catalogue.hosting.server import GOOD
 
 LIMITS = FetchLimits(bytes=1_000_000)
-IMPATIENT = FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0)
 
 
 def failure(address: str, tmp_path: Path, *, is_trusted: bool = True, limits: FetchLimits = LIMITS) -> str:
@@ -47,15 +46,15 @@ def test_each_misbehaviour_has_its_clear_reason(server, tmp_path, data, path, re
 
 
 @pytest.mark.parametrize(
-    ("path", "reason"),
+    ("path", "limits", "reason"),
     [
-        ("silent", "does not answer in time"),
-        ("slow", "took longer than 1 seconds"),
-        ("slow-headers", "took longer than 1 seconds"),
+        ("silent", LIMITS._replace(idle_seconds=0.5), "does not answer in time"),
+        ("slow", LIMITS._replace(total_seconds=1.0), "took longer than 1 seconds"),
+        ("slow-headers", LIMITS._replace(total_seconds=1.0), "took longer than 1 seconds"),
     ],
 )
-def test_a_server_that_takes_its_time_is_given_up(server, tmp_path, data, path, reason):
-    assert reason in failure(f"{server}/{path}", tmp_path, limits=IMPATIENT)
+def test_a_server_that_takes_its_time_is_given_up(server, tmp_path, data, path, limits, reason):
+    assert reason in failure(f"{server}/{path}", tmp_path, limits=limits)
 
 
 def test_a_redirect_to_a_private_host_is_not_asked(server, tmp_path, data):
