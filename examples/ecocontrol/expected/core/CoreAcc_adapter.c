@@ -717,15 +717,11 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
     uint64_t next = UINT64_MAX;
 
     if (self->is_started) {
+        if (!self->Step.is_active) {
+            next = CoreAcc_Adapter_Earlier(next, self->Step.release);
+        }
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
-            if (!self->Step.is_active) {
-                next = CoreAcc_Adapter_Earlier(next, self->Step.release);
-            }
             next = CoreAcc_Adapter_Earlier(next, self->Step.alive.window + UINT64_C(500000000));
-        } else {
-            if (!self->Step.is_active) {
-                next = CoreAcc_Adapter_Earlier(next, self->Step.release);
-            }
         }
     }
     return next;

@@ -135,12 +135,13 @@ def _next_of(call: Call, scope: Scope) -> Lines:
     ready = [f"!{place}.is_active"] + ([] if call.cycle is not None else [f"({place}.events > 0U)"])
     waiting = [f"!{p}_Waits_{call.name}(self)"] if _may_wait(call, scope) else []
     window = lines(f"next = {p}_Earlier(next, {place}.alive.window + {time(call.alive.window)});") if call.alive else ()
-    first = joined([block(f"if ({' && '.join([*ready, *waiting])})", [due]), window])
+    ready_block = block(f"if ({' && '.join([*ready, *waiting])})", [due])
     if runs == "true":
-        return first
+        return joined([ready_block, window])
     excluded = block(f"if ({' && '.join(ready)})", [lines(f"next = {p}_Earlier(next, {release});")])
-    if first == excluded:
-        return first
+    if ready_block == excluded:
+        return joined([ready_block, block(f"if ({runs})", [window]) if window else ()])
+    first = joined([ready_block, window])
     return (Line(f"if ({runs}) {{"), *_in(first), Line("} else {"), *_in(excluded), Line("}"))
 
 
