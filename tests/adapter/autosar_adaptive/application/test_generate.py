@@ -70,6 +70,13 @@ def test_only_a_signal_that_triggers_a_call_wakes_it():
     assert connects.count("clock_->Wake();") == 1
 
 
+def test_only_a_call_that_no_mode_excludes_reports_to_the_health_management():
+    assert "supervision_.ReportCheckpoint(Checkpoint::kFull_Step);" in full()["FullExecutable/full_adapter.cpp"]
+    assert "PHM-SUPERVISED-ENTITY-INTERFACE" in full()["arxml/components.arxml"]
+    assert "ReportCheckpoint" not in ecocontrol()["CoreAccExecutable/core_acc_adapter.cpp"]
+    assert "PHM-SUPERVISED-ENTITY-INTERFACE" not in ecocontrol()["arxml/components.arxml"]
+
+
 def test_a_document_without_its_functions_is_refused():
     document = json.loads(ECOCONTROL.read_bytes())
     del document["SourceFunctionList"]

@@ -1,6 +1,7 @@
 """The header of a component's adapter."""
 
 from sigcat.adapter.autosar_adaptive.application.names import (
+    checkpoint,
     commented,
     constant_guard,
     core_holder,
@@ -53,7 +54,8 @@ def _includes(component: ComponentPlan) -> Lines:
     application = ["clock", "communication", *(["error_monitor"] if component.monitors else [])]
     application += ["required_service"] if component.required else []
     application += ["storage"] if component.storage else []
-    platform = ["ara/log/logger.h", *(["ara/core/future.h"] if services_with_methods(component) else [])]
+    platform = ["ara/phm/supervised_entity.h"] if component.checkpoints else []
+    platform += ["ara/log/logger.h", *(["ara/core/future.h"] if services_with_methods(component) else [])]
     headers = [each.names.proxy_header for each in component.required]
     headers += [each.names.skeleton_header for each in component.provided]
     groups = (
@@ -128,11 +130,20 @@ def _class(component: ComponentPlan) -> Lines:
             lines(""),
             (Line("private:"),),
             *friends,
+            _checkpoints(component),
             _functions(component),
             lines(""),
             _members(component),
         ], "};")),
     ])  # fmt: skip
+
+
+def _checkpoints(component: ComponentPlan) -> Lines:
+    """Numbers as PHM-CHECKPOINT has them in the ARXML."""
+    if not component.checkpoints:
+        return ()
+    constants = [lines(f"{checkpoint(call)} = {number},") for number, call in enumerate(component.checkpoints)]
+    return joined([block("enum class Checkpoint : std::uint32_t", constants, "};"), lines("")])
 
 
 def _functions(component: ComponentPlan) -> Lines:
@@ -178,6 +189,7 @@ def _members(component: ComponentPlan) -> Lines:
         lines("std::mutex publishing_mutex_;"),
         *missed,
         *monitors,
+        lines("ara::phm::SupervisedEntity supervision_;") if component.checkpoints else (),
         *(lines(f"{each.type} {each.variable};") for each in component.provided),
         *required,
         *pending,

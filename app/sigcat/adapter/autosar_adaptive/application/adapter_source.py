@@ -59,6 +59,7 @@ def _constructor(component: ComponentPlan) -> Lines:
     initial = [f"logger_(ara::log::CreateLogger({string(context)}, {string(f'Adapter of {component.name}')}))"]
     initial += [f"storage_{{{string(component.storage)}, logger_}}"] if component.storage else []
     initial += [f"{monitor_name(each.error)}{{{string(each.port)}, logger_}}" for each in component.monitors]
+    initial += [_supervision(component)] if component.checkpoints else []
     initial += [_constructed(each) for each in component.provided]
     initial += [
         f"{each.variable}{{{string(each.port)}, logger_, [this](auto& service) {{ Connect(service); }}}}"
@@ -67,6 +68,10 @@ def _constructor(component: ComponentPlan) -> Lines:
     rows = [f"    : {initial[0]},", *(f"      {each}," for each in initial[1:])]
     rows[-1] = f"{rows[-1][:-1]} {{}}"
     return tuple(Line(text) for text in (f"{component.type}::{component.type}()", *rows))
+
+
+def _supervision(component: ComponentPlan) -> str:
+    return f"supervision_{{ara::core::InstanceSpecifier{{{string(component.supervision)}}}}}"
 
 
 def _constructed(service: Provided) -> str:

@@ -1,7 +1,7 @@
 """What runs the calls of a component: when they are due, under supervision, with overruns told."""
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
-from sigcat.adapter.autosar_adaptive.application.names import braces, commented
+from sigcat.adapter.autosar_adaptive.application.names import braces, checkpoint, commented
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.core.c.lines import Lines, block, indented, joined, lines
 from sigcat.adapter.core.c.scope import Scope
@@ -77,9 +77,17 @@ def _run_call(call: Call, component: ComponentPlan) -> Lines:
             lines(f"{core}_Run_{name}(&core_);"),
             ends,
             _locked(f"{core}_GetOutput_{name}(&core_, clock_->Now());"),
+            _reported(call, component),
             lines("Publish();"),
         ]),
     ])  # fmt: skip
+
+
+def _reported(call: Call, component: ComponentPlan) -> Lines:
+    """The end of a call, for the health management: what it counts is what the core counts."""
+    if call.interface not in component.checkpoints:
+        return ()
+    return lines(f"supervision_.ReportCheckpoint(Checkpoint::{checkpoint(call.interface)});")
 
 
 def _watched(call: Call) -> tuple[Lines, Lines]:

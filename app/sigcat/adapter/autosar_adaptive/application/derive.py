@@ -7,7 +7,13 @@ from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan, Monitor
 from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
-from sigcat.adapter.autosar_adaptive.arxml.components import monitor_port, root_name, stores
+from sigcat.adapter.autosar_adaptive.arxml.components import (
+    SUPERVISION_PORT,
+    checkpoints,
+    monitor_port,
+    root_name,
+    stores,
+)
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames, service_names, type_names
 from sigcat.adapter.core.plan import CorePlan
@@ -96,6 +102,8 @@ def _component(
             for error in core.plan.errors
         ),
         storage=f"{ports}/Parameters" if stores(component) else None,
+        supervision=f"{ports}/{SUPERVISION_PORT}",
+        checkpoints=checkpoints(component),
     )
 
 

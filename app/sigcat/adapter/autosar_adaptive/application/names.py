@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
+from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import GLOBALS, Error
 from sigcat.names import screaming_snake_case
 
@@ -42,6 +43,11 @@ def monitor_name(error: Error) -> str:
 def braces(parts: Iterable[Lines]) -> Lines:
     """Statements in a scope of their own."""
     return (Line("{"), *indented(joined(parts)), Line("}"))
+
+
+def checkpoint(call: str) -> str:
+    """The constant of a call among the checkpoints."""
+    return f"k{identifier(call)}"
 
 
 def cpp_type(name: str) -> str:

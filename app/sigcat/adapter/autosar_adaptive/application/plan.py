@@ -131,6 +131,10 @@ class ComponentPlan:
     """Of its errors, which are stored too."""
     storage: str | None
     """Instance specifier of its key-value storage."""
+    supervision: str
+    """Instance specifier of its supervised entity."""
+    checkpoints: tuple[str, ...]
+    """Calls whose ends are reported to it, in the order of their numbers."""
 
     @property
     def type(self) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from sigcat.adapter.autosar_adaptive.arxml.components import checkpoints
 from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
@@ -11,6 +12,9 @@ from sigcat.limits import Limits
 _SUPERVISION = (
     "supervised by the core; not exported to ara::phm, which cannot pause where a mode excludes the call, nor wait "
     "for the error to mature"
+)
+_REPORTED = (
+    "each end of the call is a checkpoint; the integrator gives the alive supervision its limits, which admin data has"
 )
 _REACTION = "received over its field; what the core decides is logged, as no service of the function sends it"
 _ERROR = "Update of its field, and ara::diag::Monitor is told kPassed and kFailed, debounced by the core"
@@ -38,7 +42,9 @@ def _of_call(function: str, component: Component, call: Call) -> Iterator[Entry]
     if call.cycle_time is not None:
         yield Entry(function, call.name, "call", "CycleTime", target, _CYCLE)
     for kind in call.supervision_types or ():
-        yield Entry(function, call.name, "call", f"SupervisionType {kind}", "core", _SUPERVISION)
+        is_reported = kind == "Alive" and call.name in checkpoints(component)
+        place, note = ("core and ara::phm::SupervisedEntity", _REPORTED) if is_reported else ("core", _SUPERVISION)
+        yield Entry(function, call.name, "call", f"SupervisionType {kind}", place, note)
 
 
 def _of_field(function: str, component: Component, field: ServiceField, *, is_provided: bool) -> Iterator[Entry]:

@@ -11,6 +11,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     MONITORS,
     PROCESS_DESIGNS,
     STORAGES,
+    SUPERVISIONS,
     TYPE,
     Paths,
 )
@@ -25,6 +26,8 @@ COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
 STORAGE = "PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
 MONITOR = "DIAGNOSTIC-MONITOR-INTERFACE"
 MONITOR_NAME = "ErrorMonitor"
+SUPERVISION = "PHM-SUPERVISED-ENTITY-INTERFACE"
+SUPERVISION_PORT = "Supervision"
 IGNITION_CYCLE = "IgnitionCycle"
 COUNTS = (("Occurrences", "uint16_t"), ("IgnitionCycles", "uint16_t"), ("HasFailed", "bool"), ("IsTested", "bool"))
 """What is stored of each error: keys after its name, and words of their datatypes."""
@@ -36,6 +39,7 @@ def packages(components: Iterable[Component], known: Library, release: Release) 
     return [
         Package(STORAGES, tuple(_storage(item, known) for item in listed_components if stores(item))),
         Package(MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, listed_components)) else ()),
+        Package(SUPERVISIONS, tuple(_supervision(item) for item in listed_components if checkpoints(item))),
         Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
         Package(EXECUTABLES, tuple(_executable(item, known) for item in listed_components)),
         Package(PROCESS_DESIGNS, tuple(_process_design(item, release, known) for item in listed_components)),
@@ -62,6 +66,8 @@ def _component(component: Component, known: Library) -> Tag:
     if stores(component):
         ports.append(_storage_port(component, known))
     ports += (_monitor_port(name, known) for name in reported_errors(component))
+    if checkpoints(component):
+        ports.append(_supervision_port(component, known))
     return tag(
         COMPONENT,
         description(component.description),
@@ -172,6 +178,37 @@ def monitor_port(error: str) -> str:
 def _monitor_port(error: str, known: Library) -> Tag:
     path = known.paths.of(MONITORS, MONITOR_NAME)
     return tag("P-PORT-PROTOTYPE", reference("PROVIDED-INTERFACE-TREF", path, MONITOR), name=monitor_port(error))
+
+
+def checkpoints(component: Component) -> tuple[str, ...]:
+    """Calls whose ends are reported to the health management: those with alive supervision that no mode excludes.
+
+    The health management cannot pause where a mode excludes a call.
+    """
+    modes = component.function_modes or ()
+    return tuple(
+        call.name
+        for call in component.calls
+        if call.watchdog and call.watchdog.alive and all(call.name in (mode.calls or ()) for mode in modes)
+    )
+
+
+def supervision_name(component: Component) -> str:
+    """Name of the interface over which a component reports its checkpoints."""
+    return short_name(f"{component.name}_Supervision")
+
+
+def _supervision(component: Component) -> Tag:
+    reported = (
+        tag("PHM-CHECKPOINT", tag("CHECKPOINT-ID", text=number), name=short_name(call))
+        for number, call in enumerate(checkpoints(component))
+    )
+    return tag(SUPERVISION, listed("CHECKPOINTS", reported), name=supervision_name(component))
+
+
+def _supervision_port(component: Component, known: Library) -> Tag:
+    path = known.paths.of(SUPERVISIONS, supervision_name(component))
+    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, SUPERVISION), name=SUPERVISION_PORT)
 
 
 def stores(component: Component) -> bool:
