@@ -18,6 +18,7 @@ from tests.adapter.autosar_adaptive.bench.probe_service import integration_json
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror")
 ADDRESSES = ("-fsanitize=address",)
 THREADS = ("-fsanitize=thread",)
+UNDEFINED = ("-fsanitize=undefined", "-fno-sanitize-recover=undefined")
 _OWN = Path(__file__).parent
 
 

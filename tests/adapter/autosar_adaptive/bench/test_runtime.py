@@ -1,13 +1,15 @@
 """What ara::core and ara::com promise within one process, and what holds when everything ends in the middle of everything."""
 
 import platform
+import shlex
 import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
 
-from tests.adapter.autosar_adaptive.bench.building import THREADS, programs
+from sigcat.adapter.toolchain import packaged
+from tests.adapter.autosar_adaptive.bench.building import THREADS, UNDEFINED, programs
 from tests.adapter.autosar_adaptive.own_network import PATIENCE, Network, own_network
 from tests.needs import IS_SLOW_RUN, c_compiler, slow
 
@@ -31,9 +33,21 @@ def test_proxies_and_skeletons_may_end_while_their_handlers_run(net: Network, bu
 
 
 @slow
+@pytest.mark.parametrize("sanitizer", [THREADS, UNDEFINED], ids=["threads", "undefined behaviour"])
 @pytest.mark.parametrize("name", ["core", "stress"])
-def test_the_thread_sanitizer_is_quiet(net: Network, name: str) -> None:
-    made = programs(("core", "stress"), THREADS)
+def test_the_other_sanitizers_are_quiet(net: Network, name: str, sanitizer: Sequence[str]) -> None:
+    made = programs(("core", "stress"), sanitizer)
     # Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
     fixed = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
     run(net, [*fixed, made[name], str(ROUNDS)])
+
+
+@slow
+@pytest.mark.skipif(packaged() is None, reason="a second compiler: `pip install ziglang`")
+def test_clang_has_nothing_to_warn_of(net: Network, monkeypatch: pytest.MonkeyPatch) -> None:
+    clang = packaged()
+    assert clang is not None
+    monkeypatch.setenv("CC", shlex.join(clang.c))
+    monkeypatch.setenv("CXX", shlex.join(clang.cpp))
+    made = programs(("core", "sender", "receiver"))
+    run(net, [made["core"]])

@@ -67,7 +67,7 @@ public:
     void SetMethod(std::uint16_t method, F&& call) {
         SetHandler(method, [call = std::forward<F>(call)](Reader& reader, const Reply& reply) {
             std::tuple<Args...> arguments{};
-            std::apply([&reader](Args&... each) { (Codec<Args>::Read(reader, each), ...); }, arguments);
+            std::apply([&](Args&... each) { (Codec<Args>::Read(reader, each), ...); }, arguments);
             if (!reader.IsValid()) {
                 reply.FailMalformed();
                 return;
