@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
-from sigcat.adapter.core.plan import CorePlan, ModeIn, ModeOut, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
 from sigcat.adapter.core.values import struct_name
 from sigcat.errors import InputRefused
@@ -49,6 +49,8 @@ class Entry(NamedTuple):
     shape: Shape
     pointer: Pointer | None
     unit: str = ""
+    is_answer: bool = False
+    """Whether it is what is answered from then on to a method that the function uses: its results, or whether it is good."""
 
 
 class Exit(NamedTuple):
@@ -146,6 +148,26 @@ def _entries(index: int, member: Member) -> Iterator[Entry]:
     if plan.mode_in:
         at, shape = plan.mode_in.named.pointer, _shape_of_mode(plan.mode_in)
         yield Entry(index, plan.mode_in.named.name, names[at].both, plan.mode_in.wire, shape, at)
+    yield from _answers(index, member)
+
+
+def answer_struct(method: Method, plan: CorePlan) -> WireStruct:
+    """The results of a method that a function uses, as its adapter takes them."""
+    fields = (WireField(each.name, each.value.wire.c, each.value.wire.length, "") for each in method.results)
+    return WireStruct(f"{plan.type_name}_{method.named.name}_Results", "", tuple(fields))
+
+
+def _answers(index: int, member: Member) -> Iterator[Entry]:
+    names, structs = names_of(member), structs_of(member)
+    for method in member.plan.methods:
+        if method.is_offered:
+            continue
+        fields = tuple((each.name, shape_of(each.value.wire, structs)) for each in method.results)
+        struct = answer_struct(method, member.plan).name
+        wire = WireType(struct, is_struct=True) if fields else WireType("bool")
+        shape: Shape = Record(fields) if fields else Number("boolean")
+        at, name = method.named.pointer, method.named.name
+        yield Entry(index, name, (names[at].name,), wire, shape, at, is_answer=True)
 
 
 def _exits(index: int, member: Member) -> Iterator[Exit]:

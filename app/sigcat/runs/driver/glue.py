@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, space
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import CLASS, GLOBALS, Call, WireField, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
-from sigcat.runs.connections import Connections, Entry, Exit, Member
+from sigcat.runs.connections import Connections, Entry, Exit, Member, answer_struct
 from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
 from sigcat.runs.kept import Kept
 
@@ -38,6 +38,12 @@ class _Glue(NamedTuple):
         return f"{self.p}_Instance" if self.scope.plan.code.signature == GLOBALS else f"{self.d}_Instance"
 
     @property
+    def answers(self) -> list[WireStruct]:
+        """Results of the methods that it uses."""
+        plan = self.scope.plan
+        return [answer_struct(each, plan) for each in plan.methods if not each.is_offered and each.results]
+
+    @property
     def at(self) -> str:
         return f"&{self.instance}"
 
@@ -62,7 +68,7 @@ def _whole(glue: _Glue, member: Member) -> Lines:
     return spaced([
         lines(f'#include "{member.name}_adapter.h"\n#include "sigcat_driver.h"\n\n#include <string.h>'),
         _data(glue),
-        *_struct_functions(glue.scope.plan.structs),
+        *_struct_functions([*glue.scope.plan.structs, *glue.answers]),
         _restore(glue), _store(glue), _start_up(glue), _start(glue), _receive(glue),
         _next_call(glue), _next_time(glue),
         *(_of_calls(glue, what, "uint64_t t", "t") for what in ("SetInput", "Begin")),
@@ -75,7 +81,14 @@ def _whole(glue: _Glue, member: Member) -> Lines:
 def _data(glue: _Glue) -> Lines:
     own = "" if glue.instance == f"{glue.p}_Instance" else f"static {glue.p} {glue.instance};\n"
     size = f"enum {{ SIGCAT_BYTES = {glue.largest} }};\n"
-    return lines(f"{size}{own}static {glue.p}_Stored {glue.d}_Kept;\nstatic bool {glue.d}_HasKept;")
+    kept = lines(f"{size}{own}static {glue.p}_Stored {glue.d}_Kept;\nstatic bool {glue.d}_HasKept;")
+    answers = (_answer_data(glue, entry) for entry in glue.entries if entry.is_answer)
+    return joined([kept, *answers])
+
+
+def _answer_data(glue: _Glue, entry: Entry) -> Lines:
+    name = f"{glue.d}_{entry.receiver}"
+    return lines(f"static {entry.wire.c} {name}_Answer;\nstatic bool {name}_HasAnswer;")
 
 
 def _function(head: str, body: Iterable[Lines]) -> Lines:
@@ -129,6 +142,11 @@ def _declared(wire: WireType, name: str) -> str:
 def _receive(glue: _Glue) -> Lines:
     cases = []
     for number, entry in enumerate(glue.entries):
+        if entry.is_answer:
+            name = f"{glue.d}_{entry.receiver}"
+            took = joined([_moved(entry.wire, f"{name}_Answer", "take"), lines(f"{name}_HasAnswer = true;")])
+            cases.append((f"{number}U", took))
+            continue
         value = "&value" if entry.wire.is_struct and entry.wire.length is None else "value"
         cases.append((f"{number}U", joined([
             lines(f"{_declared(entry.wire, 'value')};"),
@@ -143,8 +161,17 @@ def _send(glue: _Glue) -> Lines:
     largest = lines("unsigned char bytes[SIGCAT_BYTES];\nunsigned char *at = bytes;")
     parts = [block(f"if ({glue.instance}.publish.{each.field})", [_sent(glue, number, each)])
              for number, each in glue.exits]  # fmt: skip
+    parts += [_answered(glue, entry) for entry in glue.entries if entry.is_answer]
     body = [largest, *parts, lines(f"(void)at;\n(void)bytes;\n{glue.p}_Published({glue.at});")]
     return _function(f"void {glue.d}_Send(void)", body)
+
+
+def _answered(glue: _Glue, entry: Entry) -> Lines:
+    """A request is answered within the same time, as the trace said last."""
+    name, number = f"{glue.d}_{entry.receiver}", f"{glue.instance}.method.{entry.receiver}.number"
+    given = f"true, &{name}_Answer" if entry.wire.is_struct else f"{name}_Answer"
+    answer = lines(f"{glue.p}_Answer_{entry.receiver}({glue.at}, {number}, {given}, {glue.instance}.now);")
+    return block(f"if ({glue.instance}.publish.{entry.receiver} && {name}_HasAnswer)", [answer])
 
 
 def _sent(glue: _Glue, number: int, each: Exit) -> Lines:
