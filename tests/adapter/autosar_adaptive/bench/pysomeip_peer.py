@@ -136,4 +136,5 @@ async def use(address: str) -> None:
     await asyncio.sleep(0.1)
 
 
-asyncio.run({"server": serve, "client": use}[sys.argv[1]](sys.argv[2]))
+if __name__ == "__main__":
+    asyncio.run({"server": serve, "client": use}[sys.argv[1]](sys.argv[2]))

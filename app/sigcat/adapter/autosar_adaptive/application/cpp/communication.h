@@ -4,6 +4,7 @@
 #define APPLICATION_COMMUNICATION_H
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "application/values.h"
@@ -12,19 +13,21 @@
 
 namespace application {
 
-/// Whether end-to-end protection has nothing against a sample. What is not protected is not checked.
-inline bool IsAccepted(ara::com::e2e::ProfileCheckStatus status) {
+/// Whether end-to-end protection has nothing against a sample. What is not protected is not checked. The first whole one
+/// has none before it: of a sender that already runs, the platform calls it out of sequence.
+inline bool IsAccepted(ara::com::e2e::ProfileCheckStatus status, bool is_first) {
     using Status = ara::com::e2e::ProfileCheckStatus;
-    return status != Status::kError && status != Status::kRepeated && status != Status::kWrongSequence;
+    return status != Status::kError && status != Status::kRepeated && (is_first || status != Status::kWrongSequence);
 }
 
 /// Subscribes to an event or a field; each of its values goes to `take`, in a thread of the platform. For one that
 /// end-to-end protection rejects, `reject` is called.
 template <typename Event, typename Take, typename Reject>
 void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take, Reject reject) {
-    const auto set = event.SetReceiveHandler([&event, take, reject] {
-        static_cast<void>(event.GetNewSamples([&take, &reject](const auto& sample) {
-            if (IsAccepted(sample.GetProfileCheckStatus())) {
+    const auto set = event.SetReceiveHandler([&event, take, reject, is_first = std::make_shared<bool>(true)] {
+        static_cast<void>(event.GetNewSamples([&take, &reject, &is_first](const auto& sample) {
+            if (IsAccepted(sample.GetProfileCheckStatus(), *is_first)) {
+                *is_first = false;
                 take(*sample);
             } else {
                 reject();
