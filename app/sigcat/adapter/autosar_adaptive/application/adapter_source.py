@@ -97,9 +97,12 @@ def _start(component: ComponentPlan) -> Lines:
     logger_.LogFatal() << "The initialization of {component.core.function} has failed";
     return false;
 }}
-{core}_Start(&core_, clock_->Now());
 Offer();
 {found}
+{{
+    const std::lock_guard<std::mutex> lock{{core_mutex_}};
+    {core}_Start(&core_, clock_->Now());
+}}
 thread_ = std::thread{{[this] {{ Run(); }}}};{watch}
 return true;
 """.replace("\n\n", "\n")
