@@ -1,8 +1,11 @@
 """End-to-end protection: which events have it, by which profile, and with which data ids."""
 
+import json
+
 import pytest
 
-from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
 
@@ -104,3 +107,28 @@ def test_an_id_that_the_catalogue_has_for_another_event_is_not_given_away():
 def test_the_document_read_back_has_it():
     model = derived({"profile": 4, "maxDeltaCounter": 2}).model
     assert read_integration(to_json(model), "integration.json") == model
+
+
+def test_data_ids_are_kept_by_the_keys_that_fix_them():
+    model = derived({"profile": 4}).model
+    assert identifiers_of(model)[f"{SPEED}:dataId"] == data_ids(derived({"profile": 4}))[0]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ([{"Profile": 5, "DataID": 65536}], "must be from 0 to 65535"),
+        ([{"Profile": 4, "DataID": 7}, {"Profile": 5, "DataID": 7}], "must have different ids, not both 7"),
+        ([{"Profile": 4, "DataID": 2**32}], "4294967295"),
+        ([{"Profile": 8, "DataID": 7}], "4, 5, 6 or 7"),
+    ],
+    ids=["16 bits", "twice", "32 bits", "profile"],
+)
+def test_a_document_with_other_data_ids_or_profiles_is_refused(given, message):
+    document = json.loads(to_json(derived({}).model))
+    events = document["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"]
+    for event, protection in zip(events, given, strict=False):
+        event["E2eProtection"] = {"MaxDeltaCounter": 1, **protection}
+    with pytest.raises(InputRefused) as refused:
+        read_integration(json.dumps(document).encode(), "integration.json")
+    assert any(message in finding.message for finding in refused.value.findings), refused.value.findings

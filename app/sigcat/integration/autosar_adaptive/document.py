@@ -44,11 +44,14 @@ def writable(model: IntegrationModel) -> IntegrationModel:
     return whole
 
 
+_SUFFIXES = {"instance": ":instance", "data id": ":dataId"}
+
+
 def identifiers_of(model: IntegrationModel) -> dict[str, int]:
     """Every id of a model under the key that fixes it in a deployment: whatever is added later, these stay."""
     found: dict[str, int] = {}
     for component in completed(model).components:
         for interface in component.services:
             for (_, kind), owner, value, _ in numbers_of(interface):
-                found[f"{owner}:instance" if kind == "instance" else owner] = value
+                found[f"{owner}{_SUFFIXES.get(kind, '')}"] = value
     return dict(sorted(found.items()))
