@@ -7,7 +7,7 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
-from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, function, signal
 
 SPEED, ANGLE = "VehicleBranchService.Branch_Speed", "VehicleBranchService.Branch_Angle"
 
@@ -132,3 +132,13 @@ def test_a_document_with_other_data_ids_or_profiles_is_refused(given, message):
     with pytest.raises(InputRefused) as refused:
         read_integration(json.dumps(document).encode(), "integration.json")
     assert any(message in finding.message for finding in refused.value.findings), refused.value.findings
+
+
+@pytest.mark.parametrize(
+    ("datatype", "vss", "expected"), [("DT_String", "string", ["A022"]), ("DT_Float32", "float", [])]
+)
+def test_profile_5_wants_a_fixed_length(datatype, vss, expected):
+    one = function(signals=[signal("Demo", VssPath="Vehicle.Branch.Demo", Datatype=datatype, VssDatatype=vss)])
+    everything = {"events": {"VehicleBranchService": {"profile": 5}}}
+    assert rules(derived(everything, one)) == expected
+    assert rules(derived({"events": {"VehicleBranchService": {"profile": 6}}}, one)) == []

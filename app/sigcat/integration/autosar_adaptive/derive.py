@@ -23,7 +23,7 @@ from sigcat.integration.autosar_adaptive.elements import Service, element_paths,
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
-from sigcat.integration.autosar_adaptive.protection import protected, unprotected_errors
+from sigcat.integration.autosar_adaptive.protection import protected, report_open_lengths, report_unset_errors
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
     AutosarAdaptiveSettings,
@@ -78,7 +78,7 @@ def derive(
     all_services = protected(services(sides, context), context)
     report_disagreements(all_services, types, context)
     _report_asil(all_services, context)
-    unprotected_errors(all_services, context)
+    report_unset_errors(all_services, context)
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
@@ -91,6 +91,7 @@ def derive(
         or None,
         functions=tuple(each.function for each in app.functions),
     )
+    report_open_lengths(integration, context)
     report_unused(sides, all_services, context)
     report_units(units_of(integration), context)
     targets = field_targets(context, sides, all_services)

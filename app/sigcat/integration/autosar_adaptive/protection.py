@@ -1,6 +1,6 @@
 """Which events are protected end to end, each with a data id of its own."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat import codes
 from sigcat.asil import is_above, level_of
@@ -11,9 +11,13 @@ from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSetti
 from sigcat.integration.autosar_adaptive.elements import Element, Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_IDS
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.autosar_adaptive.numbering import Names, numbers
 from sigcat.integration.finding_collector import Subject
 
+TEXT = "string"
+WITHOUT_LENGTH = 5
+"""The profile whose header has no length."""
 DATA_ID = ":dataId"
 """What stands after `Service.Event` in the keys of data ids."""
 
@@ -33,12 +37,41 @@ def protected(services: Sequence[Service], context: Context) -> tuple[Service, .
     )
 
 
-def unprotected_errors(services: Sequence[Service], context: Context) -> None:
+def report_unset_errors(services: Sequence[Service], context: Context) -> None:
     """Report errors of end-to-end protection that nothing sets."""
     for service in services:
         for element in service.elements:
             for side in element.sides if element.name not in service.protections else ():
                 _report_never_set(side, f"{service.name}.{element.name}", context)
+
+
+def report_open_lengths(model: IntegrationModel, context: Context) -> None:
+    """Report events of open length whose profile sends no length."""
+    types = {entry.name: entry for entry in model.datatypes or ()}
+    found = {
+        f"{interface.name}.{event.name}": event
+        for component in model.components
+        for interface in component.services
+        for part in interface.services
+        for event in part.events
+    }
+    for key, event in found.items():
+        if event.protection and event.protection.profile == WITHOUT_LENGTH and _is_open(event.datatype, types):
+            message = f"{key} must have a fixed length to be protected by profile {WITHOUT_LENGTH}, which sends none."
+            context.findings.report(codes.E2E_LENGTH_OPEN, message, key, "Use profile 4, 6 or 7 for it.")
+
+
+def _is_open(word: str, types: Mapping[str, TypeEntry]) -> bool:
+    """Whether values of a datatype, or of anything in it, vary in length."""
+    waiting, seen = [word], {word}
+    while waiting:
+        entry = types.get(name := waiting.pop())
+        if name == TEXT or (entry and entry.is_open):
+            return True
+        inner = [entry.element, entry.c_definition, *(field.type for field in entry.fields or ())] if entry else []
+        waiting += [each for each in inner if each and each not in seen]
+        seen.update(waiting)
+    return False
 
 
 def _report_never_set(side: Placed, key: str, context: Context) -> None:
