@@ -2,8 +2,10 @@
 
 import hashlib
 import os
+import shutil
 import subprocess
 import tempfile
+import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +21,8 @@ WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werr
 ADDRESSES = ("-fsanitize=address",)
 THREADS = ("-fsanitize=thread",)
 UNDEFINED = ("-fsanitize=undefined", "-fno-sanitize-recover=undefined")
+DAY = 24 * 3600
+"""Seconds after which what was built and not used again is removed."""
 _OWN = Path(__file__).parent
 
 
@@ -65,8 +69,12 @@ def _kept(generated: Iterable[GeneratedFile], flags: Sequence[str]) -> Path:
         digest.update(file.name.encode() + file.data)
     for source in sorted(_OWN.glob("*.cpp")):
         digest.update(source.read_bytes())
-    folder = Path(tempfile.gettempdir()) / f"sigcat-bench-{os.getuid()}-{digest.hexdigest()[:16]}"
+    name = f"sigcat-bench-{os.getuid()}"
+    folder = Path(tempfile.gettempdir()) / f"{name}-{digest.hexdigest()[:16]}"
     folder.mkdir(exist_ok=True)
+    for lock in folder.parent.glob(f"{name}-*/lock"):
+        if time.time() - lock.stat().st_mtime > DAY:
+            shutil.rmtree(lock.parent, ignore_errors=True)
     return folder
 
 
