@@ -24,7 +24,14 @@ def shadowed(plan: CorePlan, part: Lines) -> frozenset[str]:
 def renamed(part: Lines, names: Iterable[str]) -> Lines:
     """Lines in which these names are the code's where they are marked, and others where they are not."""
     taken = re.compile(rf"(?<![\w.>{MARK}])({'|'.join(sorted(names))})\b")
-    return tuple(line._replace(text=taken.sub(r"\1_", line.text).replace(MARK, "")) for line in part)
+    return tuple(line._replace(text=_renamed(line.text, taken)) for line in part)
+
+
+def _renamed(text: str, taken: re.Pattern[str]) -> str:
+    """Comments keep their words."""
+    code, mark, comment = text.partition("/* ")
+    own = taken.sub(r"\1_", code)
+    return f"{own}{mark}{comment}".replace(MARK, "")
 
 
 def _locals(part: Lines) -> Iterator[str]:
