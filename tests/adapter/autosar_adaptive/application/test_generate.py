@@ -70,6 +70,11 @@ def test_only_a_signal_that_triggers_a_call_wakes_it():
     assert connects.count("clock_->Wake();") == 1
 
 
+def test_what_another_call_of_the_function_takes_does_not_go_over_the_network():
+    adapter = full()["FullExecutable/full_adapter.cpp"]
+    assert "Full_Adapter_Receive_AccBack(&core_, out.Acc, clock_->Now());" in adapter
+
+
 def test_only_a_call_that_no_mode_excludes_reports_to_the_health_management():
     assert "supervision_.ReportCheckpoint(Checkpoint::kFull_Step);" in full()["FullExecutable/full_adapter.cpp"]
     assert "PHM-SUPERVISED-ENTITY-INTERFACE" in full()["arxml/components.arxml"]

@@ -20,10 +20,12 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Provided,
     Receiver,
     Required,
+    SentEvent,
 )
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.core.plan import Port
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
@@ -170,7 +172,7 @@ def _initial(place: str, number: int | None) -> str:
 def _publish(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     monitors = {each.error.named.name: each for each in component.monitors}
-    sent = [part for service in component.provided for part in _sent(service, monitors)]
+    sent = [part for service in component.provided for part in _sent(service, core, monitors)]
     reactions = [_logged(each.named.name, each.active) for each in component.core.reactions]
     asked = [
         block(f"if (publish.{each.method.named.name})", [lines(f"Request{each.member}();")])
@@ -193,21 +195,30 @@ def _publish(component: ComponentPlan) -> Lines:
     ])  # fmt: skip
 
 
-def _sent(service: Provided, monitors: Mapping[str, Monitor]) -> list[Lines]:
-    found = []
-    for event in service.events:
-        target = f"{service.variable}.{event.member}"
-        send = lines(f"application::Send(logger_, {target}, out.{event.place});")
-        if event.is_queue:
-            values = f"out.{event.place}"
-            each = lines(f"application::Send(logger_, {target}, {values}.values[i]);")
-            send = block(f"for (std::uint32_t i = 0; i < {values}.count; ++i)", [each])
-        found.append(block(f"if (publish.{event.place})", [commented(event.comment), send]))
+def _sent(service: Provided, core: str, monitors: Mapping[str, Monitor]) -> list[Lines]:
+    found = [_sent_event(event, service, core) for event in service.events]
     for field in service.fields:
         update = f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, out.{field.place});"
         told = _told(monitors[field.place]) if field.error else ()
         found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update), told]))
     return found
+
+
+def _sent_event(event: SentEvent, service: Provided, core: str) -> Lines:
+    value = f"out.{event.place}.values[i]" if event.is_queue else f"out.{event.place}"
+    send = lines(f"application::Send(logger_, {service.variable}.{event.member}, {value});")
+    one = joined([send, *(_taken_back(port, value, core) for port in event.own_ports)])
+    if event.is_queue:
+        one = block(f"for (std::uint32_t i = 0; i < out.{event.place}.count; ++i)", [one])
+    return block(f"if (publish.{event.place})", [commented(event.comment), one])
+
+
+def _taken_back(port: Port, value: str, core: str) -> Lines:
+    """Another call of the function takes what this one sends: no message is needed for that."""
+    argument = f"&{value}" if port.wire.is_struct and port.wire.length is None else value
+    take = lines(f"{core}_Receive_{port.name}(&core_, {argument}, clock_->Now());")
+    wake = lines("clock_->Wake();") if port.triggers else ()
+    return joined([braces([lines("const std::lock_guard<std::mutex> lock{core_mutex_};"), take]), wake])
 
 
 def _told(monitor: Monitor) -> Lines:

@@ -144,7 +144,8 @@ def _sent_events(interface: ServiceInterface, context: ComponentContext) -> Iter
         for event in services.events:
             for output in _distinct(event, context, context.outputs.get):
                 named = output.named
-                yield SentEvent(member_name(event.name), named.name, output.queue is not None, named.comment)
+                own = tuple(_distinct(event, context, context.ports.get))
+                yield SentEvent(member_name(event.name), named.name, output.queue is not None, named.comment, own)
 
 
 def _distinct(event: Event, context: ComponentContext, of: Callable[[Pointer], T | None]) -> list[T]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
-from sigcat.adapter.core.plan import CorePlan, Error, Method, WireStruct, WireType
+from sigcat.adapter.core.plan import CorePlan, Error, Method, Port, WireStruct, WireType
 
 
 class Receiver(NamedTuple):
@@ -32,6 +32,8 @@ class SentEvent(NamedTuple):
     """Of the core, in `out` and `publish`."""
     is_queue: bool
     comment: str
+    own_ports: tuple[Port, ...] = ()
+    """Where another call of the function takes it."""
 
 
 class SentField(NamedTuple):

@@ -8,7 +8,7 @@
 typedef struct { double Lat; float Lon; uint8_t Kind; int16_t vals[3]; } Point;
 typedef struct {
     float speed; double q[4]; uint32_t n; uint8_t gear; int8_t arr[5]; Point p; bool en; uint64_t big; int32_t rst;
-    float imm; uint8_t mode; uint8_t errst; uint8_t react; double lone;
+    float imm; uint8_t mode; uint8_t errst; uint8_t react; double lone; float back;
 } In;
 typedef struct {
     float acc; uint16_t scaled; uint8_t gear; float many[4]; uint8_t nmany; uint8_t err; uint8_t mode; Point p; int64_t i64;
