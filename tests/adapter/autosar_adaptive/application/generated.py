@@ -14,6 +14,8 @@ from tests.integration.autosar_adaptive.sets import derive
 ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
 FULL = Path(__file__).parent / "full"
 """A function that uses everything that a declaration can say."""
+SMALL = Path(__file__).parent / "small"
+"""Functions that leave out almost everything, or have names that are easily taken."""
 
 
 def integration(*functions):
@@ -30,8 +32,18 @@ def ecocontrol():
 @cache
 def full():
     """The files of the function that uses everything, with the bench, by name."""
-    function, _ = build_function((FULL / "function.yaml").read_bytes(), "function.yaml", interfaces())
-    return files(integration(function), bench=True)
+    return files(integration(_built(FULL / "function.yaml")), bench=True)
+
+
+@cache
+def small():
+    """The files of all small functions, with the bench, by name."""
+    return files(integration(*map(_built, sorted(SMALL.glob("*.yaml")))), bench=True)
+
+
+def _built(path):
+    function, _ = build_function(path.read_bytes(), path.name, interfaces())
+    return function
 
 
 def files(document, *, bench=False):

@@ -15,7 +15,16 @@ from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
-from tests.adapter.autosar_adaptive.application.generated import ECOCONTROL, FULL, ecocontrol, files, full, write
+from tests.adapter.autosar_adaptive.application.generated import (
+    ECOCONTROL,
+    FULL,
+    SMALL,
+    ecocontrol,
+    files,
+    full,
+    small,
+    write,
+)
 from tests.needs import CPP_COMPILERS, IS_SLOW_RUN, slow
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror")
@@ -121,14 +130,32 @@ def test_three_executables_with_162_events_take_less_than_two_seconds(tmp_path):
 # -- compilers ----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
+each_compiler = pytest.mark.parametrize(
     "compiler", [pytest.param(each, marks=slow if at else (), id=each[-1]) for at, each in enumerate(CPP_COMPILERS)]
 )
+
+
+def compiled(compiler, source, folder, *options):
+    """Compile a source strictly, below a folder of generated files."""
+    kind = ("-c", "-o", "compiled.o") if IS_SLOW_RUN else ("-fsyntax-only",)
+    includes = ("-I.", "-Igenerated/include", "-Ibench/include")
+    command = [*compiler, "-std=c++17", *STRICT, *includes, *options, *kind, source]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+@each_compiler
 def test_no_compiler_warns_of_an_adapter_with_everything(compiler, tmp_path):
     write(full(), tmp_path)
-    kind = ("-c", "-o", "compiled.o") if IS_SLOW_RUN else ("-fsyntax-only",)
-    includes = ("-I.", "-Igenerated/include", "-Ibench/include", f"-I{FULL}")
     for source in ("FullExecutable/full_adapter.cpp", "FullExecutable/main.cpp", "player/ports.cpp"):
-        command = [*compiler, "-std=c++17", *STRICT, *includes, *kind, source]
-        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
+        compiled(compiler, source, tmp_path, f"-I{FULL}")
+
+
+@each_compiler
+def test_no_compiler_warns_of_adapters_with_little_and_of_names_that_are_easily_taken(compiler, tmp_path):
+    write(small(), tmp_path)
+    adapters = [name for name in small() if name.endswith("_adapter.cpp")]
+    assert len(adapters) == len(list(SMALL.glob("*.yaml")))
+    skeletons = [name for name in small() if name.endswith("_skeleton.cpp")]
+    included = [option for name in (*adapters, *skeletons) for option in ("-include", name)]
+    compiled(compiler, "player/ports.cpp", tmp_path, f"-I{SMALL}", *included)

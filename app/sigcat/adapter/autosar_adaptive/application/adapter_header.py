@@ -104,7 +104,12 @@ def output_type(service: Provided, method: CalledMethod) -> str:
 
 def method_parameters(method: CalledMethod) -> str:
     """Parameters of a method, in C++."""
-    return ", ".join(f"const {cpp_type(type_)}& {name}" for name, type_ in method.arguments)
+    return ", ".join(f"const {cpp_type(type_)}& {parameter_name(name)}" for name, type_ in method.arguments)
+
+
+def parameter_name(argument: str) -> str:
+    """What an argument is called in a function: like no local variable and no member, whatever its name is."""
+    return f"argument_{argument}"
 
 
 def _class(component: ComponentPlan) -> Lines:
@@ -157,7 +162,7 @@ def _functions(component: ComponentPlan) -> Lines:
     )  # fmt: skip
     connects = "".join(f"void Connect(::{service.names.proxy}& service);\n" for service in component.required)
     answers = "".join(
-        f"{output_type(service, each)} {each.member}({method_parameters(each)});\n"
+        f"{output_type(service, each)} Answer{each.member}({method_parameters(each)});\n"
         for service in component.provided for each in service.methods
     )  # fmt: skip
     return lines(

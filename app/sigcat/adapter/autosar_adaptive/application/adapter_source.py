@@ -27,6 +27,8 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, li
 from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import Port
 
+_LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"
+
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
     """The whole source."""
@@ -179,18 +181,19 @@ def _publish(component: ComponentPlan) -> Lines:
         for service in component.required for each in service.methods
     ]  # fmt: skip
     uses_out = bool(sent or reactions)
-    taken = braces([
-        lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
-        lines("out = core_.out;") if uses_out else (),
-        lines(f"publish = core_.publish;\n{core}_Published(&core_);"),
-    ])  # fmt: skip
+    told = lines(f"{core}_Published(&core_);")
     if not (uses_out or asked):
-        return block(f"void {component.type}::Publish()", [taken[1:-1]])
+        return block(f"void {component.type}::Publish()", [lines(_LOCK), told])
     return block(f"void {component.type}::Publish()", [
         lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};"),
         lines("decltype(core_.out) out{};") if uses_out else (),
         lines("decltype(core_.publish) publish{};"),
-        taken,
+        braces([
+            lines(_LOCK),
+            lines("out = core_.out;") if uses_out else (),
+            lines("publish = core_.publish;"),
+            told,
+        ]),
         *sent, *reactions, *asked,
     ])  # fmt: skip
 
@@ -218,7 +221,7 @@ def _taken_back(port: Port, value: str, core: str) -> Lines:
     argument = f"&{value}" if port.wire.is_struct and port.wire.length is None else value
     take = lines(f"{core}_Receive_{port.name}(&core_, {argument}, clock_->Now());")
     wake = lines("clock_->Wake();") if port.triggers else ()
-    return joined([braces([lines("const std::lock_guard<std::mutex> lock{core_mutex_};"), take]), wake])
+    return joined([braces([lines(_LOCK), take]), wake])
 
 
 def _told(monitor: Monitor) -> Lines:
@@ -266,7 +269,7 @@ def _rejected(receiver: Receiver, core: str) -> Lines:
     return joined([
         lines("},"),
         block("[this]", [
-            lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
+            lines(_LOCK),
             lines(f"{core}_Reject_{receiver.function}(&core_, clock_->Now());"),
         ], "});"),
     ])  # fmt: skip
@@ -284,6 +287,6 @@ def _taken(receiver: Receiver, core: str, *, wakes: bool) -> Lines:
         argument = f"static_cast<{wire.c}>(value)"
     take = lines(f"{core}_Receive_{receiver.function}(&core_, {argument}, clock_->Now());")
     if not wakes:
-        return joined([declared, lines("const std::lock_guard<std::mutex> lock{core_mutex_};"), take])
-    lock = lines("const std::lock_guard<std::mutex> lock{core_mutex_};")
+        return joined([declared, lines(_LOCK), take])
+    lock = lines(_LOCK)
     return joined([declared, braces([lock, take]), lines("clock_->Wake();")])

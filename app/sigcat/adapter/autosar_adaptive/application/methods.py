@@ -1,6 +1,6 @@
 """Methods that the function uses or offers."""
 
-from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type
+from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type, parameter_name
 from sigcat.adapter.autosar_adaptive.application.names import braces, cpp_type
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
@@ -21,11 +21,12 @@ def method_functions(component: ComponentPlan) -> list[Lines]:
 def _request(method: CalledMethod, service: Required, component: ComponentPlan) -> Lines:
     core, name = component.core.type_name, method.method.named.name
     pending = f"pending_{method.member}_"
+    locals_ = [parameter_name(argument) for argument, _ in method.arguments]
     converted = [
-        lines(f"{cpp_type(type_)} {argument}{{}};\napplication::Assign(asked.arguments.{core_side.name}, {argument});")
-        for (argument, type_), core_side in zip(method.arguments, method.method.arguments, strict=True)
+        lines(f"{cpp_type(type_)} {local}{{}};\napplication::Assign(asked.arguments.{core_side.name}, {local});")
+        for local, (_, type_), core_side in zip(locals_, method.arguments, method.method.arguments, strict=True)
     ]
-    arguments = ", ".join(argument for argument, _ in method.arguments)
+    arguments = ", ".join(locals_)
     results = ", &results" if method.results else ""
     declared = f"const {core}_{name}_Results results{{}};\n" if method.results else ""
     return block(f"void {component.type}::Request{method.member}()", [
@@ -70,11 +71,12 @@ def offered_functions(service: Provided, component: ComponentPlan) -> list[Lines
                  f"    : {service.names.skeleton_class}{{ara::core::InstanceSpecifier{{{string(service.port)}}}}}, adapter_(adapter) {{}}")  # fmt: skip
     found = [made]
     for each in service.methods:
-        head = f"{output_type(service, each)} {{}}::{each.member}({method_parameters(each)})"
-        names = ", ".join(name for name, _ in each.arguments)
-        forwarded = lines(f"return adapter_.{each.member}({names});")
-        found.append(block(head.format(service.type), [forwarded]))
-        found.append(block(head.format(component.type), [_answered(each, service, component)]))
+        head = f"{output_type(service, each)} {{}}({method_parameters(each)})"
+        names = ", ".join(parameter_name(name) for name, _ in each.arguments)
+        forwarded = lines(f"return adapter_.Answer{each.member}({names});")
+        found.append(block(head.format(f"{service.type}::{each.member}"), [forwarded]))
+        answer = f"{component.type}::Answer{each.member}"
+        found.append(block(head.format(answer), [_answered(each, service, component)]))
     return found
 
 
@@ -85,7 +87,7 @@ def _answered(method: CalledMethod, service: Provided, component: ComponentPlan)
         part for part, is_there in ((", &arguments", method.arguments), (", &results", method.results)) if is_there
     )
     given = [
-        lines(f"application::Assign({argument}, arguments.{core_side.name});")
+        lines(f"application::Assign({parameter_name(argument)}, arguments.{core_side.name});")
         for (argument, _), core_side in zip(method.arguments, method.method.arguments, strict=True)
     ]
     results = [

@@ -143,7 +143,7 @@ def _answering(port: _Port) -> Lines:
     methods = []
     for each in port.methods:
         output = f"{each.member}Output" if each.has_results else "void"
-        arguments = ", ".join(f"const {cpp_type(type_)}& /* {index} */" for index, type_ in enumerate(each.arguments))
+        arguments = ", ".join(f"const {cpp_type(type_)}&" for type_ in each.arguments)
         methods.append(block(f"ara::core::Future<{output}> {each.member}({arguments}) override", [
             lines(f"ara::core::Promise<{output}> promise;"),
             lines(f"promise.set_value({output}{{}});" if each.has_results else "promise.set_value();"),
@@ -169,11 +169,12 @@ def _services(offered: Iterable[_Port], used: Iterable[_Port]) -> Lines:
 def _connecting(used: Iterable[_Port]) -> Iterator[Lines]:
     ports = list(used)
     initial = [
-        [f"{port.variable}{{{string(port.path)}, logger, [this, &recorder](auto& service) {{",
+        [f"{port.variable}{{{string(port.path)}, logger, {_subscribing(port)} {{",
          *(f"    {line.text}" for each in port.elements for line in _received(each)), "}}"]
         for port in ports
     ]  # fmt: skip
-    rows = ["explicit Services(Recorder& recorder)"]
+    recorder = "recorder" if any(port.elements for port in ports) else "/* recorder */"
+    rows = [f"explicit Services(Recorder& {recorder})"]
     for number, part in enumerate(initial):
         before = "    : " if number == 0 else "      "
         after = "," if number < len(initial) - 1 else " {}"
@@ -181,6 +182,11 @@ def _connecting(used: Iterable[_Port]) -> Iterator[Lines]:
     if not ports:
         rows = ["explicit Services(Recorder& /* recorder */) {}"]
     yield tuple(Line(text) for text in rows)
+
+
+def _subscribing(port: _Port) -> str:
+    """What a lambda has to know to subscribe to the elements of a service, if it has any."""
+    return "[this, &recorder](auto& service)" if port.elements else "[](auto& /* service */)"
 
 
 def _received(each: _Element) -> Lines:

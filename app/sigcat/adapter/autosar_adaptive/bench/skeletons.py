@@ -130,5 +130,5 @@ def _set_method(method: Method, service: Service) -> list[str]:
     result = service.result(method)
     return [
         f"    connection_->SetMethod<{', '.join([result, *kinds])}>(",
-        f"        {number}, [this]({arguments(method, service)}) {{ return {name}({passed}); }});",
+        f"        {number}, [this]({arguments(method, service)}) {{ return this->{name}({passed}); }});",
     ]
