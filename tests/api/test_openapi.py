@@ -85,6 +85,7 @@ IN_THE_ROUND_TRIP = (
     "integrate_functions",
     "integrate_functions_archive",
     "generate_arxml",
+    "generate_autosar_adaptive",
 )
 """They need a token, or what another operation answers: tests/clients has them."""
 UNFIT = ("export_avro", "export_vhal")

@@ -10,7 +10,7 @@ from sigcat_client.api.catalogues import get_node, get_tree, list_catalogues, li
 from sigcat_client.api.changes import diff_catalogues, try_overlay
 from sigcat_client.api.exports import export_csv, export_json, export_ros2interface, export_yaml
 from sigcat_client.api.functions import build_function_json, validate_function
-from sigcat_client.api.integration import generate_arxml, integrate_functions
+from sigcat_client.api.integration import generate_arxml, generate_autosar_adaptive, integrate_functions
 from sigcat_client.api.lint import lint
 from sigcat_client.models import (
     CatalogueList,
@@ -108,6 +108,8 @@ def build(client: Client, catalogue: str, declaration: Path) -> None:
     assert integrated.status_code == 200, integrated.content
     arxml = generate_arxml.sync_detailed(client=client, body=file(integrated.content))
     assert arxml.content.startswith(b"PK"), arxml.content
+    application = generate_autosar_adaptive.sync_detailed(client=client, body=file(integrated.content), bench=True)
+    assert application.content.startswith(b"PK"), application.content
 
 
 if __name__ == "__main__":

@@ -50,3 +50,5 @@ assert(answered(await sigcat.validateFunction({ body: file(JSON.stringify(built)
 const integrated = answered(await sigcat.integrateFunctions({ path: { platform: 'autosar-adaptive' }, body: text }));
 const arxml = answered(await sigcat.generateArxml({ body: file(JSON.stringify(integrated)) }));
 assert.equal((await arxml.text()).slice(0, 2), 'PK');
+const application = answered(await sigcat.generateAutosarAdaptive({ body: file(JSON.stringify(integrated)), query: { bench: true } }));
+assert.equal((await application.text()).slice(0, 2), 'PK');

@@ -1,7 +1,7 @@
 """Routes that take functions to Integration JSON, and to the files of a platform."""
 
 import json
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
@@ -19,7 +19,7 @@ from sigcat.findings import Finding
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
 from sigcat.limits import NAME_CHARACTERS, Limits
-from sigcat.names import camel_case
+from sigcat.names import camel_case, snake_case
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
@@ -81,12 +81,8 @@ async def integrate_functions_archive(
     return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, is_whole=True)
 
 
-def _add_generator(platform: Platform, generator: Generator) -> None:
-    """The route of a generator: each has an address of its own."""
-
-    releases = enumeration(
-        f"{camel_case(generator.name)}Release", generator.releases, f"A release of {platform.title}."
-    )
+def _add_generator(platform: Platform, generator: Generator, releases: Any) -> None:
+    """The route of a generator: each has an address of its own. `releases` is the type of the platform's releases."""
 
     async def generate_files(
         text: PostedText,
@@ -110,7 +106,7 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
 
     router.post(
         f"/generate/{generator.name}",
-        name=f"generate_{generator.name}",
+        name=f"generate_{snake_case(generator.name)}",
         description=f"Generate the {generator.title} of {generator.target}.",
         response_class=Response,
         responses={
@@ -121,9 +117,15 @@ def _add_generator(platform: Platform, generator: Generator) -> None:
     )(generate_files)
 
 
+def _add_generators(platform: Platform) -> None:
+    names = {name: None for generator in platform.generators for name in generator.releases}
+    releases = enumeration(f"{camel_case(platform.name)}Release", names, f"A release of {platform.title}.")
+    for generator in platform.generators:
+        _add_generator(platform, generator, releases)
+
+
 for each in PLATFORMS.values():
-    for one in each.generators:
-        _add_generator(each, one)
+    _add_generators(each)
 
 
 @router.post(
