@@ -90,7 +90,7 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
         queue: TheWorkQueue,
         name: FileName = f"{platform.name}.json",
         release: Annotated[
-            releases | None,  # type: ignore[valid-type]
+            releases | None,
             Query(description="Release of the platform; that of the Integration JSON if absent."),
         ] = None,
         bench: Annotated[
