@@ -8,10 +8,10 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from bench import browser, core, lint, rows, service
+from bench import browser, core, lint, rows, service, transport
 from bench.rows import Bench, Missing, Row
 
-ROWS = {**rows.ROWS, **lint.ROWS, **core.ROWS, **browser.ROWS}
+ROWS = {**rows.ROWS, **lint.ROWS, **core.ROWS, **transport.ROWS, **browser.ROWS}
 SERVICE = {"service"}
 """All rows of the service are measured together: they share two server processes."""
 

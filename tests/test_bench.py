@@ -1,14 +1,18 @@
 """What `make bench` starts can be started; its figures are for people, and no test."""
 
 import gc
+import subprocess
 import tracemalloc
 from pathlib import Path
 
 import pytest
 
-from bench import __main__, browser, servers, trees
+from bench import __main__, browser, measuring, servers, transport, trees
+from scripts import run_autosar
+from sigcat.adapter.toolchain import toolchain
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
+from tests.needs import CPP_COMPILERS, own_network
 
 
 @pytest.mark.parametrize("script", [browser._SERVE, servers.SERVICE, servers.FLOOR], ids=["site", "api", "floor"])
@@ -37,3 +41,40 @@ def test_a_catalogue_takes_no_more_than_six_times_its_json(tmp_path: Path) -> No
         tracemalloc.stop()
     assert len(catalogue.nodes) > 1_500
     assert held < 6 * size
+
+
+@pytest.mark.parametrize("missing", ["cmake", "c++", "ip"])
+def test_events_are_left_out_with_a_line_where_they_cannot_be_measured(missing: str, monkeypatch, capsys) -> None:
+    monkeypatch.delenv("CXX", raising=False)
+    monkeypatch.setattr(transport, "which", lambda name: None if name == missing else name)
+    assert not [line for line in __main__._table(["event"], 1) if "an event" in line]
+    assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+cpp_compiler = pytest.mark.skipif(not CPP_COMPILERS, reason="a C++ compiler: install g++")
+
+
+@cpp_compiler
+def test_the_programs_of_events_fit_what_is_generated(tmp_path: Path) -> None:
+    run_autosar.generate_into(tmp_path)
+    folders = (
+        tmp_path / "generated/include",
+        tmp_path / "bench/include",
+        tmp_path,
+        measuring.ROOT / "examples/core_acc",
+    )
+    flags = ("-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", *(f"-I{folder}" for folder in folders))
+    sources = sorted(map(str, transport.PROGRAMS.glob("event_*.cpp")))
+    done = subprocess.run([*toolchain().cpp, *flags, *sources], check=False, capture_output=True, text=True)
+    assert (len(sources), done.stderr) == (2, "")
+
+
+@cpp_compiler
+@own_network
+def test_each_datagram_of_the_reference_is_received_after_it_was_sent(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(transport, "EVENTS", 20)
+    for name in ("datagram_sender", "datagram_receiver"):
+        source = str(transport.PROGRAMS / f"{name}.cpp")
+        subprocess.run([*toolchain().cpp, "-std=c++17", source, "-pthread", "-o", str(tmp_path / name)], check=True)
+    sent, received = transport._times(run_autosar.own_network() or (), tmp_path, "datagram", ("received",))
+    assert all(begin < end for begin, end in zip(sent, received, strict=True))
