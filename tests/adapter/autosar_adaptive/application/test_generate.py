@@ -91,6 +91,29 @@ def test_only_a_call_that_no_mode_excludes_reports_to_the_health_management():
     assert "PHM-SUPERVISED-ENTITY-INTERFACE" not in ecocontrol()["arxml/components.arxml"]
 
 
+def body(adapter, function):
+    """The statements of a function."""
+    return adapter.partition(f"::{function}(")[2].partition("\n}\n")[0]
+
+
+def test_no_method_runs_while_the_function_ends():
+    stop = body(full()["FullExecutable/full_adapter.cpp"], "Stop")
+    steps = [
+        "thread_.join();",
+        "fullService_.StopOfferService();",
+        "call{call_mutex_};",
+        "Full_Adapter_Terminate(",
+        "Publish();",
+    ]
+    assert steps == sorted(steps, key=stop.index)
+
+
+def test_a_service_without_methods_tells_what_comes_of_the_end():
+    stop = body(ecocontrol()["CoreAccExecutable/core_acc_adapter.cpp"], "Stop")
+    steps = ["CoreAcc_Adapter_Terminate(", "Publish();", "coreAccService_.StopOfferService();"]
+    assert steps == sorted(steps, key=stop.index)
+
+
 def test_a_document_without_its_functions_is_refused():
     document = json.loads(ECOCONTROL.read_bytes())
     del document["SourceFunctionList"]

@@ -1,6 +1,6 @@
 """The source of a component's adapter."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
 from sigcat.adapter.autosar_adaptive.application.calls import call_functions
@@ -115,8 +115,11 @@ return true;
 
 
 def _stop(component: ComponentPlan) -> Lines:
+    """No method may run while the function ends; services that have none tell what comes of its end before they go."""
     core = component.core.type_name
-    offered = "\n".join(f"{each.variable}.StopOfferService();" for each in component.provided)
+    answering = _withdrawn(each for each in component.provided if each.methods)
+    others = _withdrawn(each for each in component.provided if not each.methods)
+    call = "const std::lock_guard<std::mutex> call{call_mutex_};" if has_offered(component) else ""
     left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
     monitors = "\n".join(f"{monitor_name(each.error)}.StopOffer();" for each in component.monitors)
     watch = """
@@ -133,16 +136,22 @@ clock_->Stop();
 thread_.join();
 {watch}
 {left}
+{answering}
 {{
+    {call}
     const std::lock_guard<std::mutex> lock{{core_mutex_}};
     {core}_Terminate(&core_, clock_->Now());
 }}
 Publish();
-{offered}
+{others}
 {monitors}
 {stored}
 """
     return block(f"void {component.type}::Stop()", [lines("\n".join(row for row in body.split("\n") if row.strip()))])
+
+
+def _withdrawn(services: Iterable[Provided]) -> str:
+    return "\n".join(f"{each.variable}.StopOfferService();" for each in services)
 
 
 def _offer(component: ComponentPlan) -> Lines:
