@@ -8,6 +8,7 @@ from time import process_time
 import pytest
 
 from bench import integration as large_set
+from scripts.run_autosar import CODE
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused
@@ -25,7 +26,7 @@ from tests.adapter.autosar_adaptive.application.generated import (
     small,
     write,
 )
-from tests.needs import CPP_COMPILERS, IS_SLOW_RUN, slow
+from tests.needs import CPP_COMPILERS, IS_SLOW_RUN, cmake, slow
 
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror")
 
@@ -56,7 +57,34 @@ def test_beside_it_are_the_arxml_and_the_cores():
 def test_what_runs_it_without_a_platform_is_there_on_request_only():
     plain = files(ECOCONTROL.read_bytes())
     assert {"bench", "generated", "player"} & {name.partition("/")[0] for name in plain} == set()
-    assert plain == {name: text for name, text in ecocontrol().items() if name in plain}
+    same = plain.keys() - {"CMakeLists.txt"}
+    assert {name: plain[name] for name in same} == {name: ecocontrol()[name] for name in same}
+
+
+PLATFORM = "-DPLATFORM_TARGETS=vendor"
+"""Targets of a platform; CMake does not ask for them before it links."""
+
+
+@cmake
+@pytest.mark.parametrize(
+    ("is_plain", "settings", "uses_bench"),
+    [(False, (), True), (False, (PLATFORM,), False), (False, ("-DBENCH=OFF",), False), (True, (PLATFORM,), False), (True, (), False)],
+    ids=["bench", "bench and a platform", "bench switched off", "plain over a bench, with a platform", "plain over a bench"],
+)  # fmt: skip
+def test_a_platform_that_is_given_is_the_one_that_is_used(is_plain, settings, uses_bench, tmp_path):
+    write(ecocontrol(), tmp_path)
+    if is_plain:
+        write(files(ECOCONTROL.read_bytes()), tmp_path)
+    quick = (
+        "-DCMAKE_C_COMPILER_WORKS=1",
+        "-DCMAKE_CXX_COMPILER_WORKS=1",
+        *(f"-D{name}={path}" for name, path in CODE.items()),
+    )
+    done = subprocess.run(
+        ["cmake", "-S", tmp_path, "-B", tmp_path / "build", *quick, *settings], capture_output=True, text=True, check=False
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "build/bench").exists() == uses_bench
 
 
 def test_an_adapter_uses_names_of_ara_and_of_the_standard_library_alone():

@@ -1,5 +1,7 @@
 """CMake files of the applications."""
 
+from textwrap import indent
+
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
 from sigcat.adapter.core.plan import CLASS
 from sigcat.names import screaming_snake_case
@@ -10,8 +12,8 @@ def code_setting(component: ComponentPlan) -> str:
     return f"{screaming_snake_case(component.core.function)}_CODE"
 
 
-def root_cmake(application: ApplicationPlan) -> str:
-    """CMakeLists.txt of all."""
+def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:
+    """CMakeLists.txt of all. Without `bench` it does not know of any, whatever else is in its folder."""
     settings = "".join(
         f'set({code_setting(component)} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
         for component in application.components
@@ -34,29 +36,34 @@ set(PLATFORM_PACKAGES "" CACHE STRING "Packages of the vendor, for find_package"
 set(PLATFORM_TARGETS "" CACHE STRING "Targets of the vendor, and of what is generated from arxml/")
 
 find_package(Threads REQUIRED)
-if(EXISTS "${{CMAKE_CURRENT_SOURCE_DIR}}/bench/CMakeLists.txt")
-  option(BENCH "Use the bench runtime instead of a vendor's platform" ON)
-endif()
+{_PLATFORM_OR_BENCH if bench else _PLATFORM}
+add_library(application STATIC application/clock.cpp)
+target_include_directories(application PUBLIC "${{CMAKE_CURRENT_SOURCE_DIR}}")
+target_link_libraries(application PUBLIC ${{PLATFORM_TARGETS}} Threads::Threads)
+
+{_CLOCK_OR_PLAYER if bench else _CLOCK}{folders}"""
+
+
+_PLATFORM = """foreach(package IN LISTS PLATFORM_PACKAGES)
+  find_package(${package} REQUIRED)
+endforeach()
+"""
+_CLOCK = """target_sources(application PRIVATE application/make_clock.cpp)
+"""
+_PLATFORM_OR_BENCH = f"""include(CMakeDependentOption)
+cmake_dependent_option(BENCH "Use the bench runtime instead of a vendor's platform" ON "NOT PLATFORM_TARGETS" OFF)
 if(BENCH)
   add_subdirectory(bench)
   add_subdirectory(generated)
   set(PLATFORM_TARGETS generated_services)
 else()
-  foreach(package IN LISTS PLATFORM_PACKAGES)
-    find_package(${{package}} REQUIRED)
-  endforeach()
-endif()
-
-add_library(application STATIC application/clock.cpp)
-target_include_directories(application PUBLIC "${{CMAKE_CURRENT_SOURCE_DIR}}")
-target_link_libraries(application PUBLIC ${{PLATFORM_TARGETS}} Threads::Threads)
-
-if(BENCH)
+{indent(_PLATFORM, "  ")}endif()
+"""
+_CLOCK_OR_PLAYER = f"""if(BENCH)
   add_subdirectory(player)
 else()
-  target_sources(application PRIVATE application/make_clock.cpp)
-endif()
-{folders}"""
+{indent(_CLOCK, "  ")}endif()
+"""
 
 
 def executable_cmake(executable: ExecutablePlan) -> str:

@@ -46,7 +46,7 @@ def generate(
         *(GeneratedFile(f"arxml/{file.name}", file.data) for file in arxml),
         *(GeneratedFile(f"core/{file.name}", file.data) for each in planned for file in core_files(each.plan).files),
         *shipped(CPP, "application"),
-        _file("CMakeLists.txt", cmake.root_cmake(application)),
+        _file("CMakeLists.txt", cmake.root_cmake(application, bench=bench)),
         _file("README.md", readme(application)),
         *(file for executable in application.executables for file in _executable(executable, application)),
         *(_bench(model) if bench else ()),
