@@ -16,6 +16,7 @@ from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.releases import RELEASES
+from sigcat.integration.autosar_adaptive.storages import stored_parameters
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter.arxml_judge import (
     VERSIONS,
@@ -28,7 +29,7 @@ from tests.adapter.arxml_judge import (
     version_of,
     without_number,
 )
-from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, parameter, signal
 from tests.judges import judged_by
 from tests.needs import published, published_files
 
@@ -416,6 +417,32 @@ def test_what_autosar_cannot_name_is_refused_where_it_stands():
     assert [finding.rule for finding in found] == ["A020"]
     assert found[0].pointer == "/ComponentList/0/ServiceInterfaceList/0/ServiceList/0/Events/0"
     assert found[0].line > 1
+
+
+@pytest.mark.parametrize(
+    ("codes", "words"),
+    [
+        (({"Key": "gain/x"},), "name of a key"),
+        (({"Storage": "1st"},), "name of a storage must be"),
+        (({"Storage": "Adapter"},), "that of another port"),
+        (({"Key": "Gain"}, {"Key": "gain"}), "key names 'Gain' and 'gain'"),
+        (({"Storage": "Cal"}, {"Storage": "CAL"}), "storage names 'Cal' and 'CAL'"),
+    ],
+)
+def test_storages_and_keys_that_autosar_cannot_have_are_refused(codes, words):
+    listed = [parameter(Name=f"P{index}", Variable=f"g_{index}", **code) for index, code in enumerate(codes)]
+    value = json.loads(to_json(derive([function(contract={"ParameterList": listed})]).model))
+    found = refused(value)
+    assert {finding.rule for finding in found} == {"A020"}
+    assert words in found[0].message
+    assert found[0].pointer == f"/ComponentList/0/ParameterList/{len(codes) - 1}"
+
+
+def test_a_parameter_that_two_calls_describe_differently_is_stored_once():
+    listed = [parameter(Key="gain", Variable="g_gain", Description=text) for text in ("A gain.", "Another gain.")]
+    model = derive([function(contract={"ParameterList": listed})]).model
+    assert [each.key for each in stored_parameters(model.components[0])][:1] == ["gain"]
+    read_integration(to_json(model), "integration.json")
 
 
 def test_a_datatype_that_is_not_defined_is_refused():

@@ -68,3 +68,12 @@ def function(name="Demo", signals=(), datatypes=(), call=None, contract=None, **
         **more,
     }
     return FunctionJson.model_validate(document)
+
+
+def parameter(**more):
+    """A parameter of a function."""
+    return {
+        "Name": "P", "Description": "Tunes.", "Datatype": "DT_Float32", "Asillevel": "QM", "Min": 0, "Max": 1,
+        "Default": 0, "InitValue": 0, "RangeErrorAction": "Default", "Interfacetype": "Calibration",
+        "Attribute": "Normal", "Units": "", **more,
+    }  # fmt: skip

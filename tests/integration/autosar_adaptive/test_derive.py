@@ -17,7 +17,7 @@ from sigcat.integration.autosar_adaptive.model import IntegrationModel, integrat
 from sigcat.integration.report import NOT_CARRIED, to_markdown
 from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
-from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, signal
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, parameter, signal
 from tests.judges import judged_by
 from tests.published.schemas import schema
 
@@ -421,14 +421,6 @@ def test_what_the_deployment_says_of_nothing_is_told_with_what_was_meant():
     assert rules(derived) == ["A014"] * 4
     assert "Did you mean 'Demo'?" in [finding.fix for finding in derived.findings]
     assert any(finding.fix.startswith("Did you mean 'VehicleAService'") for finding in derived.findings)
-
-
-def parameter(**more):
-    return {
-        "Name": "P", "Description": "Tunes.", "Datatype": "DT_Float32", "Asillevel": "QM", "Min": 0, "Max": 1,
-        "Default": 0, "InitValue": 0, "RangeErrorAction": "Default", "Interfacetype": "Calibration",
-        "Attribute": "Normal", "Units": "", **more,
-    }  # fmt: skip
 
 
 def test_a_word_that_the_published_schema_lacks_is_told_and_not_written():

@@ -1,11 +1,13 @@
 """Signals, queues and parameters: ranges, start values and timeouts."""
 
+import re
 from collections.abc import Collection, Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.code import DEFAULT_STORAGE
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
@@ -16,6 +18,7 @@ from sigcat.function.function_json.walk import data, errors, methods, parameters
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
+_IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
 
 
 def check_data_interfaces(function: FunctionJson, known_errors: Collection[str]) -> Problems:
@@ -28,6 +31,7 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
         if isinstance(item, DataQueue):
             yield from _queue(pointer, item)
     yield from _keys(function)
+    yield from _identifiers(function)
     yield from _durations(function)
     yield from _time_outs(function, known_errors)
 
@@ -116,15 +120,33 @@ def _queue(pointer: Pointer, item: DataQueue) -> Problems:
 
 
 def _keys(function: FunctionJson) -> Problems:
-    """A key holds one parameter: two calls may use the same one, but not two different ones."""
-    default = (function.code.storage if function.code else None) or function.info.function_name
+    """A key holds one parameter: two calls may use the same one, but not two different ones, nor is case enough for two."""
+    default = (function.code.storage if function.code else None) or DEFAULT_STORAGE
     holders: dict[tuple[str, str], str] = {}
     for pointer, _, item in parameters(function):
-        key, held = (item.storage or default, item.key or item.name), item.vss_path or item.name
-        if holders.setdefault(key, held) != held:
-            message = f"The key {key[1]!r} of the storage {key[0]!r} holds {holders[key]!r} and {held!r}."
+        storage, key, held = item.storage or default, item.key or item.name, item.vss_path or item.name
+        holder = holders.setdefault((storage.lower(), key.lower()), held)
+        if holder != held:
+            message = f"The key {key!r} of the storage {storage!r} holds {holder!r} and {held!r}."
             fix, subject = "Give each a `key` of its own.", Subject("data", held)
             yield Problem(codes.KEY_USED_TWICE, (*pointer, "Key"), message, fix, subject)
+
+
+def _identifiers(function: FunctionJson) -> Problems:
+    """What is named by the declaration; the name of a parameter becomes an identifier by itself."""
+    stated: list[tuple[Pointer, str, str | None, Subject | None]] = []
+    if function.code:
+        stated.append((("Code", "Storage"), "storage", function.code.storage, None))
+    for pointer, _, item in parameters(function):
+        subject = Subject("data", item.vss_path or item.name)
+        stated.append(((*pointer, "Key"), "key", item.key, subject))
+        stated.append(((*pointer, "Storage"), "storage", item.storage, subject))
+    for at, what, text, owner in stated:
+        if text is not None and not _IDENTIFIER.fullmatch(text):
+            message = (
+                f"A {what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
+            )
+            yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
 
 
 def _is_outside(value: float, low: float | None, high: float | None) -> bool:

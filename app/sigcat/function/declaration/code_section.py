@@ -38,7 +38,7 @@ class CodeSection(DeclarationModel):
     )
     class_name: Text | None = Field(None, alias="class", description="Name of the C++ class, with its namespaces.")
     storage: Text | None = Field(
-        None, description="Key-value storage of the parameters that name none; the function's name if absent."
+        None, description="Key-value storage of the parameters that name none; `Parameters` if absent."
     )
     objects: list[ObjectItem] = Field([], description="Objects of the code; with pointers the first is the instance.")
 

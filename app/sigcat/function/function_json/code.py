@@ -7,6 +7,8 @@ POINTERS = "Pointers"
 CLASS = "Class"
 """How calls take their data: over global variables, over pointers to objects, or as members of a C++ class."""
 
+DEFAULT_STORAGE = "Parameters"
+"""Key-value storage of the parameters where nothing names one."""
 DEFINED_BY = (
     "Function or Adapter: whose code defines the variable; Function if absent. An adapter defines imported externs."
 )
@@ -46,7 +48,7 @@ class CodeInterface(WireModel):
     definitions: tuple[Macro, ...] | None = own("Macros", "Macros of the preprocessor.", strict=False)
     class_name: str | None = own("ClassName", "Name of the C++ class, with its namespaces.")
     storage: str | None = own(
-        "Storage", "Key-value storage of the parameters that name none; absent if it has the name of the function."
+        "Storage", f"Key-value storage of the parameters that name none; {DEFAULT_STORAGE} if absent."
     )
     objects: tuple[CodeObject, ...] | None = own("Objects", "Objects of the code, in order.", strict=False)
 

@@ -22,10 +22,14 @@ from sigcat.integration.autosar_adaptive.model import (
     TypeEntry,
 )
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storages
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 _PRIMITIVES = {row.autosar.lower() for row in BY_ADAPTIVE.values()}
+_OTHER_PORTS = {ADAPTER_STORAGE.lower(), "supervision"}
+_PORT_ENDINGS = ("_pport", "_rport", "_monitor")
+"""Ports of a component that are no storages of parameters."""
 _SHORT_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
 
 
@@ -51,6 +55,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     yield from _names((((*at, i), item.executable) for i, item in enumerate(model.components)), "executable")
     for index, component in enumerate(model.components):
         yield from _in_component(component, (*at, index), types)
+    yield from _names(_storage_interfaces(model), "storage interface")
     yield from _identifiers(model)
 
 
@@ -74,6 +79,7 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
     yield from _names((((*at, "FunctionGroupModes", i), mode) for i, mode in modes), "mode")
     for index, parameter in enumerate(component.parameters or ()):
         yield from _word((*at, "ParameterList", index), parameter.datatype.word, parameter.name, types)
+    yield from _in_storages(component, at)
     roles = [(interface.name, interface.role) for interface in component.services]
     for index, interface in enumerate(component.services):
         here = (*at, "ServiceInterfaceList", index)
@@ -84,6 +90,26 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
             )
         for position, services in enumerate(interface.services):
             yield from _in_services(services, (*here, "ServiceList", position), types)
+
+
+def _in_storages(component: Component, at: Pointer) -> Iterator[Problem]:
+    """Storages are ports, and keys are elements of their interfaces."""
+    positions = {id(entry): (*at, "ParameterList", i) for i, entry in enumerate(component.parameters or ())}
+    stored = storages(component)
+    yield from _names(((positions[id(held[0].parameter)], name) for name, held in stored.items()), "storage")
+    for name, held in stored.items():
+        here = positions[id(held[0].parameter)]
+        if name.lower() in _OTHER_PORTS or name.lower().endswith(_PORT_ENDINGS):
+            message = f"The name of a storage must not be that of another port, {name!r}."
+            yield Problem(here, message, f"Use {name + 'Storage'!r}.")
+        yield from _names(((positions[id(each.parameter)], each.key) for each in held), "key")
+
+
+def _storage_interfaces(model: IntegrationModel) -> Iterator[tuple[Pointer, str]]:
+    """Names as in the ARXML, where those of all components stand in one package."""
+    for index, component in enumerate(model.components):
+        for name in (*storages(component), ADAPTER_STORAGE):
+            yield ("ComponentList", index), short_name(f"{component.name}_{name}")
 
 
 def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[Problem]:

@@ -16,6 +16,8 @@ FULL = Path(__file__).parent / "full"
 """A function that uses everything that a declaration can say."""
 SMALL = Path(__file__).parent / "small"
 """Functions that leave out almost everything, or have names that are easily taken."""
+STORING = Path(__file__).parent / "storing.function.yaml"
+"""A function with parameters in several storages."""
 
 
 def integration(*functions):
@@ -44,6 +46,12 @@ def small():
 def _built(path):
     function, _ = build_function(path.read_bytes(), path.name, interfaces())
     return function
+
+
+@cache
+def storing():
+    """The files of a function with parameters in several storages, by name."""
+    return files(integration(_built(STORING)))
 
 
 def files(document, *, bench=False):

@@ -3,6 +3,7 @@
 import json
 import re
 import subprocess
+import xml.etree.ElementTree as ET
 from time import process_time
 
 import pytest
@@ -24,6 +25,7 @@ from tests.adapter.autosar_adaptive.application.generated import (
     files,
     full,
     small,
+    storing,
     write,
 )
 from tests.needs import CPP_COMPILERS, IS_SLOW_RUN, cmake, slow
@@ -140,6 +142,29 @@ def test_a_service_without_methods_tells_what_comes_of_the_end():
     stop = body(ecocontrol()["CoreAccExecutable/core_acc_adapter.cpp"], "Stop")
     steps = ["CoreAcc_Adapter_Terminate(", "Publish();", "coreAccService_.StopOfferService();"]
     assert steps == sorted(steps, key=stop.index)
+
+
+def test_each_parameter_is_read_from_its_storage_under_the_name_of_its_element():
+    made = storing()
+    adapter = made["StoringExecutable/storing_adapter.cpp"]
+    read = re.findall(r'storage_(\w+)_\.Read(?:Counts)?\("(\w+)"', adapter)
+    assert read == [
+        ("Adapter", "IgnitionCycle"), ("Adapter", "Storing_Late_ErrorSts"), ("Parameters", "IgnitionCycle"),
+        ("Parameters", "Plain"), ("CalA", "Gain"), ("CalB", "Gain"),
+    ]  # fmt: skip
+    assert re.findall(r"storage_(\w+)_\.Save", adapter) == ["Parameters", "Adapter"]
+    elements = {
+        (storage.findtext("{*}SHORT-NAME"), element.findtext("{*}SHORT-NAME"))
+        for storage in ET.fromstring(made["arxml/components.arxml"]).iterfind(
+            ".//{*}PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
+        )
+        for element in storage.iterfind(".//{*}PERSISTENCY-DATA-ELEMENT")
+    }
+    assert {(f"Storing_{storage}", key) for storage, key in read} - {
+        ("Storing_Adapter", "Storing_Late_ErrorSts")
+    } <= elements
+    for storage in ("Adapter", "Parameters", "CalA", "CalB"):
+        assert f'storage_{storage}_{{"StoringExecutable/Storing_Root/{storage}", logger_}}' in adapter
 
 
 def test_a_document_without_its_functions_is_refused():

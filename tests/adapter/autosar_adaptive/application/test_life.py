@@ -37,6 +37,11 @@ def run(executable, storage, seconds=1.0):
     return process.wait(timeout=10)
 
 
+def contents(storage):
+    """What each storage holds, by the end of its port."""
+    return {file.suffix.removeprefix("."): file.read_bytes() for file in storage.iterdir()}
+
+
 def test_it_ends_well_when_it_is_asked_to(executable, tmp_path):
     assert run(executable, tmp_path / "storage") == 0
 
@@ -44,12 +49,11 @@ def test_it_ends_well_when_it_is_asked_to(executable, tmp_path):
 def test_it_keeps_what_it_has_learned_and_counted(executable, tmp_path):
     storage = tmp_path / "storage"
     run(executable, storage)
-    (file,) = storage.iterdir()
-    first = file.read_bytes()
+    first = contents(storage)
     run(executable, storage)
-    assert b"IgnitionCycle" in first
-    assert b"Cnt" in first
-    assert file.read_bytes() != first
+    assert {name: b"Cnt" in data for name, data in first.items()} == {"Adapter": False, "Parameters": True}
+    assert b"IgnitionCycle" in first["Adapter"]
+    assert contents(storage)["Adapter"] != first["Adapter"]
 
 
 def test_it_fails_if_the_initialization_of_the_function_does(executable, tmp_path):

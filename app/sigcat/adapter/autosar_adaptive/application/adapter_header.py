@@ -53,7 +53,7 @@ def _includes(component: ComponentPlan) -> Lines:
     ]
     application = ["clock", "communication", *(["error_monitor"] if component.monitors else [])]
     application += ["required_service"] if component.required else []
-    application += ["storage"] if component.storage else []
+    application += ["storage"] if component.storages else []
     platform = ["ara/phm/supervised_entity.h"] if component.checkpoints else []
     platform += ["ara/log/logger.h", *(["ara/core/future.h"] if services_with_methods(component) else [])]
     headers = [each.names.proxy_header for each in component.required]
@@ -153,7 +153,7 @@ def _checkpoints(component: ComponentPlan) -> Lines:
 
 def _functions(component: ComponentPlan) -> Lines:
     core = component.core.type_name
-    storage = f"{core}_Stored Load();\n" if component.storage else ""
+    storage = f"{core}_Stored Load();\n" if component.storages else ""
     storage += "void Store();\n" if writes(component) else ""
     deadline = "void Watch();\n" if has_deadline(component) else ""
     calls = "".join(f"void Run{step.name}();\n" for step in component.core.steps)
@@ -187,7 +187,7 @@ def _members(component: ComponentPlan) -> Lines:
     missed = [lines(f"std::uint32_t missed_{step.name}_{{0}};") for step in core.steps if step.cycle is not None]
     return joined([
         lines(f'std::unique_ptr<application::Clock> clock_{{application::MakeClock("{component.name}")}};\nara::log::Logger& logger_;'),
-        lines("application::Storage storage_;") if component.storage else (),
+        *(lines(f"application::Storage {each.variable};") for each in component.storages),
         lines("std::mutex core_mutex_;"),
         lines(f"{holder};"),
         answering,

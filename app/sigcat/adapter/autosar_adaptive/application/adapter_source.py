@@ -61,7 +61,7 @@ def _includes(component: ComponentPlan) -> Lines:
 def _constructor(component: ComponentPlan) -> Lines:
     context = component.name[:4].upper()
     initial = [f"logger_(ara::log::CreateLogger({string(context)}, {string(f'Adapter of {component.name}')}))"]
-    initial += [f"storage_{{{string(component.storage)}, logger_}}"] if component.storage else []
+    initial += [f"{each.variable}{{{string(each.port)}, logger_}}" for each in component.storages]
     initial += [f"{monitor_name(each.error)}{{{string(each.port)}, logger_}}" for each in component.monitors]
     initial += [_supervision(component)] if component.checkpoints else []
     initial += [_constructed(each) for each in component.provided]
@@ -90,9 +90,9 @@ def _destructor(component: ComponentPlan) -> Lines:
 
 def _start(component: ComponentPlan) -> Lines:
     core = component.core.type_name
-    stored = "&stored" if component.storage else "nullptr"
-    loaded = f"const {core}_Stored stored = Load();\n" if component.storage else ""
-    cycle = "stored.ignition_cycle + 1U" if component.storage else "1U"
+    stored = "&stored" if component.storages else "nullptr"
+    loaded = f"const {core}_Stored stored = Load();\n" if component.storages else ""
+    cycle = "stored.ignition_cycle + 1U" if component.storages else "1U"
     watch = "\nis_watched_ = true;\nwatching_ = std::thread{[this] { Watch(); }};" if has_deadline(component) else ""
     found = "\n".join(f"{each.variable}.Find();" for each in component.required)
     body = lines(

@@ -1,18 +1,25 @@
 """From an integration and the plans of its cores to the plan of the applications."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
-from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan, Monitor
+from sigcat.adapter.autosar_adaptive.application.plan import (
+    ApplicationPlan,
+    ComponentPlan,
+    ExecutablePlan,
+    Monitor,
+    Storage,
+    Stored,
+)
 from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     SUPERVISION_PORT,
     checkpoints,
     monitor_port,
     root_name,
-    stores,
+    storage_ports,
 )
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames, service_names, type_names
@@ -23,6 +30,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
 from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
+from sigcat.integration.autosar_adaptive.storages import StoredParameter, stored_parameters
 from sigcat.names import snake_case
 
 
@@ -87,6 +95,7 @@ def _component(
     structs = struct_pairs(core.plan, model, function, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"
+    storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}
     names_of_errors = {id(error): name for name, error in context.errors.items()}
     return ComponentPlan(
         name=component.name,
@@ -101,10 +110,21 @@ def _component(
             Monitor(error, names_of_errors[id(error)], f"{ports}/{monitor_port(names_of_errors[id(error)])}")
             for error in core.plan.errors
         ),
-        storage=f"{ports}/Parameters" if stores(component) else None,
+        storages=tuple(storages.values()),
+        stored=tuple(_stored(component, core.plan, storages)),
         supervision=f"{ports}/{SUPERVISION_PORT}",
         checkpoints=checkpoints(component),
     )
+
+
+def _stored(component: Component, core: CorePlan, storages: Mapping[str, Storage]) -> Iterator[Stored]:
+    """What is read has the key of its element in the ARXML."""
+    places: dict[str | None, StoredParameter] = {}
+    for each in stored_parameters(component):
+        places.setdefault(each.parameter.variable, each)
+    for parameter in core.parameters:
+        place = places[parameter.variable]
+        yield Stored(parameter, storages[place.storage], place.key)
 
 
 def _sources(function: FunctionJson) -> tuple[str, ...]:

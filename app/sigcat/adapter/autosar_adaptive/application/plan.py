@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
-from sigcat.adapter.core.plan import CorePlan, Error, Method, Port, WireStruct, WireType
+from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
 
 
 class Receiver(NamedTuple):
@@ -107,6 +107,27 @@ class Monitor(NamedTuple):
     """Its instance specifier."""
 
 
+class Storage(NamedTuple):
+    """A key-value storage."""
+
+    name: str
+    port: str
+    """Its instance specifier."""
+
+    @property
+    def variable(self) -> str:
+        """The member of the adapter."""
+        return f"storage_{self.name}_"
+
+
+class Stored(NamedTuple):
+    """A parameter, and where it is stored."""
+
+    parameter: Parameter
+    storage: Storage
+    key: str
+
+
 class StructPair(NamedTuple):
     """A struct of the platform and the one of the core, whose members have the same order."""
 
@@ -131,8 +152,10 @@ class ComponentPlan:
     type_headers: tuple[str, ...]
     monitors: tuple[Monitor, ...]
     """Of its errors, which are stored too."""
-    storage: str | None
-    """Instance specifier of its key-value storage."""
+    storages: tuple[Storage, ...]
+    """Key-value storages, that of the adapter itself included."""
+    stored: tuple[Stored, ...]
+    """Its parameters."""
     supervision: str
     """Instance specifier of its supervised entity."""
     checkpoints: tuple[str, ...]

@@ -1,24 +1,26 @@
 """What is stored: parameters, and the counts of errors."""
 
 from sigcat.adapter.autosar_adaptive.application.names import writes
-from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan, Monitor
+from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan, Monitor, Storage, Stored
 from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
 from sigcat.adapter.core.c.lines import Lines, block, lines
 from sigcat.adapter.core.identifiers import string
-from sigcat.adapter.core.plan import Parameter
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
+
+ADAPTER = f"storage_{ADAPTER_STORAGE}_"
 
 
 def storage_functions(component: ComponentPlan) -> list[Lines]:
     """Reading at the start, writing at the end; calibration is never written."""
-    return [*([_load(component)] if component.storage else []), *([_store(component)] if writes(component) else [])]
+    return [*([_load(component)] if component.storages else []), *([_store(component)] if writes(component) else [])]
 
 
 def _load(component: ComponentPlan) -> Lines:
     core = component.core.type_name
-    cycle = lines(f"stored.has_cycle = storage_.Read({string(IGNITION_CYCLE)}, stored.ignition_cycle);")
+    cycle = lines(f"stored.has_cycle = {ADAPTER}.Read({string(IGNITION_CYCLE)}, stored.ignition_cycle);")
     parameters = [
-        lines(f"stored.{each.named.name}.is_there = storage_.Read({string(each.key)}, stored.{each.named.name}.value);")
-        for each in component.core.parameters
+        lines(f"{_place(each)}.is_there = {each.storage.variable}.Read({string(each.key)}, {_place(each)}.value);")
+        for each in component.stored
     ]
     return block(f"{core}_Stored {component.type}::Load()", [
         lines(f"{core}_Stored stored{{}};"),
@@ -33,17 +35,28 @@ def _store(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     return block(f"void {component.type}::Store()", [
         lines(f"const {core}_Stored& stored = core_.stored;"),
-        lines(f"storage_.Write({string(IGNITION_CYCLE)}, stored.ignition_cycle);") if component.monitors else (),
+        lines(f"{ADAPTER}.Write({string(IGNITION_CYCLE)}, stored.ignition_cycle);") if component.monitors else (),
         *(_counts("Write", each) for each in component.monitors),
-        *(_learned(each) for each in component.core.parameters if each.learned is not None),
-        lines("storage_.Save();"),
+        *(_learned(each) for each in component.stored if each.parameter.learned is not None),
+        *(lines(f"{each.variable}.Save();") for each in _written(component)),
     ])  # fmt: skip
 
 
 def _counts(what: str, monitor: Monitor) -> Lines:
-    return lines(f"storage_.{what}Counts({string(monitor.name)}, stored.{monitor.error.named.name});")
+    return lines(f"{ADAPTER}.{what}Counts({string(monitor.name)}, stored.{monitor.error.named.name});")
 
 
-def _learned(parameter: Parameter) -> Lines:
-    place = f"stored.{parameter.named.name}"
-    return block(f"if ({place}.is_there)", [lines(f"storage_.Write({string(parameter.key)}, {place}.value);")])
+def _place(stored: Stored) -> str:
+    return f"stored.{stored.parameter.named.name}"
+
+
+def _learned(stored: Stored) -> Lines:
+    place = _place(stored)
+    return block(
+        f"if ({place}.is_there)", [lines(f"{stored.storage.variable}.Write({string(stored.key)}, {place}.value);")]
+    )
+
+
+def _written(component: ComponentPlan) -> list[Storage]:
+    learned = {each.storage for each in component.stored if each.parameter.learned is not None}
+    return [each for each in component.storages if each in learned or each.name == ADAPTER_STORAGE]

@@ -19,7 +19,8 @@ from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
-from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ParameterEntry, ServiceInterface, Use
+from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ServiceInterface, Use
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storages
 from sigcat.integration.autosar_names import distinct, short_name
 
 COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
@@ -37,7 +38,7 @@ def packages(components: Iterable[Component], known: Library, release: Release) 
     """The packages of the file of components."""
     listed_components = list(components)
     return [
-        Package(STORAGES, tuple(_storage(item, known) for item in listed_components if stores(item))),
+        Package(STORAGES, tuple(_storages(listed_components, known))),
         Package(MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, listed_components)) else ()),
         Package(SUPERVISIONS, tuple(_supervision(item) for item in listed_components if checkpoints(item))),
         Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
@@ -51,9 +52,9 @@ def port_name(interface: ServiceInterface) -> str:
     return short_name(f"{interface.name}_{'P' if interface.role == 'Provider' else 'R'}Port")
 
 
-def storage_name(component: Component) -> str:
-    """Name of the interface over which a component reads its parameters."""
-    return short_name(f"{component.name}_Parameters")
+def storage_name(component: Component, storage: str) -> str:
+    """Name of the interface over which a component reads and writes a storage."""
+    return short_name(f"{component.name}_{storage}")
 
 
 def root_name(component: Component) -> str:
@@ -63,8 +64,7 @@ def root_name(component: Component) -> str:
 
 def _component(component: Component, known: Library) -> Tag:
     ports = [_port(interface, known) for interface in component.services]
-    if stores(component):
-        ports.append(_storage_port(component, known))
+    ports += (_storage_port(component, name, known, is_written=both) for name, both in storage_ports(component).items())
     ports += (_monitor_port(name, known) for name in reported_errors(component))
     if checkpoints(component):
         ports.append(_supervision_port(component, known))
@@ -211,11 +211,6 @@ def _supervision_port(component: Component, known: Library) -> Tag:
     return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, SUPERVISION), name=SUPERVISION_PORT)
 
 
-def stores(component: Component) -> bool:
-    """Whether anything of the component outlives its process."""
-    return bool(component.parameters or reported_errors(component))
-
-
 def stored_counts(component: Component) -> Iterable[tuple[str, str]]:
     """Keys and words of what is stored of errors."""
     errors = reported_errors(component)
@@ -224,27 +219,38 @@ def stored_counts(component: Component) -> Iterable[tuple[str, str]]:
         yield from ((short_name(f"{error}_{key}"), word) for key, word in COUNTS)
 
 
-def _storage_port(component: Component, known: Library) -> Tag:
-    """Read only, or both ways if the component learns a parameter or counts errors."""
-    path = known.paths.of(STORAGES, storage_name(component))
-    learns = any(parameter.attribute == "LearningParameter" for parameter in component.parameters or ())
-    if learns or reported_errors(component):
-        return tag("PR-PORT-PROTOTYPE", reference("PROVIDED-REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
-    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, STORAGE), name="Parameters")
+def storage_ports(component: Component) -> dict[str, bool]:
+    """Names of the ports of its storages, which are those of the storages; whether it writes there too."""
+    ports = {name: any(each.is_learned for each in stored) for name, stored in storages(component).items()}
+    return {**ports, ADAPTER_STORAGE: True} if reported_errors(component) else ports
 
 
-def _storage(component: Component, known: Library) -> Tag:
-    elements = [_parameter(parameter, known) for parameter in component.parameters or ()]
-    elements += (
-        tag("PERSISTENCY-DATA-ELEMENT", reference("TYPE-TREF", known.type_path(word), TYPE), name=key)
-        for key, word in stored_counts(component)
-    )
-    return tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component))
+def _storage_port(component: Component, storage: str, known: Library, *, is_written: bool) -> Tag:
+    path = known.paths.of(STORAGES, storage_name(component, storage))
+    if is_written:
+        return tag("PR-PORT-PROTOTYPE", reference("PROVIDED-REQUIRED-INTERFACE-TREF", path, STORAGE), name=storage)
+    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, STORAGE), name=storage)
 
 
-def _parameter(parameter: ParameterEntry, known: Library) -> Tag:
-    kind = parameter.datatype
+def _storages(components: Iterable[Component], known: Library) -> Iterable[Tag]:
+    for component in components:
+        for name, stored in storages(component).items():
+            elements = [_parameter(each, known) for each in stored]
+            yield tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component, name))
+        if reported_errors(component):
+            counts = [_count(key, word, known) for key, word in stored_counts(component)]
+            yield tag(STORAGE, listed("DATA-ELEMENTS", counts), name=storage_name(component, ADAPTER_STORAGE))
+
+
+def _count(key: str, word: str, known: Library) -> Tag:
+    return tag("PERSISTENCY-DATA-ELEMENT", reference("TYPE-TREF", known.type_path(word), TYPE), name=key)
+
+
+def _parameter(stored: StoredParameter, known: Library) -> Tag:
+    """Named by its key, which is what the application reads."""
+    parameter, kind = stored.parameter, stored.parameter.datatype
     facts = [
+        ("Name", parameter.name if parameter.name != stored.key else None),
         ("VssPath", parameter.vss_path), ("InterfaceType", parameter.interface_type), ("Attribute", parameter.attribute),
         ("Default", kind.default), ("InitValue", kind.init_value), ("RangeErrorAction", parameter.range_error_action),
         ("AsilLevel", parameter.asil_level), ("Variable", parameter.variable),
@@ -260,7 +266,7 @@ def _parameter(parameter: ParameterEntry, known: Library) -> Tag:
         trace(facts),
         known.properties(Presentation(kind.unit or None, None, None, kind.min, kind.max)),
         reference("TYPE-TREF", known.type_path(kind.word), TYPE),
-        name=parameter.name,
+        name=stored.key,
     )
 
 

@@ -19,7 +19,7 @@ namespace application {
 class Storage final {
 public:
     Storage(const char* port, ara::log::Logger& logger)
-        : logger_(logger), storage_{ara::per::OpenKeyValueStorage(ara::core::InstanceSpecifier{port})} {
+        : port_{port}, logger_(logger), storage_{ara::per::OpenKeyValueStorage(ara::core::InstanceSpecifier{port})} {
         if (!storage_.HasValue()) {
             logger_.LogError() << port << " cannot be opened: " << storage_.Error().Message();
         }
@@ -87,10 +87,11 @@ private:
 
     void Check(const ara::core::Result<void>& result) {
         if (!result.HasValue()) {
-            logger_.LogError() << "The storage cannot be written: " << result.Error().Message();
+            logger_.LogError() << port_ << " cannot be written: " << result.Error().Message();
         }
     }
 
+    const char* port_;
     ara::log::Logger& logger_;
     ara::core::Result<ara::per::SharedHandle<ara::per::KeyValueStorage>> storage_;
 };
