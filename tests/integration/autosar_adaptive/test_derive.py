@@ -449,6 +449,12 @@ def test_the_code_of_a_component_and_its_calls_goes_along():
     assert (init.symbol, init.arguments) == ("EcoControlMpc_initialize", ("EcoControlMpc_M",))
 
 
+def test_a_call_may_leave_its_scheduling_open():
+    derived = derive([function(call={"Scheduling": ""})])
+    assert derived.model.components[0].calls[0].scheduling is None
+    assert "A011" not in rules(derived)
+
+
 def test_a_parameter_keeps_its_scale_its_key_and_its_elements():
     scaled = parameter(Factor="0.5", Offset="-1", Key="gain", Storage="Learned", RangeError="Demo_Range_ErrorSts")
     derived = derive([function(contract={"ParameterList": [scaled]})])

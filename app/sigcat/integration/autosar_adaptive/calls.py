@@ -83,8 +83,9 @@ def _run_type(call: Runnable, part: Part, context: Context) -> str:
 
 
 def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
+    """None if the function leaves it open, which it may."""
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
-    if plain not in _SCHEDULING:
+    if call.scheduling and plain not in _SCHEDULING:
         message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
         context.findings.report(
             codes.SCHEDULING_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Scheduling"
