@@ -2,7 +2,7 @@
 
 import json
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sigcat.catalogue.composing.compose import compose
@@ -30,22 +30,33 @@ ATTRIBUTES = st.fixed_dictionaries(
 )
 OVERLAYS = st.dictionaries(PATHS, ATTRIBUTES, max_size=6)
 TREES = OVERLAYS.map(lambda nodes: {"Vehicle": {"type": "branch"}, **nodes})
+BRANCH_OF_THE_TREE_MISSES = {"Vehicle": {"type": "branch"}, "Vehicle.A.B.C": {}}
+BRANCH_OF_INSTANCES_MISSES = {"Vehicle": {"type": "branch", "instances": "Row[1,2]"}, "Vehicle.A.B.C": {}}
+MEETS_IT_HIGHER_UP = {"Vehicle.A.B": {}, "Vehicle": {"type": "sensor"}}
 
 
 @given(TREES.map(json.dumps), OVERLAYS.map(json.dumps))
+@example(json.dumps(BRANCH_OF_THE_TREE_MISSES), json.dumps(MEETS_IT_HIGHER_UP))
+@example(json.dumps(BRANCH_OF_INSTANCES_MISSES), '{"Vehicle.A": {"type": "sensor"}}')
 @settings(max_examples=200)
 def test_the_findings_of_an_overlay_are_those_that_it_has_in_the_whole(tree, overlay):
     base = catalogue_of(tree)
     layer = layer_from_text(overlay.encode(), "posted")
     whole = compose([*base.layers, layer], base.vocabulary, expanded=False)
     part = compose_part(base, layer)
-    missing = base.nodes.keys() - base.definitions.keys()
     in_part, in_whole = (
-        {finding for finding in found if finding.file == "posted" and finding.path not in missing}
-        for found in (part.findings, whole.findings)
+        {finding for finding in found if finding.file == "posted"} for found in (part.findings, whole.findings)
     )
     assert in_part == in_whole
     assert {p: d.values for p, d in part.definitions.items()} == {p: d.values for p, d in whole.definitions.items()}
+
+
+def test_a_branch_that_the_tree_lacks_is_the_fault_of_the_tree_with_an_overlay_that_comes_nearer_to_it_too():
+    base = catalogue_of(json.dumps(BRANCH_OF_THE_TREE_MISSES))
+    layer = layer_from_text(b'{"Vehicle.A.B": {"type": "branch", "description": "B."}}', "posted")
+    whole = compose([*base.layers, layer], base.vocabulary)
+    missing = [finding for finding in whole.findings if finding.path == "Vehicle.A"]
+    assert [(finding.file, "Vehicle.A.B.C" in finding.message) for finding in missing] == [("tree", True)]
 
 
 def test_only_what_the_overlay_reaches_is_in_the_tree_and_the_branches_beside():

@@ -7,14 +7,15 @@ import pytest
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.data import INTERFACE_RULES, VSPEC
 from sigcat.rules.checks import CHECKS
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.linting.examples import findings_of_example
-from sigcat.rules.record import MAKERS, load_rules
+from sigcat.rules.record import MAKERS
 from sigcat.rules.rule_set import RuleSet
 
-RULES = load_rules(INTERFACE_RULES)
+RULES = compiled_rules(INTERFACE_RULES)
 EVERY_RULE = RuleSet(RULES)
 UNITS = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"])
-ELSEWHERE = ("adapter", "configuration", "export", "function", "import", "integration", "simulation")
+ELSEWHERE = ("adapter", "configuration", "export", "function", "gateway", "import", "integration", "simulation")
 """Makers whose examples are no trees: tests/function and tests/integration run them."""
 TREES = [rule for rule in RULES if rule.check not in ELSEWHERE]
 GOOD = [pytest.param(r, e, id=f"{r.id}-{i}") for r in TREES for i, e in enumerate(r.good, 1)]

@@ -7,11 +7,11 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.data import INTERFACE_RULES
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.linting.posted import lint_text
-from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 
-EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
+EVERY_RULE = RuleSet(compiled_rules(INTERFACE_RULES))
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}
 Vehicle.Speed: {type: sensor, datatype: float, description: Its speed.}

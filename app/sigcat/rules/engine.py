@@ -1,8 +1,8 @@
 """The engine: rules and a catalogue in, findings out. Knows nothing of files, formats or the command line."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -10,6 +10,7 @@ from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.reading.statement import Origin, Statement
 from sigcat.findings import Finding, in_order
+from sigcat.names import bounded_proposals
 from sigcat.rules.checks.kind import NodeTest
 from sigcat.rules.patterns import SlowPattern
 from sigcat.rules.problem import Problem, Repair, Subject
@@ -17,12 +18,16 @@ from sigcat.rules.record import Rule
 from sigcat.rules.rule_set import NodeRule, RuleSet, Selection
 from sigcat.rules.tree import Tree
 
+if TYPE_CHECKING:
+    from sigcat.catalogue.network.can_database import CanDatabase
+
 _FIELD = r"\{(\w+)(!r)?\}"
 
 Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
 
 
+@bounded_proposals()
 def lint_catalogue(catalogue: Catalogue, rules: RuleSet) -> tuple[Finding, ...]:
     """Every finding of `rules` in a catalogue, those of its composition among them, by file and line."""
     return in_order([finding for finding, _ in found_in(catalogue, rules)])
@@ -33,12 +38,13 @@ def found_in(
     rules: RuleSet,
     among: Iterable[Definition] | None = None,
     attributes: Iterable[str] = (),
+    can: "CanDatabase | None" = None,
 ) -> Iterator[Found]:
     """Findings with their repairs. `among` are the definitions that are judged; without it, all are.
 
-    There may be findings in the files of others too; a caller who judges only some leaves these out. `attributes` are names of extended attributes that count as known, beside those of the rules' tables.
+    There may be findings in the files of others too; a caller who judges only some leaves these out. `attributes` are names of extended attributes that count as known, beside those of the rules' tables; `can` is the CAN database that mappings are held against.
     """
-    tree = Tree(catalogue, rules.attributes.union(attributes), among)
+    tree = Tree(catalogue, rules.attributes.union(attributes), among, can)
     yield from _composition(catalogue, tree, rules)
     for finding in rules.findings:
         yield finding, None
@@ -101,7 +107,12 @@ def _for_values(selection: Selection, values: Mapping[str, Any]) -> Iterator[Nod
     yield from selection.always
     for name, value in values.items():
         if name in selection.by_need and value is not None:
-            yield from selection.by_need[name]
+            yield from (each for each in selection.by_need[name] if _is_first(name, each.needs, values))
+
+
+def _is_first(name: str, needs: Sequence[str], values: Mapping[str, Any]) -> bool:
+    """Whether an attribute is the first one there of those that a rule needs: it judges a node once."""
+    return len(needs) == 1 or next(each for each in needs if values.get(each) is not None) == name
 
 
 def _guarded(rule: Rule, problems: Iterable[Problem]) -> Iterator[Found]:

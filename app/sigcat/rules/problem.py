@@ -27,10 +27,17 @@ class Repair(NamedTuple):
     """
 
     kind: Literal[
-        "replace", "capitalize", "append", "remove attribute", "rename attribute", "remove suppression", "break line"
-    ]
+        "replace", "capitalize", "append", "rewrite", "remove attribute", "rename attribute", "remove suppression",
+        "break line",
+    ]  # fmt: skip
     text: str = ""
     safe: bool = True
+
+    def of(self, text: str) -> str:
+        """What it makes of a text."""
+        if self.kind == "capitalize":
+            return text[:1].upper() + text[1:]
+        return f"{text}{self.text}" if self.kind == "append" else self.text
 
 
 class Problem(NamedTuple):

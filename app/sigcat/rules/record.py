@@ -21,7 +21,7 @@ from sigcat.findings import Finding, Severity, in_order
 from sigcat.rules.record_faults import REQUIRED, Scope, faults_of
 
 MAKERS = frozenset((
-    "adapter", "composition", "configuration", "export", "function", "import", "integration", "lint", "request",
+    "adapter", "composition", "configuration", "export", "function", "gateway", "import", "integration", "lint", "request",
     "simulation",
 ))  # fmt: skip
 """Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""

@@ -20,11 +20,11 @@ from sigcat.rules.tree import Tree
 
 
 class NodeRule(NamedTuple):
-    """A rule whose check looks at one node at a time: `needs` is the attribute without which it finds nothing."""
+    """A rule whose check looks at one node at a time: `needs` are attributes without which it finds nothing."""
 
     rule: Rule
     check: NodeCheck
-    needs: str
+    needs: tuple[str, ...]
     path: Callable[[str], object] | None
     is_for_all: bool
     """Whether it is about nodes of any datatype, at any path."""
@@ -143,7 +143,8 @@ def _check_of(rule: Rule) -> Check:
 def _node_rule(rule: Rule, check: NodeCheck) -> NodeRule:
     needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
     path = _matcher(rule.nodes.path) if rule.nodes.path else None
-    return NodeRule(rule, check, needs.partition(".")[0], path, path is None and not rule.nodes.datatypes)
+    names = tuple(name.partition(".")[0] for name in needs.split("|") if name)
+    return NodeRule(rule, check, names, path, path is None and not rule.nodes.datatypes)
 
 
 @cache
@@ -154,7 +155,8 @@ def _matcher(glob: str) -> Callable[[str], object]:
 def _selection(rules: Iterable[NodeRule]) -> Selection:
     by_need: dict[str, list[NodeRule]] = {}
     for each in rules:
-        by_need.setdefault(each.needs, []).append(each)
+        for name in each.needs or ("",):
+            by_need.setdefault(name, []).append(each)
     return Selection(by_need.pop("", []), by_need)
 
 

@@ -3,9 +3,9 @@
 Everything is computed when it is first asked for: a run in which no rule needs it does not pay for it.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.composing.compose import expanded_paths
 from sigcat.catalogue.composing.expand_instances import count_instances, instance_names, refined_values
@@ -16,12 +16,19 @@ from sigcat.catalogue.reading.layers import Layer
 from sigcat.limits import COMPARED_INSTANCES
 from sigcat.names import last_name, parent_path
 
+if TYPE_CHECKING:
+    from sigcat.catalogue.network.can_database import CanDatabase
+
 
 class Tree:
     """A composed catalogue as the checks see it: definitions before the expansion of instances."""
 
     def __init__(
-        self, catalogue: Catalogue, attributes: Iterable[str] = (), judged: Iterable[Definition] | None = None
+        self,
+        catalogue: Catalogue,
+        attributes: Iterable[str] = (),
+        judged: Iterable[Definition] | None = None,
+        can: "CanDatabase | None" = None,
     ) -> None:
         self.catalogue = catalogue
         self.definitions: Mapping[str, Definition] = catalogue.definitions
@@ -30,6 +37,8 @@ class Tree:
         """Extended attributes that the rules or the configuration know."""
         self.judged = self.definitions.values() if judged is None else tuple(judged)
         """The definitions that are judged; the others are there to be looked up."""
+        self.can = can
+        """The CAN database that mappings are held against, if there is one."""
         self._holders: dict[str, bool] = {}
 
     @property
@@ -37,13 +46,10 @@ class Tree:
         """Overlays in the order in which they apply."""
         return self.catalogue.overlays
 
-    @cached_property
-    def children(self) -> Mapping[str, list[Definition]]:
+    @property
+    def children(self) -> Mapping[str, Sequence[Definition]]:
         """Definitions directly below a path."""
-        children: dict[str, list[Definition]] = {}
-        for path, definition in self.definitions.items():
-            children.setdefault(parent_path(path), []).append(definition)
-        return children
+        return self.catalogue.children
 
     @cached_property
     def typed(self) -> Mapping[str, Mapping[str, str]]:

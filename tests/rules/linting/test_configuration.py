@@ -25,10 +25,32 @@ def test_every_severity_that_is_wrong_is_told(tmp_path):
     )
     with pytest.raises(InputRefused) as refused:
         read_configuration(path)
-    told = " ".join(finding.message for finding in refused.value.findings)
-    for wrong in ("'bad' of V101", "'eror' of V102", "'x' of V1", "1 of V2", "`per-file.c` must be a table"):
-        assert wrong in told
-    assert "V103" not in told
+    assert [(finding.line, finding.message.partition(". ")[0]) for finding in refused.value.findings] == [
+        (2, "`severity.V101` must be error, warning, info or off, not 'bad'."),
+        (3, "`severity.V102` must be error, warning, info or off, not 'eror'"),
+        (6, "`per-file.a.V1` must be error, warning, info or off, not 'x'."),
+        (7, "`per-file.b.V2` must be error, warning, info or off, not 1."),
+        (8, "`per-file.c` must be a table of codes with severities."),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "lines"),
+    [
+        ("sigcat.toml", '[lint]\nseverity.V101 = "bad"\n"severity"."V102" = "bad"\n', [2, 3]),
+        ("sigcat.toml", '[lint]\nselect = []\nseverity = {V101 = "bad", V102 = "bad"}\n', [3, 3]),
+        ("sigcat.toml", '[lint.per-file."a/*.vspec"]\n\nV101 = "bad"\n', [3]),
+        ("sigcat.toml", '[lint.per-file]\n"a/*.vspec" = {V101 = "bad"}\n', [2]),
+        ("pyproject.toml", '[project]\nname = "x"\n[tool.sigcat.lint.severity]\nV101 = "bad"\n', [4]),
+        ("sigcat.toml", '[lint]\n\noverlays = ["a.vspec", "b.vspec"]\n[lint.options]\nV101 = 5\n', [3, 3, 5]),
+    ],
+)
+def test_each_fault_has_the_line_of_its_key_however_the_tables_are_written(tmp_path, name, text, lines):
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(InputRefused) as refused:
+        read_configuration(path)
+    assert [finding.line for finding in refused.value.findings] == lines
 
 
 def test_everything_wrong_with_a_configuration_is_told_at_once(tmp_path):
@@ -37,4 +59,5 @@ def test_everything_wrong_with_a_configuration_is_told_at_once(tmp_path):
     with pytest.raises(InputRefused) as refused:
         read_configuration(path)
     assert len(refused.value.findings) == 4
+    assert [finding.line for finding in refused.value.findings] == [2, 3, 4, 6]
     assert "Did you mean 'ignore'?" in refused.value.findings[0].message

@@ -32,6 +32,26 @@ def test_quoted_texts_stay_quoted(tree, before, after):
     assert [result.after for result in fixed(tree)] == [CABIN.replace("noise in the cabin", after)]
 
 
+@pytest.mark.parametrize(
+    ("written", "form"),
+    [
+        ("v5.0 moved to Vehicle.Noise, for short", "V5.0 moved to Vehicle.Noise, for short"),
+        ("'v5.0: moved to Vehicle.Noise'", "'V5.0 moved to Vehicle.Noise'"),
+        ('"Version 5.0 - Was renamed to Vehicle.Noise"', '"V5.0 moved to Vehicle.Noise"'),
+        ("V5.0 Moved To Vehicle.Noise", "V5.0 moved to Vehicle.Noise"),
+        ("v5.0, has been removed,\n    since nobody heard it", "V5.0 removed,\n    since nobody heard it"),
+        ("V5.0 deleted.", "V5.0 removed."),
+        ("V5.0 use Vehicle.Noise", None),
+        ("moved to Vehicle.Noise", None),
+        ('"\\u00765.0 moved to Vehicle.Noise"', None),
+    ],
+)
+def test_a_deprecation_gets_its_form_where_its_words_say_the_same(tree, written, form):
+    cabin = CABIN.replace("noise in the cabin", f"Noise.\n  deprecation: {written}")
+    (tree / "vspec" / "Cabin.vspec").write_text(cabin)
+    assert [each.after for each in fixed(tree)] == ([] if form is None else [cabin.replace(written, form)])
+
+
 def test_what_changes_the_meaning_is_repaired_on_demand_only(tree):
     cabin = CABIN.replace("noise in the cabin\n", "Noise.\n  maxx: 5\n")
     (tree / "vspec" / "Cabin.vspec").write_text(cabin)

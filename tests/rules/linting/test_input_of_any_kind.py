@@ -9,13 +9,13 @@ from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.reading.layers import layer_from_text
 from sigcat.data import INTERFACE_RULES
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import found_in
 from sigcat.rules.linting.posted import lint_text
-from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 from tests.needs import IS_SLOW_RUN
 
-EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
+EVERY_RULE = RuleSet(compiled_rules(INTERFACE_RULES))
 
 
 @given(st.binary(max_size=300) | st.text("VehicleABab:.- \n[]{}#&*!'\"0", max_size=300).map(str.encode))

@@ -10,10 +10,9 @@ from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
 from sigcat.errors import NotFound
-from sigcat.findings import Finding
 from sigcat.rules.linting.discovery import discover
 from sigcat.rules.linting.lint import lint_paths
-from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.options import CheckedFunctions, LintOptions
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.linting.selection import rules_for
 from sigcat.rules.report import FORMATS, report, sources_of
@@ -135,6 +134,26 @@ def test_an_overlay_beside_the_declared_stack_is_on_top_of_it(tree):
     assert lint_paths([above], LintOptions(overlays=(below,))).findings == ()
 
 
+@pytest.mark.parametrize(
+    ("rule", "above"),
+    [
+        ("V020", "Vehicle.New.Branch.Leaf: {type: sensor, datatype: uint8, description: Leaf.}\n"),
+        ("O102", "Vehicle.New: {delete: true}\n"),
+        ("V113", "Vehicle.Old: {type: sensor, datatype: uint8, description: O., deprecation: V6.0 moved to Vehicle.New.Branch}\n"),
+        ("I204", "Vehicle.Function.F.Error.Two: {type: sensor, datatype: boolean, description: Two., dependency: [F_One_ErrorSts]}\n"),
+    ],
+)  # fmt: skip
+def test_whatever_an_overlay_lacks_and_another_one_has_is_told_with_its_file(tree, rule, above):
+    overlay(tree, "below.vspec", "Vehicle.New: {type: branch, description: New.}\n"
+            "Vehicle.New.Branch: {type: branch, description: A branch.}\n"
+            "Vehicle.Function.F.Error.One: {type: sensor, datatype: boolean, description: One.}\n")  # fmt: skip
+    path = overlay(tree, "above.vspec", above)
+    advice = {f.rule: f.fix for f in lint_paths([path]).findings}
+    assert "'below.vspec' has it" in advice[rule]
+    (tree / "overlays/below.vspec").unlink()
+    assert "has it" not in " ".join(f.fix for f in lint_paths([path]).findings)
+
+
 def test_a_tree_with_a_root_of_its_own_is_a_tree_with_or_without_units(tmp_path):
     path = tmp_path / "server.vspec"
     path.write_text(
@@ -214,11 +233,11 @@ def test_function_files_go_to_the_check_that_is_given(tree):
     path.write_text('{"FunctionInfo": {}}')
     seen: list[tuple[Sequence[tuple[bytes, str]], bool]] = []
 
-    def check(files: Sequence[tuple[bytes, str]], is_whole: bool) -> list[Finding]:
+    def check(files: Sequence[tuple[bytes, str]], is_whole: bool) -> CheckedFunctions:
         seen.append((files, is_whole))
-        return []
+        return CheckedFunctions((), ("tree.vspec",))
 
-    lint_paths([path], LintOptions(check_functions=check))
+    assert lint_paths([path], LintOptions(check_functions=check)).beside == ("tree.vspec",)
     lint_paths([tree], LintOptions(check_functions=check))
     files = [(b'{"FunctionInfo": {}}', str(path))]
     assert seen == [(files, False), (files, True)]

@@ -3,14 +3,15 @@
 import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.exporting.static_id import static_id_of
 from sigcat.data import INTERFACE_RULES, VSPEC
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.options import LintOptions
 from sigcat.rules.linting.posted import lint_text
-from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 
-EVERY_RULE = RuleSet(load_rules(INTERFACE_RULES))
+EVERY_RULE = RuleSet(compiled_rules(INTERFACE_RULES))
 
 
 BELOW = """\
@@ -129,6 +130,10 @@ def test_an_overlay_is_for_the_shipped_tree_where_only_an_include_shows_that_ano
     assert [f.rule for f in lint_paths([tmp_path]).findings] == ["V003"]
 
 
+ID_OF_X = static_id_of("Vehicle.Seat.X", {"type": "sensor", "datatype": "uint8"})
+"""The identifier that `vspec export id` gives the node without an overlay."""
+
+
 @pytest.mark.parametrize(
     ("overlay", "told"),
     [
@@ -145,6 +150,9 @@ def test_an_overlay_is_for_the_shipped_tree_where_only_an_include_shows_that_ano
         ("Vehicle.Empty: {instances: [L, R]}\n", []),
         ("Vehicle.Gear: {enum: {DRIVE: 2}}\n", ["O103"]),
         ("Vehicle.Gear: {enum: {REAR: 2}}\n", []),
+        ("Vehicle.Seat.List: {arraysize: 4}\n", ["O103"]),
+        ("Vehicle.Seat.X: {constUID: '0x12345678'}\n", ["O103"]),
+        (f"Vehicle.Seat.X: {{constUID: '{ID_OF_X}'}}\n", []),
         ("Vehicle: {type: branch, delete: true}\n", ["O102"]),
         ("Vehicle.Seat: {delete: true}\nVehicle.Seat.N: {type: sensor, datatype: uint8, description: N.}\n", ["O108"]),
         ("Vehicle.Seat: {delete: true}\nVehicle.Seat.X: {max: 3}\n", ["O104", "O108"]),
@@ -157,6 +165,7 @@ def test_what_an_overlay_takes_from_those_who_know_the_tree(tmp_path, overlay, t
     seat = "Vehicle.Seat: {type: branch, description: Seats.}\nVehicle.Empty: {type: branch, description: None.}\n"
     gear = "Vehicle.Gear: {type: sensor, datatype: uint8, enum: {PARK: 0, DRIVE: 1}, description: Gear.}\n"
     signal = "Vehicle.Seat.X: {type: sensor, datatype: uint8, description: A thing.}\n"
+    signal += "Vehicle.Seat.List: {type: sensor, datatype: 'uint8[]', description: Things.}\n"
     tree.write_text(BELOW.replace(", unit: km/h", "") + seat + signal + gear)
     file.write_text(overlay)
     posted = lint_text(overlay.encode(), "posted", read_catalogue(tree), EVERY_RULE)
@@ -189,3 +198,27 @@ def test_for_a_path_with_a_wrong_branch_that_with_the_right_one_is_proposed(tmp_
     file.write_text(f"{path}: {{max: 3}}\n")
     (fix,) = [f.fix for f in lint_paths([file]).findings if f.rule == "O101"]
     assert fix.startswith(f"Did you mean {meant!r}")
+
+
+OWN = (
+    "Vehicle: {type: branch, description: Our vehicle.}\n"
+    "Vehicle.Speed: {type: sensor, datatype: uint8, description: How fast it is.}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "may_be_a_tree"),
+    [
+        (OWN, True),
+        (OWN + "Vehicle.Cabin.X: {type: sensor, datatype: uint8, description: X.}\n", False),
+        (OWN.partition("\n")[2], False),
+        (OWN.replace("type: sensor, ", ""), False),
+    ],
+)
+def test_what_contradicts_the_shipped_tree_and_is_whole_may_be_a_tree_of_its_own(tmp_path, text, may_be_a_tree):
+    file = tmp_path / "own.vspec"
+    file.write_text(text)
+    advice = [finding.fix for finding in lint_paths([file]).findings if finding.rule == "O103"]
+    assert advice
+    assert [f"`-s {file}`" in fix for fix in advice] == [may_be_a_tree] * len(advice)
+    assert not [f for f in lint_paths([file], LintOptions(base=file)).findings if f.rule[0] == "O"]

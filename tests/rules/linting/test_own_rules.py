@@ -69,7 +69,7 @@ def test_a_rule_that_cannot_be_checked_is_told_and_not_used(tree, text):
     ("check", "options", "message"),
     [
         ("text", "{attribute: enum, each: kye}", "Option 'each' of rule ACME001 must be key or value, not 'kye'."),
-        ("text", "{attribute: comment, repair: dot}", "Option 'repair' of rule ACME001 must be capitalize or period, not 'dot'."),
+        ("text", "{attribute: comment, repair: dot}", "Option 'repair' of rule ACME001 must be capitalize, period or deprecation, not 'dot'."),
         ("name", "{case: loud}", "Option 'case' of rule ACME001 must be screaming, not 'loud'."),
         ("name-length", "{most: 9, target: C, of: paths}", "Option 'of' of rule ACME001 must be name or path, not 'paths'."),
         ("node-type", "{types: sensor}", "Option 'types' of rule ACME001 must be a list, not 'sensor'."),

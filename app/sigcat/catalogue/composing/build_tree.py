@@ -21,8 +21,8 @@ class Draft(NamedTuple):
 
 def draft_tree(definitions: Mapping[str, Definition], limits: Limits, findings: list[Finding]) -> Draft | None:
     """The tree of the first root, or None if there is no root. Branches that no file defines are added."""
-    usable = [path for path in definitions if _is_usable(path, definitions[path], limits, findings)]
-    usable.sort(key=lambda path: path.count("."))
+    written = [path for path in definitions if _is_usable(path, definitions[path], limits, findings)]
+    usable = sorted(written, key=lambda path: path.count("."))
     root = _single_root(usable, definitions, findings)
     placed: dict[str, Draft] = {}
     orphans: list[str] = []
@@ -33,8 +33,9 @@ def draft_tree(definitions: Mapping[str, Definition], limits: Limits, findings: 
             _children(placed[parent])[draft.name] = draft
         elif parent:
             orphans.append(path)
+    first_below = _first_below(written, placed) if orphans else {}
     for path in orphans:
-        _connect(path, placed, root, findings)
+        _connect(path, placed, first_below, definitions, root, findings)
     return placed[root] if root else None
 
 
@@ -76,12 +77,32 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
     return roots[0] if roots else ""
 
 
-def _connect(path: str, placed: dict[str, Draft], root: str, findings: list[Finding]) -> None:
+def _first_below(written: Iterable[str], placed: Mapping[str, Draft]) -> Mapping[str, str]:
+    """For each branch that no file defines, the path below it that was written first: in the tree, before any overlay."""
+    first: dict[str, str] = {}
+    for path in written:
+        above = parent_path(path)
+        while above and above not in first:
+            if above not in placed:
+                first[above] = path
+            above = parent_path(above)
+    return first
+
+
+def _connect(
+    path: str,
+    placed: dict[str, Draft],
+    first_below: Mapping[str, str],
+    definitions: Mapping[str, Definition],
+    root: str,
+    findings: list[Finding],
+) -> None:
     """Connect a node whose parent no file defines to the tree, with branches added for the missing ones."""
     definition = placed[path].definition
     child, parent = placed[path], parent_path(path)
     while parent and parent not in placed:
-        added = _added_branch(parent, path, definition, placed.get(parent_path(parent)))
+        below = first_below[parent]
+        added = _added_branch(parent, below, definitions[below], placed.get(parent_path(parent)))
         placed[parent] = Draft(last_name(parent), added, {child.name: child})
         child, parent = placed[parent], parent_path(parent)
     if parent:

@@ -48,16 +48,11 @@ def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Defin
 
 def _below_retyped(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
     """What is below nodes to which an overlay gives a type, and may not be below that type."""
-    retyped = {path for path, new in changed.items() if new.origin("type").overlay and _may_have_children(path, base)}
+    retyped = {path for path, new in changed.items() if new.origin("type").overlay and path in base.parents}
     if not retyped:
         return {}
     below = {path: own for path, own in base.definitions.items() if not retyped.isdisjoint(_with_ancestors([path]))}
     return {path: changed.get(path, own) for path, own in below.items()}
-
-
-def _may_have_children(path: str, base: Catalogue) -> bool:
-    node = base.nodes.get(path)
-    return bool(node.children) if node is not None else path in base.definitions
 
 
 def _added_branch(path: str, catalogue: Catalogue) -> Definition | None:

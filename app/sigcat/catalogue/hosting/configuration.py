@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source
+from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.limits import CONFIGURATION_BYTES
@@ -41,8 +42,6 @@ _OF_FOLDERS = frozenset(("include_dirs", "functions"))
 """Lists that name folders; all others name files."""
 
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
-_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
-_KEY = re.compile(r"\s*[\"']?([A-Za-z0-9_.-]+)[\"']?\s*=")
 _POSITION = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
 """How tomllib ends its messages. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
@@ -91,27 +90,6 @@ def read_configuration(file: Path, tables: Mapping[str, TableReader] | None = No
     )
 
 
-class Lines:
-    """The lines of the keys of a TOML file; tomllib does not give them."""
-
-    def __init__(self, text: str) -> None:
-        self._lines: dict[tuple[str, int, str], int] = {}
-        table, number = "", 0
-        seen: dict[str, int] = {}
-        for line, content in enumerate(text.splitlines(), 1):
-            if header := _HEADER.match(content):
-                table = header[2].strip("\"'")
-                number = seen[table] = seen.get(table, -1) + 1
-                self._lines.setdefault((table, number, ""), line)
-                self._lines.setdefault(("", 0, table.partition(".")[0]), line)
-            elif key := _KEY.match(content):
-                self._lines.setdefault((table, number, key[1]), line)
-
-    def line(self, table: str, number: int = 0, key: str = "") -> int:
-        """Line, from 1, of a key of the table that is the `number`th of its name; of its header without a key."""
-        return self._lines.get((table, number, key)) or self._lines.get((table, number, "")) or 1
-
-
 @dataclass
 class _Reading:
     """The file while it is read, with the findings so far."""
@@ -148,7 +126,7 @@ class _Reading:
     def _placed(self, finding: Finding, table: str) -> Finding:
         if finding.line or finding.file != str(self.file):  # the environment has no lines
             return finding
-        return finding._replace(line=self.lines.line(table, 0, finding.pointer or finding.path))
+        return finding._replace(line=self.lines.line_below(table, finding.pointer or finding.path))
 
     def path(self, text: str) -> Path:
         return self.file.parent / Path(text).expanduser()

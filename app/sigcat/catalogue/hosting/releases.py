@@ -162,21 +162,25 @@ def pull(
     folder.mkdir(parents=True, exist_ok=True)
     _remove_unfinished(folder)
     with _unfinished(folder) as work:
-        archive = work / "archive"
-        source = _bring(name, origin, archive, progress, limits)
-        found = _digest_of(archive)
-        if digest and found != digest:
-            raise InputRefused(f"the archive has the SHA-256 {found}, not {digest}; nothing was kept")
-        content = work / "content"
-        content.mkdir()
-        files = unpack(archive, content, limits.archive)
-        release = Release(
-            name, content, source, found, _content_digest(content, files), _now(), len(_tree(name, content).nodes)
-        )
-        _write_record(release)
+        release = _fetched(name, origin, digest, work, progress, limits)
         if replaces and (folder / name).exists():
             (folder / name).rename(work / "replaced")
         return _keep(release, folder / name)
+
+
+def _fetched(name: str, origin: str, digest: str, work: Path, progress: Progress | None, limits: PullLimits) -> Release:
+    """A release, unpacked in a folder that is removed if something is wrong with it."""
+    archive, content = work / "archive", work / "content"
+    source = _bring(name, origin, archive, progress, limits)
+    found = _digest_of(archive)
+    if digest and found != digest:
+        raise InputRefused(f"the archive has the SHA-256 {found}, not {digest}; nothing was kept")
+    content.mkdir()
+    files = unpack(archive, content, limits.archive)
+    nodes = len(_tree(name, content).nodes)
+    release = Release(name, content, source, found, _content_digest(content, files), _now(), nodes)
+    _write_record(release)
+    return release
 
 
 def _sha256(text: str) -> str:

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from sigcat.catalogue.hosting.releases import find_release, pulled_releases
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.reading.joined_paths import split_paths
 from sigcat.catalogue.reading.root_file import root_file, types_beside
@@ -32,6 +31,8 @@ def release_source(name: str) -> Source:
     """The source of a pulled release, or of the shipped tree. Raises NotFound, which says how to pull it."""
     if name == SHIPPED:
         return Source("vss", "VSS 6.0", ROOT_FILE)
+    from sigcat.catalogue.hosting.releases import find_release
+
     release = find_release(name)
     title = f"VSS {release.name.removeprefix('v')}"
     return Source(release.name, title, release.spec, types=release.types, release=release.name)
@@ -39,6 +40,8 @@ def release_source(name: str) -> Source:
 
 def pulled_sources() -> tuple[Source, ...]:
     """The sources of all releases that were pulled, newest first."""
+    from sigcat.catalogue.hosting.releases import pulled_releases
+
     return tuple(release_source(release.name) for release in reversed(pulled_releases()))
 
 

@@ -168,6 +168,22 @@ class Catalogue:
         return [d for d in self.definitions.values() if d.statements and d.statements[-1].file.overlay]
 
     @cached_property
+    def children(self) -> Mapping[str, Sequence[Definition]]:
+        """Definitions right below a path, by that path."""
+        return {path: list(below.values()) for path, below in _by_parent(self.definitions).items()}
+
+    @cached_property
+    def parents(self) -> Collection[str]:
+        """Paths that have a definition somewhere below them, also those that no file defines."""
+        found: set[str] = set()
+        for path in self.definitions:
+            above = parent_path(path)
+            while above and above not in found:
+                found.add(above)
+                above = parent_path(above)
+        return found
+
+    @cached_property
     def branches(self) -> Mapping[str, Sequence[Definition]]:
         """Definitions of branches by the path of the branch right above them."""
         branches: dict[str, list[Definition]] = {}
@@ -227,6 +243,15 @@ class CataloguePart(Catalogue):
         return _interfaces(self.changed, self.below.interfaces)
 
     @cached_property
+    def children(self) -> Mapping[str, Sequence[Definition]]:
+        """Definitions right below a path, by that path."""
+        changed = {
+            path: list(({each.path: each for each in self.below.children.get(path, ())} | own).values())
+            for path, own in _by_parent(self.changed).items()
+        }
+        return _over(self.below.children, changed)
+
+    @cached_property
     def first_spellings(self) -> Mapping[str, str]:
         """Of paths that differ in case only the first, by the path in lower case."""
         return _over(_first_spellings(self.changed), self.below.first_spellings)
@@ -235,6 +260,13 @@ class CataloguePart(Catalogue):
 def _over(below: Mapping[str, Value], above: Mapping[str, Value]) -> Mapping[str, Value]:
     """Two mappings as one. To copy a whole tree costs more than all that an overlay asks of it."""
     return ChainMap(above, below)  # type: ignore[arg-type] # it is only read
+
+
+def _by_parent(definitions: Mapping[str, Definition]) -> Mapping[str, dict[str, Definition]]:
+    found: dict[str, dict[str, Definition]] = {}
+    for path, definition in definitions.items():
+        found.setdefault(parent_path(path), {})[path] = definition
+    return found
 
 
 def _interfaces(definitions: Mapping[str, Definition], below: Mapping[str, Definition]) -> Mapping[str, Definition]:

@@ -3,7 +3,7 @@
 A vocabulary is a value: two catalogues with different units live in one process.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -65,6 +65,7 @@ _UNIT_FIELDS = frozenset(
     ("definition", "unit", "label", "quantity", "domain", "qudt", "allowed-datatypes", "deprecation", "comment")
 )
 """The fields of a unit, those of older releases included."""
+_QUANTITY_FIELDS = frozenset(("definition", "comment", "remark"))
 EMPTY = Vocabulary({}, {}, (), ())
 
 
@@ -75,7 +76,8 @@ def read_vocabulary(
     findings: list[Finding] = []
     sources: list[SourceFile] = []
     quantities = {
-        key: _quantity(entry) for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
+        key: _quantity(entry, findings)
+        for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
     }
     units: dict[str, Unit] = {}
     names: dict[str, Unit] = {}
@@ -125,13 +127,22 @@ def _entries(
         for statement in file.statements:
             key = statement.path.lower()
             if key in entries:
-                message = f"{what} {statement.path!r} replaces the one in {entries[key].origin().file}."
-                findings.append(_about(statement, codes.UNIT_REPLACED, message))
+                findings.append(_replaced(statement, entries[key], what))
             entries[key] = statement
     return list(entries.items())
 
 
-def _quantity(entry: Statement) -> Quantity:
+def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:
+    if entry.path == earlier.path:
+        message = f"{what} {entry.path!r} replaces the one in {earlier.origin().file}."
+        return _about(entry, codes.UNIT_REPLACED, message)
+    message = f"{what} {entry.path!r} replaces {earlier.path!r}: case does not count in keys, for vss-tools either."
+    fix = f"Give one of them another key; until then, {earlier.path!r} means {entry.path!r}."
+    return _about(entry, codes.UNIT_REPLACED, message, fix=fix)
+
+
+def _quantity(entry: Statement, findings: list[Finding]) -> Quantity:
+    findings.extend(_unknown_fields(entry, "Quantity", _QUANTITY_FIELDS))
     values = entry.values
     return Quantity(entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin())
 
@@ -142,7 +153,7 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
         message = f"Unit {entry.path!r} must have a `definition` and a `unit`."
         findings.append(_about(entry, codes.UNIT_INCOMPLETE, message))
         return None
-    findings.extend(_unknown_fields(entry))
+    findings.extend(_unknown_fields(entry, "Unit", _UNIT_FIELDS))
     quantity = _quantity_of(values)
     if quantities and quantity.lower() not in quantities:
         hint = did_you_mean(quantity, quantities)
@@ -167,14 +178,14 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
     )
 
 
-def _unknown_fields(entry: Statement) -> Iterator[Finding]:
+def _unknown_fields(entry: Statement, what: str, known: Collection[str]) -> Iterator[Finding]:
     """Fields that other tools ignore silently."""
     for name in entry.values:
-        if name not in _UNIT_FIELDS:
-            message = f"Unit {entry.path!r} has the unknown field {shown(name)}, which is ignored."
-            fix = did_you_mean(name.replace("_", "-"), _UNIT_FIELDS) or "Remove it."
+        if name not in known:
+            message = f"{what} {entry.path!r} has the unknown field {shown(name)}, which is ignored."
+            fix = did_you_mean(name.replace("_", "-"), sorted(known, key=lambda field: field in entry.values))
             origin = entry.origin_of_key(name)
-            yield codes.UNIT_FIELD_UNKNOWN.finding(message, *origin.position, entry.path, fix=fix)
+            yield codes.UNIT_FIELD_UNKNOWN.finding(message, *origin.position, entry.path, fix=fix or "Remove it.")
 
 
 def _quantity_of(values: Mapping[str, Any]) -> str:

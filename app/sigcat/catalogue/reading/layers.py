@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from sigcat import codes
+from sigcat.catalogue.reading.compiled_tree import compiled_file, compiled_files, is_shipped, keep
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import Include, VspecFile, parse_vspec
 from sigcat.digest import digest_of
@@ -56,6 +57,8 @@ class _Reading:
         self.findings: list[Finding] = []
         self.real_paths: dict[Path, Path] = {}
         self.is_inside: dict[Path, bool] = {}
+        self.is_compiled = limits == DEFAULT_LIMITS and is_shipped(path)
+        self.compiled = compiled_files() if self.is_compiled else {}
 
     def finished(self) -> Layer:
         """The layer, with the findings of the files before those of the includes."""
@@ -83,6 +86,8 @@ def read_layer(
             rule = codes.OVERLAY_EMPTY if is_overlay else codes.TREE_EMPTY
             reading.findings.append(rule.finding("The file has no nodes.", str(path)))
         _apply(file, path, "", reading, (path.resolve(),))
+    if reading.is_compiled:
+        keep(reading.files.values(), reading.compiled)
     return reading.finished()
 
 
@@ -199,6 +204,6 @@ def _read_file(path: Path, reading: _Reading, asked_at: Origin) -> VspecFile | N
         return None
     overlay = reading.name if reading.is_overlay else ""
     source = SourceFile(str(path), overlay, digest_of(data))
-    file = parse_vspec(data, source, reading.limits)
+    file = compiled_file(source, reading.compiled) or parse_vspec(data, source, reading.limits)
     reading.files[path] = file
     return file

@@ -4,6 +4,7 @@ Each position is packed into one integer: a tree of 100,000 signals has half a m
 needed only when something is shown.
 """
 
+from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -11,6 +12,7 @@ from yaml.nodes import MappingNode, Node
 
 from sigcat.catalogue.reading.yaml_document import merged_pairs
 
+_MARKS = "Q"
 _COLUMN_BITS = 12
 _LINES_BETWEEN_BITS = 12
 _MOST_COLUMNS = (1 << _COLUMN_BITS) - 1
@@ -93,6 +95,17 @@ class Statement:
         line, column, lines_between, column_of_value = unpacked_mark(mark)
         line, column = (line, column) if at_key else (line + lines_between, column_of_value)
         return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
+
+    def packed(self) -> tuple[str, Mapping[str, Any], int, bytes]:
+        """All but the file, in types that marshal knows."""
+        return self.path, self.values, self._key_mark, array(_MARKS, self._marks).tobytes()
+
+    @classmethod
+    def unpacked(
+        cls, file: SourceFile, path: str, values: Mapping[str, Any], key_mark: int, marks: bytes
+    ) -> "Statement":
+        """A statement that was packed."""
+        return cls(path, file, values, key_mark, array(_MARKS, marks))
 
     def placed(self, prefix: str) -> "Statement":
         """The same statement below `prefix`, for an include with a prefix."""

@@ -7,7 +7,18 @@ from collections.abc import Mapping
 
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
-from sigcat.rules.checks import attributes, fields, groups, naming, overlays, portable, references, signals, text
+from sigcat.rules.checks import (
+    attributes,
+    fields,
+    groups,
+    naming,
+    network,
+    overlays,
+    portable,
+    references,
+    signals,
+    text,
+)
 from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, OneOf, Options, TreeCheck
 
 _PORTABLE: Options = {"case": OneOf(portable.CASES), "target": str}
@@ -79,12 +90,22 @@ CHECKS: Mapping[str, Check] = {
     "twice-written": TreeCheck(signals.twice_written, {"ignored": list}),
     "overlay-unknown-node": NodeCheck(overlays.unknown_node, {}, of_overlays=True),
     "overlay-deletes-nothing": NodeCheck(overlays.deletes_nothing, {}, (), "=delete", of_overlays=True),
-    "overlay-changes": NodeCheck(overlays.changes, {"attributes": list}, ("attributes",), of_overlays=True),
+    "overlay-changes": NodeCheck(
+        overlays.changes, {"attributes": list, "given": list}, ("attributes",), of_overlays=True
+    ),
     "overlay-narrows": NodeCheck(overlays.narrows, {}, of_overlays=True),
     "overlay-conflict": NodeCheck(overlays.conflict, {"ignored": list}, of_overlays=True, of_stacks=True),
     "overlay-instances": NodeCheck(overlays.keeps_instances, {}, of_overlays=True),
     "overlay-below-deleted": TreeCheck(overlays.below_deleted, {}),
     "overlay-no-effect": TreeCheck(overlays.no_effect, {}, of_stacks=True),
+    "mapping-transform": NodeCheck(network.transform, {}, (), f"={network.ANY_MAPPING}"),
+    "mapping-listed-once": NodeCheck(network.listed_once, {}, (), f"={network.ANY_MAPPING}"),
+    "mapping-values": NodeCheck(network.values_fit, {}, (), f"={network.ANY_MAPPING}"),
+    "mapping-sent-once": TreeCheck(network.sent_once, {}),
+    "can-signal": NodeCheck(network.in_database, {}, (), f"={network.ANY_MAPPING}"),
+    "can-message": NodeCheck(network.unambiguous, {}, (), f"={network.ANY_MAPPING}"),
+    "can-names": NodeCheck(network.names_in_database, {}, (), f"={network.ANY_MAPPING}"),
+    "can-range": NodeCheck(network.range_fits, {}, (), f"={network.ANY_MAPPING}"),
     "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": list}, ("words", "target")),
     "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": str}, ("pattern", "target")),
     "name-length": NodeCheck(
@@ -92,4 +113,4 @@ CHECKS: Mapping[str, Check] = {
     ),
     "collision": TreeCheck(portable.collision, {**_PORTABLE, "of": _NAME_OR_PATH}, ("target",)),
 }
-"""`needs` that starts with `=` is the attribute itself; otherwise it names the option that holds it."""
+"""`needs` that starts with `=` is the attribute itself, or several of which one is enough; otherwise it names the option that holds it."""

@@ -119,6 +119,8 @@ def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[An
         elif isinstance(value, list):
             for i, item in enumerate(value):
                 yield from (wrong._replace(within=(i,)) for wrong in _wrong_item(name, field, item, pattern))
+                if "values" in field and item in value[:i]:
+                    yield _Wrong(f"`{name}` must have {shown(item)} once.", "Remove the second one.", within=(i,))
         else:
             yield from _wrong_item(name, field, value, pattern)
 

@@ -4,10 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sigcat.catalogue.composing.expand_instances import count_instances, instance_names
+from sigcat.catalogue.exporting.static_id import static_id_of
 from sigcat.catalogue.model.definition import BRANCH, Definition, instances_of, merged_statements, merged_values
 from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import shown
-from sigcat.limits import COMPARED_INSTANCES, PROPOSALS
+from sigcat.limits import COMPARED_INSTANCES
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
 from sigcat.rules.problem import Problem
@@ -21,16 +22,16 @@ def _near(path: str, tree: Tree) -> str:
     if beside_wrong:
         return did_you_mean(path, beside_wrong)
     if _leads_below_instances(path, tree):
-        return did_you_mean(path, [other for other, known in tree.expanded.items() if known.type])
+        return did_you_mean(path, (other for other, known in tree.expanded.items() if known.type))
     own = last_name(path)
     beside = {name: other for name, other in tree.typed.get(parent_path(path), {}).items() if other != path}
     near = nearest(own, beside)
     if near:
         return did_you_mean(path, [beside[name] for name in near])
     if beside:
-        return did_you_mean(path, [c[own] for c in tree.typed.values() if c.get(own, path) != path])
+        return did_you_mean(path, (c[own] for c in tree.typed.values() if c.get(own, path) != path))
     others = (other for children in tree.typed.values() for other in children.values())
-    return did_you_mean(path, [other for other in others if other != path])
+    return did_you_mean(path, (other for other in others if other != path))
 
 
 def _with_another_branch(path: str, tree: Tree) -> list[str]:
@@ -65,14 +66,12 @@ def _leads_below_instances(path: str, tree: Tree) -> bool:
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
     """A node that an overlay adds has a `type`; one without was meant to change a node that is there."""
 
-    proposals = iter(range(PROPOSALS))
-
     def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
         is_new = bool(first.file.overlay) and not any("type" in s.values for s in definition.statements)
         if is_new and not first.values.get("delete") and not tree.is_instance(definition.path):
             message = f"The overlay changes {definition.path!r}, which does not exist."
-            fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
+            fix = _near(definition.path, tree)
             yield Problem(first, message, fix=f"{fix} Give it a `type` if it is a new node.".lstrip())
 
     return test
@@ -80,8 +79,6 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
 
 def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
     """`delete: true` is written for a node that an earlier layer has, and not for the root."""
-
-    proposals = iter(range(PROPOSALS))
 
     def test(definition: Definition) -> Iterator[Problem]:
         first = definition.statements[0]
@@ -91,27 +88,39 @@ def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
             yield Problem(written, message, "delete", "Delete the branches below it.", at_name=True)
         elif first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
             message = f"The overlay deletes {definition.path!r}, which does not exist."
-            fix = _near(definition.path, tree) if next(proposals, None) is not None else ""
+            fix = _near(definition.path, tree)
             yield Problem(first, message, "delete", fix or "Remove it.", at_name=True)
 
     return test
 
 
 def changes(rule: Rule, _tree: Tree) -> NodeTest:
-    """An overlay gives none of `attributes` another value than the tree below it."""
+    """An overlay gives none of `attributes` another value than the tree below it, and none of `given` where that has none."""
     attributes = tuple(rule.options["attributes"])
+    given = frozenset(rule.options.get("given", ()))
 
     def test(definition: Definition) -> Iterator[Problem]:
         for attribute in attributes if _in_base(definition) else ():
             base = _base_value(definition, attribute)
             statement = _last_of_overlay(definition, attribute)
-            if base is not None and statement is not None and _differs(statement.values[attribute], base):
-                message = (
-                    f"The overlay changes `{attribute}` from {shown(base)} to {shown(statement.values[attribute])}."
-                )
-                yield Problem(statement, message, attribute, facts={"attribute": attribute})
+            if statement is None:
+                continue
+            value = statement.values[attribute]
+            facts = {"attribute": attribute}
+            if base is not None and _differs(value, base):
+                message = f"The overlay changes `{attribute}` from {shown(base)} to {shown(value)}."
+                yield Problem(statement, message, attribute, facts=facts)
+            elif base is None and attribute in given and not _is_meant_anyway(attribute, value, definition):
+                message = f"The overlay gives `{attribute}` {shown(value)} to a node that has none."
+                yield Problem(statement, message, attribute, facts=facts)
 
     return test
+
+
+def _is_meant_anyway(attribute: str, value: Any, definition: Definition) -> bool:
+    """Whether a value is what a node without it has: the identifier that is computed for it."""
+    base = _base_values(definition)
+    return attribute == "constUID" and str(value).lower() == static_id_of(definition.path, base).lower()
 
 
 def narrows(_rule: Rule, _tree: Tree) -> NodeTest:

@@ -33,6 +33,11 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
     return test
 
 
+def names_in(definition: Definition, attribute: str) -> list[str]:
+    """The interface names that an attribute of a node refers to."""
+    return _named(nested(definition.values, attribute))
+
+
 def cycle(rule: Rule, tree: Tree) -> TreeTest:
     """Following `attribute` from interface to interface forms no cycle."""
     attribute = rule.options["attribute"]

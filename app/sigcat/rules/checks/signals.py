@@ -52,12 +52,18 @@ def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
     """
 
     def test(definition: Definition) -> Iterator[Problem]:
-        match = re.search(_TARGET, str(definition.values["deprecation"]))
-        if match and not _leads_somewhere(match[1], definition.path, tree):
-            message = f"`deprecation` must name a node of the tree, not {match[1]!r}."
-            yield Problem(definition, message, "deprecation", did_you_mean(match[1], tree.definitions))
+        target = moved_to(definition)
+        if target and not _leads_somewhere(target, definition.path, tree):
+            message = f"`deprecation` must name a node of the tree, not {target!r}."
+            yield Problem(definition, message, "deprecation", did_you_mean(target, tree.definitions))
 
     return test
+
+
+def moved_to(definition: Definition) -> str:
+    """Where the deprecation of a node says that it has moved; empty if it says nothing of that."""
+    match = re.search(_TARGET, str(definition.values["deprecation"]))
+    return match[1] if match else ""
 
 
 def _leads_somewhere(target: str, path: str, tree: Tree) -> bool:

@@ -1,7 +1,7 @@
 """Checks of texts: of the values of attributes, and of the lines of a file."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from sigcat.catalogue.model.definition import Definition
@@ -13,9 +13,25 @@ from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
-REPAIRS = {
-    "capitalize": Repair("capitalize"),
-    "period": Repair("append", "."),
+_VERSION = re.compile(r"\s*v(?:ersion|ss)?\s*(\d+\.\d+(?:\.\d+)?)[\s:;,.–—-]*", re.IGNORECASE)
+_SUCCESSOR = re.compile(r"(?:(?:is|was|has been|got)\s+)?(?:moved|renamed)\s+(?:in)?to:?\s+", re.IGNORECASE)
+_REMOVAL = re.compile(r"(?:(?:is|was|has been|got|to be)\s+)?(?:removed|deleted)\b", re.IGNORECASE)
+
+
+def _deprecation(item: str) -> Repair:
+    """The same successor or removal, in the words of VSS."""
+    version = _VERSION.match(item)
+    if not version:
+        return Repair("capitalize")
+    rest = item[version.end() :]
+    rest = _REMOVAL.sub("removed", _SUCCESSOR.sub("moved to ", rest, count=1), count=1)
+    return Repair("rewrite", f"V{version[1]} {rest}")
+
+
+REPAIRS: Mapping[str, Callable[[str], Repair]] = {
+    "capitalize": lambda _: Repair("capitalize"),
+    "period": lambda _: Repair("append", "."),
+    "deprecation": _deprecation,
 }
 
 
@@ -52,9 +68,9 @@ def text(rule: Rule, _tree: Tree) -> NodeTest:
 
 def _repair(rule: Rule, item: str, wrong: Callable[[str], str]) -> Repair | None:
     """The repair that the rule names, if it leaves nothing wrong."""
-    kind = rule.options.get("repair")
-    repaired = item[:1].upper() + item[1:] if kind == "capitalize" else f"{item}."
-    return REPAIRS[kind] if kind in REPAIRS and not wrong(repaired) else None
+    repair = REPAIRS.get(rule.options.get("repair", ""))
+    made = repair(item) if repair else None
+    return made if made is not None and not wrong(made.of(item)) else None
 
 
 def line_length(rule: Rule) -> LineTest:

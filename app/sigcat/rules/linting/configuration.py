@@ -5,11 +5,12 @@ Paths in it are relative to its folder. The command line lays its options over i
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from sigcat import codes
-from sigcat.errors import InputRefused, UsageError
-from sigcat.findings import SEVERITIES
+from sigcat.catalogue.reading.toml_lines import Lines
+from sigcat.errors import InputRefused
+from sigcat.findings import SEVERITIES, Finding, in_order, shown
 from sigcat.names import did_you_mean
 from sigcat.rules.linting.options import LintOptions, PerFile
 from sigcat.rules.linting.severity import OFF
@@ -32,15 +33,22 @@ def read_configuration(path: Path) -> LintOptions:
     import tomllib  # only where there is a configuration: it takes time at start-up
 
     try:
-        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+        text = path.read_bytes().decode("utf-8-sig")
+        data = tomllib.loads(text)
     except OSError as error:
         raise InputRefused(f"The configuration {str(path)!r} cannot be read: {error.strerror}.") from None
     except (ValueError, RecursionError) as error:
         raise InputRefused(f"The configuration {str(path)!r} is not valid TOML: {error}") from None
+    name = "lint" if path.name != FILES[1] else "tool.sigcat.lint"
     table = _table_in(data) if path.name == FILES[1] else data.get("lint", {})
     if not isinstance(table, dict):
         raise InputRefused(f"`lint` in {str(path)!r} must be a table.")
-    return options_of(table, path)
+    try:
+        return options_of(table, path)
+    except InputRefused as error:
+        lines = Lines(text)
+        placed = [finding._replace(line=lines.line_below(name, finding.path)) for finding in error.findings]
+        raise InputRefused(str(error), in_order(placed)) from None
 
 
 def _table_in(data: Mapping[str, Any]) -> Any:
@@ -50,44 +58,58 @@ def _table_in(data: Mapping[str, Any]) -> Any:
     return found
 
 
+class _Faults(NamedTuple):
+    """What is wrong with a table, each fault with the key that it is about."""
+
+    findings: list[Finding]
+    file: Path
+
+    def add(self, key: str, message: str) -> None:
+        self.findings.append(codes.CONFIGURATION_UNUSABLE.finding(message.rstrip(), str(self.file), path=key))
+
+
 def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
-    """The options that a table of the configuration `path` says. Raises InputRefused, with every field that is wrong."""
+    """The options that a table of the configuration `path` says. Raises InputRefused, with everything that is wrong."""
     read: dict[str, Any] = {}
-    findings = []
+    faults = _Faults([], path)
     for key, value in table.items():
-        try:
-            known = _FIELDS.get(key.replace("_", "-"))
-            if known is None:
-                raise UsageError(f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}".strip())
+        known = _FIELDS.get(key.replace("_", "-"))
+        if known is None:
+            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}")
+        else:
             field, convert = known
-            read[field] = convert(key, value, path.parent)
-        except UsageError as error:
-            findings.append(codes.CONFIGURATION_UNUSABLE.finding(str(error), str(path), path=key))
-    if findings:
-        raise InputRefused(f"The configuration {str(path)!r} cannot be used.", tuple(findings))
+            read[field] = convert(key, value, faults)
+    if faults.findings:
+        raise InputRefused(f"The configuration {str(path)!r} cannot be used.", tuple(faults.findings))
     return LintOptions(file=path, root=path.parent, **read)
 
 
-def _texts(key: str, value: Any, _folder: Path) -> tuple[str, ...]:
+def _texts(key: str, value: Any, faults: _Faults) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        raise UsageError(f"`{key}` must be a list of texts.")
+        faults.add(key, f"`{key}` must be a list of texts.")
+        return ()
     return tuple(value)
 
 
-def _path(key: str, value: Any, folder: Path) -> Path:
+def _path(key: str, value: Any, faults: _Faults) -> Path | None:
+    folder = faults.file.parent
     if not isinstance(value, str):
-        raise UsageError(f"`{key}` must be the name of a file, not {value!r}.")
-    if not (folder / value).exists():
-        raise UsageError(f"`{key}` names {value!r}, which does not exist in {str(folder)!r}.")
-    return _near(folder / value)
+        faults.add(key, f"`{key}` must be the name of a file, not {value!r}.")
+    elif not (folder / value).exists():
+        faults.add(key, f"`{key}` names {value!r}, which does not exist in {str(folder)!r}.")
+    else:
+        return _near(folder / value)
+    return None
 
 
-def _paths(key: str, value: Any, folder: Path) -> tuple[Path, ...]:
-    found: list[Path] = []
-    for text in _texts(key, value, folder):
-        matches = sorted(folder.glob(text)) if "*" in text else [_path(key, text, folder)]
-        found.extend(_near(match) for match in matches)
-    return tuple(dict.fromkeys(found))
+def _paths(key: str, value: Any, faults: _Faults) -> tuple[Path, ...]:
+    found: list[Path | None] = []
+    for text in _texts(key, value, faults):
+        if "*" in text:
+            found.extend(_near(match) for match in sorted(faults.file.parent.glob(text)))
+        else:
+            found.append(_path(key, text, faults))
+    return tuple(dict.fromkeys(path for path in found if path is not None))
 
 
 def _near(path: Path) -> Path:
@@ -98,37 +120,37 @@ def _near(path: Path) -> Path:
         return path
 
 
-def _severities(key: str, value: Any, _folder: Path) -> dict[str, str]:
+def _severities(key: str, value: Any, faults: _Faults) -> dict[str, str]:
     if not isinstance(value, dict):
-        raise UsageError(f"`{key}` must be a table of codes with severities.")
+        faults.add(key, f"`{key}` must be a table of codes with severities.")
+        return {}
     words = (*SEVERITIES, OFF)
-    if wrong := [f"{severity!r} of {code}" for code, severity in value.items() if severity not in words]:
-        meant = did_you_mean(str(next(s for s in value.values() if s not in words)), words)
-        raise UsageError(f"`{key}` must be {', '.join(SEVERITIES)} or {OFF}, not {', '.join(wrong)}. {meant}".rstrip())
+    for code, severity in value.items():
+        if severity not in words:
+            meant = did_you_mean(str(severity), words)
+            message = f"`{key}.{code}` must be {', '.join(SEVERITIES)} or {OFF}, not {shown(severity)}. {meant}"
+            faults.add(f"{key}.{code}", message)
     return {str(code): str(severity) for code, severity in value.items()}
 
 
-def _per_file(key: str, value: Any, folder: Path) -> tuple[PerFile, ...]:
+def _per_file(key: str, value: Any, faults: _Faults) -> tuple[PerFile, ...]:
     if not isinstance(value, dict):
-        raise UsageError(f"`{key}` must have a table for each pattern of files.")
-    entries, wrong = [], []
-    for glob, inner in value.items():
-        try:
-            entries.append(PerFile(glob, _severities(f"{key}.{glob}", inner, folder)))
-        except UsageError as error:
-            wrong.append(str(error))
-    if wrong:
-        raise UsageError(" ".join(wrong))
-    return tuple(entries)
+        faults.add(key, f"`{key}` must have a table for each pattern of files.")
+        return ()
+    return tuple(PerFile(glob, _severities(f"{key}.{glob}", inner, faults)) for glob, inner in value.items())
 
 
-def _rule_options(key: str, value: Any, _folder: Path) -> dict[str, dict[str, Any]]:
-    if not isinstance(value, dict) or not all(isinstance(inner, dict) for inner in value.values()):
-        raise UsageError(f"`{key}` must have a table of options for each code.")
+def _rule_options(key: str, value: Any, faults: _Faults) -> dict[str, dict[str, Any]]:
+    if not isinstance(value, dict):
+        faults.add(key, f"`{key}` must have a table of options for each code.")
+        return {}
+    for code, inner in value.items():
+        if not isinstance(inner, dict):
+            faults.add(f"{key}.{code}", f"`{key}.{code}` must be a table of options, not {shown(inner)}.")
     return value
 
 
-_FIELDS: Mapping[str, tuple[str, Callable[[str, Any, Path], Any]]] = {
+_FIELDS: Mapping[str, tuple[str, Callable[[str, Any, _Faults], Any]]] = {
     "select": ("select", _texts),
     "ignore": ("ignore", _texts),
     "extend-select": ("extend_select", _texts),
@@ -141,6 +163,7 @@ _FIELDS: Mapping[str, tuple[str, Callable[[str, Any, Path], Any]]] = {
     "units": ("units", _paths),
     "quantities": ("quantities", _paths),
     "types": ("types", _paths),
+    "dbc": ("dbc", _paths),
     "extended-attributes": ("attributes", _texts),
     "rules": ("rule_files", _paths),
     "options": ("rule_options", _rule_options),

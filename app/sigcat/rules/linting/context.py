@@ -89,10 +89,15 @@ def base_of(overlay: Path, roots: Sequence[Path], options: LintOptions) -> Path:
     fitting = [root for root in roots if not name or has_root(root, name)]
     if len(fitting) == 1:
         return fitting[0]
+    return tree_near(name, overlay) or ROOT_FILE
+
+
+def tree_near(name: str, overlay: Path) -> Path | None:
+    """The tree near an overlay for which one whose root is called `name` is made; None where there is only the shipped one."""
     near = default_tree(overlay)
     if near is not None and (not name or has_root(near, name)):
         return near
-    return (tree_with_root(name, overlay) if name != SHIPPED_ROOT else None) or near or ROOT_FILE
+    return (tree_with_root(name, overlay) if name != SHIPPED_ROOT else None) or near
 
 
 def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Path, ...]]:

@@ -158,10 +158,12 @@ def _tree_around(path: Path) -> tuple[Path, str] | None:
 def _has_own_root(path: Path, base: Path | None) -> bool:
     """Whether a file begins with a root that is not the root of the tree which an overlay here would be made for."""
     own = root_branch(bytes_with_root(path))
-    if not own:
-        return False
-    below = base or default_tree(path)
-    known = root_of(below) if below is not None else SHIPPED_ROOT
+    return bool(own) and is_other_root(own, base or default_tree(path))
+
+
+def is_other_root(own: str, tree: Path | None) -> bool:
+    """Whether a root is not that of a tree, or of the shipped one, and not that name misspelled."""
+    known = root_of(tree) if tree is not None else SHIPPED_ROOT
     return bool(known) and own != known and not nearest(own, [known])
 
 

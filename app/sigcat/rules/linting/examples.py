@@ -6,6 +6,7 @@ from typing import Any
 
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.vocabulary import EMPTY, Vocabulary, read_vocabulary
+from sigcat.catalogue.network.can_database import CanDatabase, read_can_database
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.findings import Finding
 from sigcat.names import parent_path
@@ -22,7 +23,7 @@ def findings_of_example(
     texts = [text for text in _texts(parts) if isinstance(text, str)]
     vocabulary = _vocabulary(parts, units, folder)
     layers = _files(parts["files"], folder) if "files" in parts else _layers(parts)
-    found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules)]
+    found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules, can=_can(parts, folder))]
     for text in texts:
         found.extend(finding for finding, _ in lint_lines(text, "example.vspec", rules))
     suppressions = [
@@ -64,6 +65,14 @@ def _files(files: Mapping[str, str], folder: Path) -> list[Layer]:
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
     return [read_layer(folder / next(iter(files)))]
+
+
+def _can(parts: Mapping[str, Any], folder: Path) -> CanDatabase | None:
+    if "dbc" not in parts:
+        return None
+    file = folder / "example.dbc"
+    file.write_text(parts["dbc"], encoding="utf-8")
+    return read_can_database([file])
 
 
 def _vocabulary(parts: Mapping[str, Any], units: Vocabulary, folder: Path) -> Vocabulary:

@@ -123,7 +123,18 @@ def _edit(text: str, repair: Repair, node: ScalarNode, above: MappingNode | None
         return None
     if repair.kind == "capitalize":
         return Edit(start, start + 1, text[start].upper())
+    if repair.kind == "rewrite":
+        return _rewriting(text, repair, node, start)
     return Edit(end, end, repair.text)
+
+
+def _rewriting(text: str, repair: Repair, node: ScalarNode, start: int) -> Edit | None:
+    """The beginning of a text in other words, where it stands as it reads: on one line and without escapes."""
+    value, written = node.value.strip(), repair.text.strip()
+    stays = _alike(value[::-1], written[::-1])
+    before, after = value[: len(value) - stays], written[: len(written) - stays]
+    is_there = text.startswith(before, start)
+    return Edit(start, start + len(before), after) if is_there and set(after).isdisjoint("\"'#:") else None
 
 
 def _within_block(text: str, start: int, end: int) -> tuple[int, int]:

@@ -5,10 +5,10 @@ alone, or with those that the options say it stacks with. A part of a tree that 
 by itself, below the branch where its tree includes it. Only the named files have findings.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
@@ -17,9 +17,11 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.data import ROOT_FILE
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
-from sigcat.findings import Finding, in_order
+from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
+from sigcat.names import bounded_proposals
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import (
     base_of,
@@ -33,14 +35,17 @@ from sigcat.rules.linting.context import (
 )
 from sigcat.rules.linting.discovery import Source, discover
 from sigcat.rules.linting.includes import first_bytes
-from sigcat.rules.linting.nearby_trees import overlay_beside_with
 from sigcat.rules.linting.options import LintOptions, LintResult, identity_of
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.linting.severity import Grading, matches
+from sigcat.rules.linting.siblings import with_own_tree, with_siblings
 from sigcat.rules.linting.suppression import MARK, Suppressions, apply_suppressions, read_suppressions
 from sigcat.rules.problem import Repair
 from sigcat.rules.record import Rule, parse_rules
 from sigcat.rules.rule_set import RuleSet
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.network.can_database import CanDatabase
 
 _ABOUT_RULES = frozenset((codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id))
 """What is wrong with a rule is reported on every run, whichever files are linted."""
@@ -63,12 +68,24 @@ class _Lint:
         """The files that were looked at."""
         self.beside: set[str] = set()
         """The files that were read for what they need."""
+        self.can = self._can_database()
+
+    def _can_database(self) -> "CanDatabase | None":
+        """That of the options, if they name one. What is wrong with it is a finding."""
+        if not self.options.dbc:
+            return None
+        from sigcat.catalogue.network.can_database import read_can_database
+
+        database = read_can_database(self.options.dbc)
+        self.add((finding, None) for finding in database.findings)
+        return None if has_errors(database.findings) else database
 
     def add(self, found: Iterable[Found], files: set[str] | None = None) -> None:
         """Keep findings: of all files, or of `files` and those about rules."""
-        for finding, repair in found:
-            if files is None or finding.file in files or finding.rule in _ABOUT_RULES:
-                self.found.setdefault(finding, repair)
+        with bounded_proposals():
+            for finding, repair in found:
+                if files is None or finding.file in files or finding.rule in _ABOUT_RULES:
+                    self.found.setdefault(finding, repair)
 
     def look_at(self, files: Iterable[str], texts: Texts = "vspec") -> None:
         """Remember files whose text is judged when all values have been."""
@@ -111,7 +128,7 @@ def _lint_trees(roots: Sequence[Path], lint: _Lint) -> list[Path]:
     """Lint whole trees; the roots, as what overlays may be made for."""
     for root in roots:
         catalogue = compose_tree(root, lint.options)
-        lint.add(found_in(catalogue, lint.rules, attributes=lint.options.attributes))
+        lint.add(found_in(catalogue, lint.rules, attributes=lint.options.attributes, can=lint.can))
         lint.look_at([*(file.name for file in catalogue.files), str(root)])
     return list(roots)
 
@@ -136,24 +153,14 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint:
     beside = {file.name for file in catalogue.vocabulary.files if Path(file.name).parent in folders}
     judged = tuple(catalogue.written_in(files))
     rules = lint.rules if options.overlays else lint.rules.without_stacks
-    found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes)
+    found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes, lint.can)
     if not options.overlays:
-        found = _with_siblings(found, stack[-1], rules)
+        found = with_siblings(found, stack[-1], catalogue, rules.rules)
+    if base == ROOT_FILE and options.base is None and not options.overlays:
+        found = with_own_tree(found, layers[-1], rules.rules)
     lint.add(found, files | (beside - set(lint.files)))
     lint.look_at([*files, *beside])
     lint.beside.update(file.name for file in catalogue.files)
-
-
-def _with_siblings(found: Iterable[Found], overlay: Path, rules: RuleSet) -> Iterator[Found]:
-    """Findings; those of a node that is missing say which overlay beside this one has it."""
-    unknown = {rule.id for rule in rules.rules if rule.check == "overlay-unknown-node"}
-    for finding, repair in found:
-        other = overlay_beside_with(finding.path, overlay) if finding.rule in unknown else None
-        if other is not None:
-            advice = f"{other.name!r} has it: if they apply together, list both as `overlays` in the configuration."
-            yield finding._replace(fix=advice), repair
-        else:
-            yield finding, repair
 
 
 def _composed_over(
@@ -195,7 +202,7 @@ def _lint_part(source: Source, lint: _Lint) -> None:
     lint.beside.add(str(source.tree))
     vocabulary, is_older = units_of(source.tree, layer, (), lint.options)
     catalogue = compose([with_present_spellings(layer) if is_older else layer], vocabulary, expanded=False)
-    found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes)
+    found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes, can=lint.can)
     lint.add((each for each in found if each[0].rule not in lint.rules.of_whole_trees), {name})
     lint.look_at([name])
 
@@ -210,7 +217,9 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, is_complete: bool) ->
     not_read = {finding.file for finding in lint.found if finding.rule in _NOT_READ}
     files = [(data, name) for data, name in read if name not in not_read]
     if lint.options.check_functions is not None and files:
-        lint.add((finding, None) for finding in lint.options.check_functions(files, is_complete))
+        checked = lint.options.check_functions(files, is_complete)
+        lint.add((finding, None) for finding in checked.findings)
+        lint.beside.update(checked.beside)
 
 
 def _lint_rules(source: Source, lint: _Lint) -> None:

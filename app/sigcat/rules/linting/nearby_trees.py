@@ -1,6 +1,5 @@
 """The tree, the struct types and the overlays near a file."""
 
-import re
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -79,13 +78,6 @@ def tree_with_root(name: str, overlay: Path) -> Path | None:
     """A tree beside an overlay whose root has a name, units or not."""
     beside = (path for path in sorted(overlay.parent.glob("*.vspec")) if path != overlay)
     return next((path for path in beside if name and root_branch(bytes_with_root(path)) == name), None)
-
-
-def overlay_beside_with(path: str, overlay: Path) -> Path | None:
-    """A file in the folder of an overlay that writes a node of this path."""
-    written = rb"^[\"']?" + re.escape(path.encode()) + rb"[\"']?[ \t]*:"
-    beside = (other for other in sorted(overlay.parent.glob("*.vspec")) if other.name != overlay.name)
-    return next((other for other in beside if re.search(written, first_bytes(other), re.MULTILINE)), None)
 
 
 def has_root(path: Path, name: str) -> bool:

@@ -11,7 +11,15 @@ from sigcat.rules.problem import Repair
 
 _NONE: Mapping[str, Any] = MappingProxyType({})
 
-FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], Sequence[Finding]]
+
+class CheckedFunctions(NamedTuple):
+    """What is wrong with function files, and the files of the catalogue that they were checked against."""
+
+    findings: Sequence[Finding]
+    beside: tuple[str, ...]
+
+
+FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], CheckedFunctions]
 """Checks function files, bytes with names, alone and as one set; the flag says whether there are no further ones.
 
 Passed in by the command line: this room does not import functions.
@@ -49,6 +57,8 @@ class LintOptions(NamedTuple):
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
+    dbc: tuple[Path, ...] = ()
+    """The CAN database that mappings are held against."""
     attributes: tuple[str, ...] = ()
     """Extended attributes that count as known."""
     rule_folder: Path = INTERFACE_RULES

@@ -1,0 +1,203 @@
+"""A CAN database is read with cantools: its messages, and what each of their signals can hold."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat import codes
+from sigcat.errors import UsageError
+from sigcat.findings import Finding
+from sigcat.limits import DEFAULT_LIMITS
+
+FORMS = ("dbc", "kcd", "sym", "arxml")
+"""Endings of the files that cantools reads."""
+
+
+class CanSignal(NamedTuple):
+    """A signal of a message."""
+
+    name: str
+    message: str
+    minimum: float | None
+    """The least number in its unit; None if the database does not say."""
+    maximum: float | None
+    raw_minimum: float
+    """The least number in its unit that its bits can hold."""
+    raw_maximum: float
+    names: Mapping[int, str]
+    """Names of raw numbers."""
+    unit: str
+    step: float
+    """From one number to the next, in its unit; 0 for floats."""
+    length: int
+    """In bits."""
+    byte_order: str
+    """big_endian or little_endian."""
+
+    @property
+    def has_limits(self) -> bool:
+        """Whether the database states limits."""
+        return self.minimum is not None or self.maximum is not None
+
+    @property
+    def least(self) -> float:
+        """The least number that comes, as far as is known."""
+        return self.raw_minimum if self.minimum is None else max(self.minimum, self.raw_minimum)
+
+    @property
+    def greatest(self) -> float:
+        """The greatest number that comes, as far as is known."""
+        return self.raw_maximum if self.maximum is None else min(self.maximum, self.raw_maximum)
+
+
+class CanDatabase(NamedTuple):
+    """What there is on a bus."""
+
+    files: tuple[str, ...]
+    messages: tuple[Any, ...]
+    """As cantools has them; what reads frames takes these."""
+    signals: Mapping[str, tuple[CanSignal, ...]]
+    """By their names: several messages may have one of a name."""
+    findings: tuple[Finding, ...]
+    """Why it cannot be used, and warnings."""
+    channels: tuple[str, ...] = ()
+    """The channel of each message, where several buses have databases of their own; empty: whichever one."""
+
+
+def read_can_database(paths: Sequence[Path]) -> CanDatabase:
+    """One database of the files of several. Raises UsageError without cantools; files that are none have a finding."""
+    messages: list[Any] = []
+    findings: list[Finding] = []
+    known: dict[tuple[int, bool], tuple[Any, Path]] = {}
+    for path in {path.resolve(): path for path in paths}.values():
+        try:
+            for message in _messages(path):
+                other, file = known.setdefault((message.frame_id, message.is_extended_frame), (message, path))
+                if other is message:
+                    messages.append(message)
+                    findings.extend(_doubts(message, path))
+                elif not _is_same(message, other):
+                    findings.append(_contradicts(message, path, other, file))
+        except _Unreadable as error:
+            findings.append(codes.CAN_DATABASE_UNREADABLE.finding(str(error), str(path), error.line))
+    signals: dict[str, list[CanSignal]] = {}
+    for each in (found for message in messages for found in _signals(message)):
+        signals.setdefault(each.name, []).append(each)
+    return CanDatabase(
+        tuple(map(str, paths)), tuple(messages), {name: tuple(each) for name, each in signals.items()}, tuple(findings)
+    )
+
+
+def of_channels(databases: Mapping[str, CanDatabase]) -> CanDatabase:
+    """One database of those of several channels; an empty name is for all channels."""
+    signals: dict[str, tuple[CanSignal, ...]] = {}
+    for database in databases.values():
+        for name, found in database.signals.items():
+            signals[name] = signals.get(name, ()) + found
+    return CanDatabase(
+        tuple(file for each in databases.values() for file in each.files),
+        tuple(message for each in databases.values() for message in each.messages),
+        signals,
+        tuple(finding for each in databases.values() for finding in each.findings),
+        tuple(channel for channel, each in databases.items() for _ in each.messages),
+    )
+
+
+def _is_same(message: Any, other: Any) -> bool:
+    """Whether two databases say the same of a message: frames of it mean the same by both."""
+    return (message.name, message.length, _layout(message)) == (other.name, other.length, _layout(other))
+
+
+def _layout(message: Any) -> Sequence[Any]:
+    return sorted(
+        (
+            each.name, each.start, each.length, each.byte_order, each.is_signed, each.conversion.is_float,
+            each.conversion.scale, each.conversion.offset, repr(each.minimum), repr(each.maximum),
+            repr(each.multiplexer_ids), repr(each.multiplexer_signal),
+            sorted((number, str(name)) for number, name in (each.conversion.choices or {}).items()),
+        )
+        for each in message.signals
+    )  # fmt: skip
+
+
+def _contradicts(message: Any, path: Path, other: Any, file: Path) -> Finding:
+    """Of two messages of one identifier, frames would be decoded as one alone."""
+    where = "this database" if file == path else str(file)
+    text = f"{message.name} has the identifier {message.frame_id:X}, which {other.name} has in {where}."
+    fix = "Frames are of one of them: name the databases of one bus at a time, with --channel if the log has several."
+    return codes.CAN_DATABASE_UNREADABLE.finding(text, str(path), fix=fix)
+
+
+def _doubts(message: Any, path: Path) -> Iterator[Finding]:
+    """Two signals that share bits, which cannot both be what they say, or one that ends beyond its message."""
+    try:
+        message.refresh(strict=True)
+    except Exception as error:  # noqa: BLE001 — of cantools, with the names of both
+        message.refresh(strict=False)
+        rule = codes.CAN_DATABASE_UNREADABLE.graded("warning")  # other messages are right
+        yield rule.finding(str(error)[:200], str(path), fix="Mend it: such frames may not be decoded.")
+
+
+class _Unreadable(Exception):
+    def __init__(self, message: str, line: int = 0) -> None:
+        super().__init__(message)
+        self.line = line
+
+
+def _messages(path: Path) -> Sequence[Any]:
+    import logging
+
+    try:
+        from cantools import database
+    except ImportError:
+        raise UsageError("CAN needs the packages cantools and python-can: run `pip install sigcat[can]`") from None
+    logging.getLogger("cantools").setLevel(logging.CRITICAL)  # what it warns of is no matter of the mapping
+    if path.stat().st_size > DEFAULT_LIMITS.file_bytes:
+        raise _Unreadable(f"The file must have at most {DEFAULT_LIMITS.file_bytes:,} bytes.")
+    form = path.suffix.lower()[1:]
+    if form not in FORMS:
+        raise _Unreadable(f"The name of a CAN database must end in {', '.join(f'.{each}' for each in FORMS)}.")
+    try:
+        found = database.load_file(str(path), form, strict=False)
+    except OSError as error:
+        raise _Unreadable(f"The file cannot be read: {error.strerror}.") from None
+    except Exception as error:  # noqa: BLE001 — it raises whatever its parsers meet
+        raise _unreadable(getattr(error, f"e_{form}", None) or error) from None
+    if not hasattr(found, "messages"):
+        raise _Unreadable("The file must be a CAN database, and it is one of diagnostics.")
+    return tuple(found.messages)
+
+
+def _unreadable(error: Exception) -> _Unreadable:
+    """What cantools says, with the line, if it says one."""
+    first = str(error).partition("\n")[0]
+    line = re.search(r" at line (\d+), column \d+", first)
+    said = first.replace(line[0], "") if line else first
+    if ">>!<<" in said:  # the place, marked within the text of the line
+        said = f"nothing begins like {said.partition('>>!<<')[2].strip().rstrip(chr(34))[:40]!r}"
+    return _Unreadable(f"The file must be a CAN database: {said[:200].rstrip('.')}.", int(line[1]) if line else 0)
+
+
+def _signals(message: Any) -> Iterator[CanSignal]:
+    for signal in message.signals:
+        conversion = signal.conversion
+        least, greatest = sorted(conversion.raw_to_scaled(raw, decode_choices=False) for raw in _raw_range(signal))
+        names = {int(number): str(name) for number, name in (conversion.choices or {}).items()}
+        yield CanSignal(
+            signal.name, message.name, signal.minimum, signal.maximum, least, greatest, names,
+            signal.unit or "", 0.0 if conversion.is_float else abs(float(conversion.scale)), signal.length,
+            str(signal.byte_order),
+        )  # fmt: skip
+
+
+def _raw_range(signal: Any) -> tuple[float, float]:
+    if signal.conversion.is_float:
+        return -LARGEST[signal.length], LARGEST[signal.length]
+    if signal.is_signed:
+        return -(2 ** (signal.length - 1)), 2 ** (signal.length - 1) - 1
+    return 0, 2**signal.length - 1
+
+
+LARGEST: Mapping[int, float] = {16: 65504.0, 32: 3.4028234663852886e38, 64: 1.7976931348623157e308}
+"""Numbers that floats of so many bits hold, at most."""

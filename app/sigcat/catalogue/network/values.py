@@ -1,0 +1,134 @@
+"""What a mapping makes of a value of the network: the value of the signal in its datatype, or why there is none."""
+
+import math
+import struct
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
+from sigcat.catalogue.network.mapping import SignalMapping
+
+Value = bool | int | float | str
+
+
+class NetworkValue(NamedTuple):
+    """A value of a network's signal."""
+
+    raw: float
+    """The number as it is transmitted."""
+    physical: float
+    """The number in the unit of the signal."""
+    name: str | None = None
+    """What the database calls this raw number, if it does."""
+
+
+class Unfit(Exception):
+    """Why a value of the network is none of the signal: a few words, by which such values are counted."""
+
+
+WORD, NO_FORMULA_VALUE, UNLISTED = "words where a number belongs", "no result of `math`", "not among the listed values"
+NOT_ALLOWED, NOT_HELD = "not among the `allowed` values", "not held by the datatype"
+
+
+def value_of(given: NetworkValue, mapping: SignalMapping, datatype: str, allowed: frozenset[Any]) -> Value:
+    """The value of the signal. Raises Unfit."""
+    value = _of_profile(given, mapping, datatype) if mapping.is_profile else _of_kuksa(given, mapping, datatype)
+    fitted = in_datatype(value, datatype)
+    if allowed and fitted not in allowed:
+        raise Unfit(NOT_ALLOWED)
+    return fitted
+
+
+def _of_kuksa(given: NetworkValue, mapping: SignalMapping, datatype: str) -> Any:
+    if mapping.choices:
+        for choice in mapping.choices:
+            if _is_given(choice.given, given):
+                return choice.meant
+        raise Unfit(UNLISTED)
+    return _converted(given, mapping, datatype)
+
+
+def _is_given(wanted: Any, given: NetworkValue) -> bool:
+    """Whether an item of a list is about a value: by its name, else by its number."""
+    if isinstance(wanted, str):
+        return wanted == given.name
+    return bool(wanted == (given.physical if given.name is None else given.raw))
+
+
+def _of_profile(given: NetworkValue, mapping: SignalMapping, datatype: str) -> Any:
+    """By a representation, else by the formula.
+
+    A text signal gets the text of the number that was transmitted. A number whose text is a name of the network gets the
+    number beside it; any other text says what a number means that is no value, such as 255 for «invalid».
+    """
+    if datatype == "string":
+        found = [each.meant for each in mapping.choices if each.given in (given.raw, given.name)]
+    else:
+        found = [each.given for each in mapping.choices if given.name is not None and each.meant == given.name]
+        if not found and any(each.given == given.raw for each in mapping.choices):
+            raise Unfit(WORD)
+    if found:
+        return found[0]
+    if mapping.choices and mapping.formula is None:
+        raise Unfit(UNLISTED)
+    return _converted(given, mapping, datatype)
+
+
+def _converted(given: NetworkValue, mapping: SignalMapping, datatype: str) -> Any:
+    if mapping.formula is not None:
+        number = float(given.physical)
+        found = mapping.formula.value(number)
+        if found is None or (math.isnan(number) and not math.isnan(found)):  # NaN >= 1 is no answer
+            raise Unfit(NO_FORMULA_VALUE)
+        return found
+    if datatype == "string":
+        if given.name is None:
+            raise Unfit("numbers without a name where a text belongs")
+        return given.name
+    return given.physical if given.name is None else given.raw
+
+
+def in_datatype(value: Any, datatype: str) -> Value:
+    """A value as the datatype has it: whole numbers by rounding, to even where two are as near. Raises Unfit."""
+    if datatype == "string":
+        return value if isinstance(value, str) else _text(value)
+    if isinstance(value, str):
+        if datatype == "boolean" and value.lower() in _BOOLEANS:
+            return _BOOLEANS[value.lower()]
+        raise Unfit(WORD)
+    if datatype == "boolean":
+        if math.isnan(value):
+            raise Unfit(NOT_HELD)
+        return bool(value)
+    if datatype in INTEGER_RANGES:
+        return _whole(value, *INTEGER_RANGES[datatype])
+    return _floating(float(value), datatype)
+
+
+_BOOLEANS: Mapping[str, bool] = {"true": True, "false": False}
+
+
+def _text(value: Any) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _whole(value: float, least: int, greatest: int) -> int:
+    if isinstance(value, float) and not math.isfinite(value):
+        raise Unfit(NOT_HELD)
+    whole = round(value)
+    if not least <= whole <= greatest:
+        raise Unfit(NOT_HELD)
+    return whole
+
+
+@lru_cache(maxsize=4096)
+def _floating(value: float, datatype: str) -> float:
+    if datatype not in FLOATING:
+        raise Unfit(NOT_HELD)
+    if datatype == "double":
+        return value
+    try:
+        return float(struct.unpack("<f", struct.pack("<f", value))[0])
+    except OverflowError:
+        raise Unfit(NOT_HELD) from None
