@@ -161,6 +161,12 @@ def test_a_misspelled_key_is_answered_with_the_right_one():
     assert fixes == ["Did you mean 'PrevRunnable'?"]
 
 
+def test_a_misspelled_key_beside_the_right_one_is_told_too():
+    call = {**CALL, "CycleTimes": 50, "Cycletime": 20}
+    found = check_function_json(document(ComponentList=[{"Name": "Acc", "functionList": [call]}]), "f.json").findings
+    assert [finding.fix for finding in found if finding.rule == "F003"] == ["Remove it, or 'Cycletime'."]
+
+
 @pytest.mark.parametrize("value", [1.0, 1, 50.0])
 def test_a_whole_number_may_be_written_with_a_point(value):
     call = {**CALL, "Cycletime": value}

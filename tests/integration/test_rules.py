@@ -4,18 +4,24 @@ from typing import Any
 
 import pytest
 
+from sigcat import codes
 from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.function.sets.check_set import read_set
 from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_classic.document import read_integration as read_classic
+from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
-from sigcat.rules.record import load_rules
+from sigcat.rules.compiled import compiled_rules
 from tests.function.shipped import interfaces
 
-RULES = load_rules(INTERFACE_RULES)
+RULES = compiled_rules(INTERFACE_RULES)
 OWN = [rule for rule in RULES if rule.check in ("integration", "configuration")]
+PLATFORM_OF = {"N": "ros2", "K": "autosar-classic"}
+"""Platforms by the first letter of their rules."""
 GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
 BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
 
@@ -26,7 +32,7 @@ def findings_of(rule, example, folder):
     if rule.check == "configuration":
         return findings_of_configuration(parts["files"], folder)
     if "document" in parts:
-        return findings_of_document(parts["document"].encode())
+        return findings_of_document(parts["document"].encode(), rule)
     members, _ = read_set([(text.encode(), name) for name, text in parts["files"].items()], interfaces())
     read = [member.resolved for member in members if member.resolved is not None]
     deployment = (
@@ -34,13 +40,25 @@ def findings_of(rule, example, folder):
         if "deployment" in parts
         else DEFAULT_DEPLOYMENT
     )
-    platform = PLATFORMS["ros2" if rule.id.startswith("N") else "autosar-adaptive"]
-    return platform.derive(read, deployment, getattr(deployment, platform.section)).findings
+    platform = PLATFORMS[PLATFORM_OF.get(rule.id[0], "autosar-adaptive")]
+    integrated = platform.derive(read, deployment, getattr(deployment, platform.section))
+    return (
+        integrated.findings if rule.id != codes.NOT_WRITABLE_AS_ROS2.id else findings_of_packages(integrated.document)
+    )
 
 
-def findings_of_document(data):
+def findings_of_packages(document):
     try:
-        read_integration(data, "integration.json")
+        PLATFORMS["ros2"].generators[0].generate(document, "ros2.json", DEFAULT_LIMITS, Options())
+    except InputRefused as refused:
+        return refused.findings
+    return ()
+
+
+def findings_of_document(data, rule):
+    read = {"K": read_classic}.get(rule.id[0], read_integration)
+    try:
+        read(data, "integration.json")
     except InputRefused as refused:
         return refused.findings
     return ()

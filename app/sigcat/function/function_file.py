@@ -32,6 +32,7 @@ from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.renamed import told_once
 from sigcat.function.resolving.resolve import resolve
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import bounded_proposals
 
 FunctionFile = Declared | Document
 """A file that was read: a declaration, or a document that should be Function JSON."""
@@ -99,6 +100,7 @@ def read_function_file(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) 
 # -- a declaration, and Function JSON -----------------------------------------------------------------------------
 
 
+@bounded_proposals()
 def check_declaration(declared: Declared, definitions: Definitions, catalogue: Catalogue) -> CheckedFunction:
     """Resolve and check a declaration. `catalogue` has its definitions in it."""
     declaration, document = declared.declaration, declared.document
@@ -164,6 +166,7 @@ def _is_reported(
     return node is not None and any(defined.are_about(node, attribute) for attribute in subject.attributes)
 
 
+@bounded_proposals()
 def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFunction:
     """Check Function JSON from anywhere. With a catalogue, units, paths and ranges are compared with it."""
     resolved, findings = read_function(document)

@@ -1,4 +1,4 @@
-"""The functions that a service hosts: those that sigcat ships, and those in folders that its configuration names."""
+"""The functions that a service hosts, and their runs: those that sigcat ships, and those in folders that its configuration names."""
 
 import logging
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -19,6 +19,10 @@ from sigcat.findings import Finding
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.hosted_comparisons import FILE as COMPARISON_FILE
+from sigcat.function.hosted_comparisons import HostedComparisons, comparisons_among, told_apart
+from sigcat.function.hosted_runs import ENDING, HostedRuns, runs_among, runs_of
+from sigcat.function.hosted_runs import FILE as RUN_FILE
 from sigcat.limits import RECOGNITION_BYTES
 from sigcat.names import nearest
 
@@ -85,6 +89,8 @@ class FunctionLibrary:
         self._has_shipped = has_shipped
         self._lock = Lock()
         self.files: HostedFiles = ()
+        self.runs: HostedRuns = ()
+        self.comparisons: HostedComparisons = ()
         self._marks: Marks = frozenset()
         self.reload()
 
@@ -99,14 +105,22 @@ class FunctionLibrary:
             self._marks = self._marked()
             own = [file for folder in self.folders for file in _files_in(folder)]
             self.files = _with_ids(own, _shipped() if self._has_shipped else ())
+            runs = [run for folder in self.folders for run in runs_among(_candidates(folder), folder, str(folder))]
+            self.runs = (*runs, *(_shipped_runs() if self._has_shipped else ()))
+            compared = [each for folder in self.folders for each in comparisons_among(_candidates(folder), folder)]
+            self.comparisons = told_apart((*compared, *(_shipped_comparisons() if self._has_shipped else ())))
         return self.files
+
+    def runs_of(self, hosted: HostedFunction) -> HostedRuns:
+        """The stored runs of a function."""
+        return runs_of(hosted.function, hosted.file.group, self.runs) if hosted.function else ()
 
     def reload_changed(self) -> bool:
         """Read the files again if one of them changed, came or went; whether that was so."""
         is_changed = self._marked() != self._marks
         if is_changed:
             self.reload()
-            _log.info("functions: read again, %d files", len(self.files))
+            _log.info("functions: read again, %d files, %d runs", len(self.files), len(self.runs))
         return is_changed
 
     def _marked(self) -> Marks:
@@ -176,16 +190,28 @@ def _shipped() -> HostedFiles:
     return tuple(HostedFile(path.parent.name, FILE, path.read_bytes(), _SHIPPED) for path in found)
 
 
+@lru_cache(maxsize=1)
+def _shipped_runs() -> HostedRuns:
+    return tuple(runs_among(sorted(EXAMPLES.glob(f"*/{RUN_FILE}")), EXAMPLES, _SHIPPED))
+
+
+@lru_cache(maxsize=1)
+def _shipped_comparisons() -> HostedComparisons:
+    return tuple(comparisons_among(sorted(EXAMPLES.glob(f"*/{COMPARISON_FILE}")), EXAMPLES))
+
+
 def _candidates(folder: Path) -> Iterator[Path]:
-    """Files below a folder that may be functions; what is hidden is not looked at."""
+    """Files below a folder that may be functions, or runs of them; what is hidden is not looked at."""
     for path in sorted(folder.rglob("*")):
         is_hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
-        if ending_of(path.name) in ENDINGS and not is_hidden and path.is_file():
+        if ending_of(path.name) in (*ENDINGS, ENDING) and not is_hidden and path.is_file():
             yield path
 
 
 def _files_in(folder: Path) -> Iterator[HostedFile]:
     for path in _candidates(folder):
+        if ending_of(path.name) == ENDING:
+            continue
         try:
             data = path.read_bytes()
         except OSError as error:

@@ -12,6 +12,8 @@ from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
 DEFAULT_VERSION = "1.0.0"
 """Version of a document whose deployment states none."""
+NO_DATE = "1970-01-01"
+"""Date of a document of AUTOSAR whose functions have none: it has to have one, and today's would change the bytes."""
 
 
 class Application(NamedTuple):

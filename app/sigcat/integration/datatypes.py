@@ -18,27 +18,29 @@ class Spelling(NamedTuple):
     c: str
     cpp: str
     autosar: str
-    """Short name of the AUTOSAR implementation datatype."""
+    """Short name of the implementation datatype of AUTOSAR adaptive."""
     adaptive: str
     """Word of `NumericalDatatypes` in the published schema for AUTOSAR adaptive; `string` stands outside of it."""
     ros2: str
     """Built-in type of a ROS 2 message."""
+    classic: str
+    """Platform type of AUTOSAR Classic, as Platform_Types.h has it; empty for a text, which has none."""
 
 
 _OTHERS = {
-    # vss: C++, AUTOSAR, published adaptive schema, ROS 2
-    "boolean": ("bool", "bool", "bool", "bool"),
-    "uint8": ("std::uint8_t", "uint8_t", "uint8_t", "uint8"),
-    "int8": ("std::int8_t", "int8_t", "int8_t", "int8"),
-    "uint16": ("std::uint16_t", "uint16_t", "uint16_t", "uint16"),
-    "int16": ("std::int16_t", "int16_t", "int16_t", "int16"),
-    "uint32": ("std::uint32_t", "uint32_t", "uint32", "uint32"),
-    "int32": ("std::int32_t", "int32_t", "int32", "int32"),
-    "uint64": ("std::uint64_t", "uint64_t", "uint64", "uint64"),
-    "int64": ("std::int64_t", "int64_t", "int64", "int64"),
-    "float": ("float", "float", "float", "float32"),
-    "double": ("double", "double", "double", "float64"),
-    "string": ("std::string", "String", "string", "string"),
+    # vss: C++, AUTOSAR adaptive, published adaptive schema, ROS 2, AUTOSAR Classic
+    "boolean": ("bool", "bool", "bool", "bool", "boolean"),
+    "uint8": ("std::uint8_t", "uint8_t", "uint8_t", "uint8", "uint8"),
+    "int8": ("std::int8_t", "int8_t", "int8_t", "int8", "sint8"),
+    "uint16": ("std::uint16_t", "uint16_t", "uint16_t", "uint16", "uint16"),
+    "int16": ("std::int16_t", "int16_t", "int16_t", "int16", "sint16"),
+    "uint32": ("std::uint32_t", "uint32_t", "uint32", "uint32", "uint32"),
+    "int32": ("std::int32_t", "int32_t", "int32", "int32", "sint32"),
+    "uint64": ("std::uint64_t", "uint64_t", "uint64", "uint64", "uint64"),
+    "int64": ("std::int64_t", "int64_t", "int64", "int64", "sint64"),
+    "float": ("float", "float", "float", "float32", "float32"),
+    "double": ("double", "double", "double", "float64", "float64"),
+    "string": ("std::string", "String", "string", "string", ""),
 }
 
 SPELLINGS = tuple(Spelling(row.vss, row.reference, row.c, *_OTHERS[row.vss]) for row in PRIMITIVES)

@@ -31,5 +31,5 @@ class Deployment(DeclarationModel):
     )
 
 
-NO_DEPLOYMENT = Deployment.model_validate({})
+NO_DEPLOYMENT = Deployment.model_construct()
 """Everything by default."""

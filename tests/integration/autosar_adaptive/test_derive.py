@@ -551,6 +551,16 @@ def test_a_component_consumes_the_errors_that_set_its_own():
     assert {entry.function for entry in told} == {"Sense"}
 
 
+def test_a_component_consumes_the_errors_that_set_its_safety_reactions():
+    reaction = {
+        "Name": "Invalid_SftyCondSts", "Description": "Nothing is valid.", "Datatype": "DT_Bool",
+        "ErrorList": ["Sense_Bad_ErrorSts"],
+    }  # fmt: skip
+    derived = derive([failing("Sense"), function("Act", contract={"SafetyReactionList": [reaction]})])
+    found = services(derived.model)["SenseService", "Consumer"]
+    assert [field.name for field in found.services[0].fields] == ["Sense_Bad_ErrorSts"]
+
+
 def test_the_deployment_names_who_provides_safety_conditions_and_modes():
     derived = derive([example("CoreAcc")], deployed(safetyManager="SafetyCluster", modeManager="StateManagement"))
     found = services(derived.model)

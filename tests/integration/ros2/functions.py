@@ -22,8 +22,8 @@ def examples():
 
 
 def settings(**ros2):
-    """A deployment with a topic for each signal, unless it says otherwise."""
-    return DEPLOYMENT_FILE.model_validate({"ros2": {"topics": "signal", **ros2}})
+    """A deployment with a topic for each signal and a package of messages that sets share, unless it says otherwise."""
+    return DEPLOYMENT_FILE.model_validate({"ros2": {"topics": "signal", "messagePackage": "vehicle_msgs", **ros2}})
 
 
 def derived(functions, deployment=None):

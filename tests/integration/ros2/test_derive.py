@@ -4,7 +4,7 @@ import json
 
 import jsonschema
 import pytest
-from pydantic import BaseModel
+from pydantic import BaseModel, ValidationError
 
 from sigcat.errors import UsageError
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -33,7 +33,7 @@ from tests.judges import judged_by
 
 
 def node(functions, index=0):
-    return document(functions)["NodePackageList"][index]["Nodes"][0]
+    return document(functions)["NodePackageList"][0]["Nodes"][index]
 
 
 def messages(functions, deployment=None):
@@ -219,6 +219,23 @@ def test_structs_become_messages_and_one_that_contains_itself_is_refused():
     assert ("N200", "Vehicle.Place") in rules([function(place, datatypes=[endless])])
 
 
+def test_an_enumeration_in_a_struct_has_constants():
+    side = {
+        "typeRef": "DT_Side", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration",
+        "Symbols": [{"Symbol": "LEFT", "Value": 0}, {"Symbol": "RIGHT", "Value": 2}],
+    }  # fmt: skip
+    lane = {
+        "typeRef": "DT_Lane", "category": "userdefined", "cDef": "struct Lane", "Kind": "struct",
+        "Fields": [{"Name": "Side", "Datatype": "DT_Side"}, {"Name": "Others", "Datatype": "DT_Side"}],
+    }  # fmt: skip
+    place = signal("Lane", "Vehicle.Lane", Datatype="DT_Lane", VssDatatype="Types.Lane")
+    made = messages([function(place, datatypes=[side, lane])])["Lane"]
+    assert [(each["Name"], each["DataType"], each["Value"]) for each in made["Constants"]] == [
+        ("SIDE_LEFT", "uint8", "0"), ("SIDE_RIGHT", "uint8", "2"),
+        ("OTHERS_LEFT", "uint8", "0"), ("OTHERS_RIGHT", "uint8", "2"),
+    ]  # fmt: skip
+
+
 def test_a_message_of_a_struct_has_the_words_of_the_catalogue():
     point = {
         "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
@@ -242,6 +259,24 @@ def test_methods_become_services_that_provider_and_user_share():
         ("set_limit", "Server", "vehicle_msgs/srv/SetLimit"),
         ("set_limit", "Client", "vehicle_msgs/srv/SetLimit"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("change", "differs"), [({}, False), ({"Units": "km/h"}, True), ({"Datatype": "DT_Bool"}, True)]
+)
+def test_provider_and_user_of_a_method_mean_the_same(change, differs):
+    argument = {"Name": "Speed", "Datatype": "DT_Float32", "Units": "m/s"}
+    both = []
+    for name, role, given in (("Acc", "Provider", argument), ("Hmi", "Consumer", argument | change)):
+        method = {
+            "Name": "SetLimit",
+            "Description": "Sets it.",
+            "InDataTypeList": [given],
+            "OutDataTypeList": [],
+            "Role": role,
+        }
+        both.append(function(name=name, contract={"MethodList": [method]}))
+    assert (("N214", "SetLimit") in rules(both)) is differs
 
 
 def test_a_path_can_be_told_by_the_deployment():
@@ -276,11 +311,12 @@ def test_the_strictest_of_a_set_counts_on_both_ends():
     assert quality(*both, role="Publisher")["Liveliness"] == "manual_by_topic"
 
 
-def test_a_queue_is_reliable_and_as_deep_as_it_is_long_on_both_ends():
-    queue = signal() | {"AsilInfo": "QM", "QueueLength": 8, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}
+@pytest.mark.parametrize(("length", "depth"), [(8, 100), (10, 100), (11, 110)])
+def test_a_queue_is_reliable_and_loses_values_before_the_middleware_does(length, depth):
+    queue = signal() | {"AsilInfo": "QM", "QueueLength": length, "Factor": 1, "Offset": 0, "InitValue": 0, "Units": ""}
     consumer = function(name="Hmi", contract={"DataQList": [queue]})
     both = (function(signal(role="Provider")), consumer)
-    assert [quality(*both, role=role)["Depth"] for role in ("Publisher", "Subscription")] == [8, 8]
+    assert [quality(*both, role=role)["Depth"] for role in ("Publisher", "Subscription")] == [depth, depth]
     assert quality(*both)["Reliability"] == "reliable"
 
 
@@ -307,6 +343,20 @@ def test_a_time_out_is_the_deadline_and_a_publisher_offers_twice_its_cycle_or_le
     assert ("N213", "Vehicle.Speed") in rules([provider, hasty])
 
 
+def test_a_queue_of_which_nothing_may_be_sent_promises_no_deadline():
+    queue = signal(role="Provider") | {
+        "AsilInfo": "QM",
+        "QueueLength": 8,
+        "Factor": 1,
+        "Offset": 0,
+        "InitValue": 0,
+        "Units": "",
+    }
+    for count, promised in (({}, 100), ({"CountVariable": "n"}, None)):
+        provider = function(contract={"DataQList": [queue | count]})
+        assert quality(provider, role="Publisher").get("Deadline") == promised
+
+
 def test_attributes_are_kept_for_who_starts_late():
     assert quality(function(signal(Type="attribute")))["Durability"] == "transient_local"
 
@@ -315,6 +365,34 @@ def test_the_deployment_has_the_last_word():
     deployment = settings(quality={"Vehicle.Speed": {"depth": 5, "reliability": "reliable"}})
     made = quality(function(signal()), deployment=deployment)
     assert (made["Depth"], made["Reliability"]) == (5, "reliable")
+
+
+def test_a_quality_of_nothing_is_told_with_what_was_meant():
+    deployment = settings(quality={"Vehicle.Sped": {"depth": 5}, "/vehicle/speed": {"depth": 5}})
+    found = [finding for finding in derived([function(signal())], deployment).findings if finding.rule == "N220"]
+    assert [(finding.severity, "Vehicle.Speed" in finding.fix) for finding in found] == [("warning", True)]
+
+
+@pytest.mark.parametrize(
+    ("name", "package"),
+    [
+        ("Rclcpp", "rclcpp_2"),
+        ("Std", "std_2"),
+        ("Launch", "launch_2"),
+        ("Composition", "composition_2"),
+        ("9lives", "function_9_lives"),
+    ],
+)
+def test_a_package_does_not_hide_one_of_ros(name, package):
+    made = derived([function(signal(), name=name)], DEPLOYMENT_FILE.model_validate({})).model
+    assert made.node_packages[0].name == package
+    assert made.interface_packages[0].name == f"{package}_interfaces"
+
+
+@pytest.mark.parametrize("package", ["std_msgs", "builtin_interfaces"])
+def test_messages_do_not_go_into_a_package_of_ros(package):
+    with pytest.raises(ValidationError):
+        settings(messagePackage=package)
 
 
 @pytest.mark.parametrize("topics_by", ["signal", "branch", "function"])
@@ -379,7 +457,7 @@ def test_every_node_of_a_function_is_told_its_mode_and_the_first_one_tells_it():
     core = example("core_acc")
     second = core.components[0].model_copy(update={"name": "Arbiter", "runnables": ()})
     both = core.model_copy(update={"components": (*core.components, second)})
-    nodes = [package["Nodes"][0] for package in document([both])["NodePackageList"]]
+    nodes = document([both])["NodePackageList"][0]["Nodes"]
     assert [[topic["TopicName"] for topic in each["ModeTopics"]] for each in nodes] == [
         ["core_acc/mode_in", "core_acc/mode_out"],
         ["core_acc/mode_in"],
@@ -408,7 +486,8 @@ def parameter(**more):
     ("more", "kind", "default", "bounds"),
     [
         ({}, "double", 2.0, (0, 9)),
-        ({"VssDatatype": "uint16", "Max": 65535}, "integer", 2, (None, None)),
+        ({"VssDatatype": "uint16", "Max": 65535}, "integer", 2, (0, 65535)),
+        ({"VssDatatype": "int64", "Min": -(2**63), "Max": 2**63 - 1}, "integer", 2, (None, None)),
         ({"VssDatatype": "boolean", "Max": 1}, "bool", True, (None, None)),
         ({"VssDatatype": "string", "DefaultText": "left", "Max": 0}, "string", "left", (None, None)),
         ({"Datatype": "DT_Float32Array3", "VssDatatype": "float[]"}, "double_array", [2.0, 2.0, 2.0], (None, None)),
@@ -426,11 +505,17 @@ def test_a_parameter_has_a_type_of_nodes(more, kind, default, bounds):
     assert (made["Type"], made["Default"], (made.get("From"), made.get("To"))) == (kind, default, bounds)
 
 
+def test_elements_of_an_array_have_a_range_in_words():
+    pair = {"typeRef": "DT_Pair", "category": "userdefined", "cDef": "float[2]", "Kind": "array",
+            "ElementType": "DT_Float32", "Length": 2}  # fmt: skip
+    listed = parameter(Datatype="DT_Pair", VssDatatype="float[]", Min=-0.5)
+    (made,) = node([function(contract={"ParameterList": [listed]}, datatypes=[pair])])["Parameters"]
+    assert made["AdditionalConstraints"] == "each element from -0.5 to 9"
+
+
 @pytest.mark.parametrize(
     ("rule", "more"),
     [
-        ("N208", {"Interfacetype": "PersistenceMemory"}),
-        ("N208", {"Attribute": "LearningParameter"}),
         ("N209", {"Interfacetype": "Measurement"}),
         ("N209", {"VssDatatype": "uint64", "Max": 2**64 - 1}),
         ("N209", {"Datatype": "DT_Point", "VssDatatype": "Types.Point"}),
@@ -458,6 +543,21 @@ def test_a_parameter_starts_with_the_elements_that_its_author_gave():
     assert made["Default"] == [3.0, 4.5]
 
 
+def test_a_parameter_does_not_take_the_name_of_one_that_every_node_has():
+    made = function(contract={"ParameterList": [parameter(Name="LockStep", VssPath="Vehicle.LockStep")]})
+    assert [each["Name"] for each in node([made])["Parameters"]] == ["lock_step_2"]
+    assert ("N210", "Vehicle.LockStep") in rules([made])
+
+
+def test_an_error_does_not_take_the_topic_of_transitions():
+    error = {
+        "Name": "Acc_TransitionEvent_ErrorSts", "Description": "It is.", "Datatype": "DT_Float32", "Dependancy": [],
+        "OccurenceCountLimit": 0, "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "None.", "ResetCondition": "",
+    }  # fmt: skip
+    made = node([function(contract={"ErrorList": [error]})])
+    assert made["ErrorTopics"][0]["TopicName"] == "acc/transition_event_2"
+
+
 def test_what_a_graph_and_a_signal_say_is_not_in_words():
     error = {
         "Name": "Acc_Order_ErrorSts", "Description": "The order is broken.", "Datatype": "DT_Float32", "Dependancy": [],
@@ -477,9 +577,27 @@ def test_what_a_graph_and_a_signal_say_is_not_in_words():
     )
 
 
-def test_each_function_keeps_how_its_code_is_called():
-    made = document([example("core_acc"), example("eco_control_mpc")])["SourceFunctionList"]
-    assert [each["Code"]["Signature"] for each in made] == ["Globals", "Pointers"]
+def test_a_document_has_each_function_whole_as_it_was_given():
+    given = [example("core_acc"), example("eco_control_mpc")]
+    made = document(given)["SourceFunctionList"]
+    assert made == [json.loads(each.model_dump_json(by_alias=True)) for each in given]
+
+
+def test_a_set_is_two_packages_named_after_it_one_of_nodes_and_one_of_messages():
+    made = document(examples(), DEPLOYMENT_FILE.model_validate({"name": "EcoControl"}))
+    (interfaces,), (package,) = made["InterfacePackageList"], made["NodePackageList"]
+    assert (package["Name"], interfaces["Name"]) == ("eco_control", "eco_control_interfaces")
+    assert [(each["NodeName"], each["Executable"], each["Plugin"]) for each in package["Nodes"]] == [
+        ("core_acc", "core_acc_node", "eco_control::CoreAccNode"),
+        ("eco_control_mpc", "eco_control_mpc_node", "eco_control::EcoControlMpcNode"),
+        ("wheel_speed_calculation", "wheel_speed_calculation_node", "eco_control::WheelSpeedCalculationNode"),
+    ]
+    assert "eco_control_interfaces" in package["Dependencies"]
+
+
+def test_a_package_of_messages_with_the_name_of_the_set_keeps_it():
+    made = document(examples(), DEPLOYMENT_FILE.model_validate({"name": "Acc", "ros2": {"messagePackage": "acc"}}))
+    assert [made[key][0]["Name"] for key in ("InterfacePackageList", "NodePackageList")] == ["acc", "acc_2"]
 
 
 def test_a_call_follows_those_of_its_node_that_it_names_but_for_init():
@@ -505,9 +623,77 @@ def test_errors_are_diagnostics_and_depend_on_those_of_other_nodes():
     assert ("N216", "CoreAcc_ProposalTimeout_ErrorSts") in rules([example("core_acc")])
 
 
-def test_a_safety_condition_watches_its_errors():
-    (condition,) = node([example("core_acc")])["SafetyReactions"]
+def ends(made, key):
+    return [(each["Role"], each["TopicName"], each.get("Provider")) for each in made[key]]
+
+
+def test_errors_have_topics_on_which_other_nodes_hear_them():
+    assert ends(node(examples()), "ErrorTopics") == [
+        ("Publisher", "core_acc/brake_pressure_timeout", None),
+        ("Publisher", "core_acc/steering_angle_timeout", None),
+        ("Publisher", "core_acc/proposal_timeout", None),
+        ("Publisher", "core_acc/alive_error", None),
+        ("Subscription", "eco_control_mpc/no_solution_error", "eco_control_mpc"),
+        ("Subscription", "eco_control_mpc/deadline_error", "eco_control_mpc"),
+    ]
+    published = [(role, topic) for role, topic, _ in ends(node(examples(), 1), "ErrorTopics")]
+    assert {("Publisher", "eco_control_mpc/no_solution_error"), ("Publisher", "eco_control_mpc/deadline_error")} <= {
+        *published
+    }
+
+
+def test_an_error_from_outside_is_heard_where_its_own_set_tells_it():
+    alone, together = (ends(node(those), "ErrorTopics")[-1][:2] for those in ([example("core_acc")], examples()))
+    assert alone == together
+
+
+def test_what_is_told_of_errors_and_reactions_is_reliable_and_kept_for_who_starts_late():
+    made = node(examples())
+    told = [(each["QualityOfService"], each["MessageType"], each["Field"])
+            for each in (*made["ErrorTopics"], *made["SafetyReactionTopics"])]  # fmt: skip
+    assert {(quality["Reliability"], quality["Durability"], quality["Depth"]) for quality, _, _ in told} == {
+        ("reliable", "transient_local", 1)
+    }
+    assert {(message, field) for _, message, field in told} == {
+        ("vehicle_msgs/msg/ErrorStatus", "status"), ("vehicle_msgs/msg/SafetyReaction", "state"),
+    }  # fmt: skip
+
+
+def test_a_safety_condition_is_told_on_a_topic_of_the_node_and_heard_from_the_platform():
+    made = node([example("core_acc")])
+    (condition,) = made["SafetyReactions"]
     assert condition["Statuses"][0] == "core_acc: CoreAcc_BrakePressureTimeout_ErrorSts"
+    assert condition["TopicName"] == "core_acc/acc_req_invalid"
+    assert ends(made, "SafetyReactionTopics") == [
+        ("Publisher", "core_acc/acc_req_invalid", None), ("Subscription", "safety_management/acc_req_invalid", None),
+    ]  # fmt: skip
+
+
+def test_an_error_and_a_reaction_of_one_name_have_two_topics():
+    base = {"Description": "It is.", "Datatype": "DT_Float32"}
+    error = base | {
+        "Name": "Acc_Fault_ErrorSts", "Dependancy": [], "OccurenceCountLimit": 0, "IgnitionCountLimit": 0,
+        "MaturationTime": 0, "Severity": "None.", "ResetCondition": "",
+    }  # fmt: skip
+    reaction = base | {"Name": "Fault_SftyCondSts", "ErrorList": ["Acc_Fault_ErrorSts"], "AsilLevel": "QM"}
+    both = function(contract={"ErrorList": [error], "SafetyReactionList": [reaction]})
+    made = node([both])
+    assert ends(made, "ErrorTopics")[0][1] == "acc/fault"
+    assert ends(made, "SafetyReactionTopics")[0][1] == "acc/fault_2"
+    assert ("N210", "Fault_SftyCondSts") in rules([both])
+
+
+def test_every_set_has_the_same_messages_for_errors_reactions_and_steps():
+    package = document([function(signal("Status", "Vehicle.Error.Status"))])["InterfacePackageList"][0]
+    made = {each["Name"]: each for each in package["Messages"]}
+    numbers = {name: [(each["Name"], each["Value"]) for each in made[name]["Constants"]]
+               for name in ("ErrorStatus", "SafetyReaction")}  # fmt: skip
+    assert numbers == {
+        "ErrorStatus": [("PASSED", "0"), ("FAILED", "1")],
+        "SafetyReaction": [("INACTIVE", "0"), ("ACTIVE", "1")],
+    }
+    assert [each["Name"] for each in package["Services"]] == ["Step"]
+    assert "ErrorStatus2" in made
 
 
 # -- what ROS 2 cannot express, and where everything went ---------------------------------------------------------
@@ -583,6 +769,7 @@ def test_the_deployment_names_who_provides_safety_conditions_and_modes():
     deployment = DEPLOYMENT_FILE.model_validate({"safetyManager": "SafetyCluster", "modeManager": "StateManager"})
     made = document([example("core_acc")], deployment)["NodePackageList"][0]["Nodes"][0]
     assert {each["Provider"] for each in made["SafetyReactions"]} == {"SafetyCluster"}
+    assert ends(made, "SafetyReactionTopics")[1][2] == "SafetyCluster"
     assert {each.get("Provider") for each in made["ModeTopics"]} == {"StateManager", None}
 
 

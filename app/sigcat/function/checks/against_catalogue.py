@@ -8,7 +8,6 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import Category, category_of, interface_name
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -16,6 +15,7 @@ from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.walk import contracts, data, parameters, runnables
+from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
@@ -23,7 +23,6 @@ Item = Signal | DataQueue | ParameterInterface
 
 def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
     """Everything in which the document and the catalogue differ."""
-    hint = Hints()
     for pointer, _, item in (*data(function), *parameters(function)):
         if not item.vss_path:
             continue
@@ -36,7 +35,7 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
             codes.SIGNAL_UNKNOWN,
             (*pointer, "VssPath"),
             message,
-            hint(item.vss_path, catalogue.nodes),
+            did_you_mean(item.vss_path, catalogue.nodes),
             Subject("data", item.name),
         )
     yield from _interfaces(function, catalogue)
@@ -140,16 +139,15 @@ def _close(one: Fraction, other: Fraction) -> bool:
 
 
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
-    hint = Hints()
     for pointer, name, path, category in _named(function):
         if path:
-            yield from _interface(pointer, Subject(category, name), path, catalogue, hint)
+            yield from _interface(pointer, Subject(category, name), path, catalogue)
 
 
-def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalogue, hint: Hints) -> Problems:
+def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalogue) -> Problems:
     words = f"{subject.kind.replace('_', ' ')} interface"
     if catalogue.get(path) is None:
-        near = hint(path, [each for each in catalogue.nodes if category_of(each) == subject.kind])
+        near = did_you_mean(path, (each for each in catalogue.nodes if category_of(each) == subject.kind))
         message = f"The catalogue has no {words} {path!r}."
         yield Problem(codes.INTERFACE_UNKNOWN, (*pointer, "VssPath"), message, near, subject)
     elif category_of(path) != subject.kind:

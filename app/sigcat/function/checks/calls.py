@@ -7,14 +7,13 @@ from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, consumed_by, events_of
 from sigcat.function.function_json.walk import Located, data, errors, runnables
-from sigcat.names import either
+from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
 
@@ -64,14 +63,13 @@ def _debounces(function: FunctionJson) -> Problems:
 
 
 def _events(function: FunctionJson) -> Problems:
-    hint = Hints()
     for pointer, _, call in runnables(function):
         known = [name for item in consumed_by(call) for name in (item.vss_path, item.name) if name]
         at, subject = (*pointer, "EventList"), Subject("scheduling", call.name, ("runType",))
         for event in events_of(call):
             if event not in known:
                 message = f"The event {event!r} of {call.name} must be a signal that the call consumes."
-                fix = hint(event, known) or "List the signal under the data of the call, as consumed."
+                fix = did_you_mean(event, known) or "List the signal under the data of the call, as consumed."
                 yield Problem(codes.EVENT_UNKNOWN, at, message, fix, Subject("scheduling", call.name))
         if call.events and call.run_type != EVENT_TRIGGERED:
             message = f"{call.name} must be {EVENT_TRIGGERED} to run on events, not {call.run_type}."
@@ -80,7 +78,6 @@ def _events(function: FunctionJson) -> Problems:
 
 
 def _order(function: FunctionJson) -> Problems:
-    hint = Hints()
     by_name = {located.runnable.name: located for located in runnables(function)}
     before = {name: previous_calls(located.runnable) for name, located in by_name.items()}
     circle_of = circles(before, "scheduling", "previousRunnable")
@@ -88,7 +85,7 @@ def _order(function: FunctionJson) -> Problems:
         at, subject = (*located.pointer, "PrevRunnable"), Subject("scheduling", name, ("previousRunnable",))
         for previous in before[name]:
             if previous not in by_name:
-                yield from _unknown_previous(previous, located, by_name, function, hint)
+                yield from _unknown_previous(previous, located, by_name, function)
             elif name in circle_of and circle_of.get(previous) is circle_of[name]:
                 message = f"{name} depends on itself: it runs after {previous}, and that after it."
                 circle = circle_of[name]
@@ -97,14 +94,12 @@ def _order(function: FunctionJson) -> Problems:
                 yield Problem(codes.ORDER_CONTRADICTS_PRIORITY, at, found.message, found.fix, subject)
 
 
-def _unknown_previous(
-    previous: str, located: Located, by_name: dict[str, Located], function: FunctionJson, hint: Hints
-) -> Problems:
+def _unknown_previous(previous: str, located: Located, by_name: dict[str, Located], function: FunctionJson) -> Problems:
     """Calls of other functions are not known here."""
     if previous.startswith(f"{function.info.function_name}_"):
         name = located.runnable.name
         message = f"{name} must run after a call of the function, not after {previous!r}, which does not exist."
-        at, fix = (*located.pointer, "PrevRunnable"), hint(previous, by_name)
+        at, fix = (*located.pointer, "PrevRunnable"), did_you_mean(previous, by_name)
         subject, cause = Subject("scheduling", name, ("previousRunnable",)), Subject("scheduling", previous)
         yield Problem(codes.PREVIOUS_CALL_UNKNOWN, at, message, fix, subject, cause)
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from sigcat import codes
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import Located, runnables
+from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 
@@ -33,7 +33,6 @@ def check_checkpoints(function: FunctionJson) -> Problems:
 
 
 def _unknown(graph: dict[str, Checkpoint], calls: dict[str, Located]) -> Problems:
-    hint = Hints()
     last_names = [name.rpartition("_")[2] for name in calls]
     for name, checkpoint in graph.items():
         for index, following in enumerate(checkpoint.next or ()):
@@ -44,7 +43,7 @@ def _unknown(graph: dict[str, Checkpoint], calls: dict[str, Located]) -> Problem
                 fix = (
                     "Give that call a `checkpoint`."
                     if is_call
-                    else hint(following, calls) or hint(following, last_names)
+                    else did_you_mean(following, calls) or did_you_mean(following, last_names)
                 )
                 at, subject = (*calls[name].pointer, "Checkpoint", "Next", index), Subject("scheduling", name)
                 yield Problem(codes.CHECKPOINT_UNKNOWN, at, message, fix, subject, Subject("scheduling", following))

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from sigcat import codes
 from sigcat.function.checks.expression import is_identifier, root_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject, is_inside
 from sigcat.function.function_json.datatype import Datatype
@@ -14,7 +13,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import methods, runnables
-from sigcat.names import either
+from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
 
@@ -35,6 +34,7 @@ def check_code(function: FunctionJson) -> Problems:
     yield from _arguments(function)
     yield from _symbols(function)
     yield from _methods(function)
+    yield from _argument_lengths(function)
     yield from _roots(function)
     yield from _definers(function)
 
@@ -127,7 +127,6 @@ def _no_name(name: str, what: str, at: Pointer) -> Problem:
 
 
 def _arguments(function: FunctionJson) -> Problems:
-    hint = Hints()
     names = [each.name for each in declared_objects(function)]
     signature = function.code.signature if function.code else GLOBALS
     for pointer, _, call in runnables(function):
@@ -140,7 +139,7 @@ def _arguments(function: FunctionJson) -> Problems:
         for index, argument in enumerate(call.arguments or ()):
             if argument not in names:
                 message = f"The arguments of {call.name} must be objects of the code, not {argument!r}."
-                fix = hint(argument, names) or "List it under `objects` of `code`."
+                fix = did_you_mean(argument, names) or "List it under `objects` of `code`."
                 yield Problem(codes.ARGUMENT_UNKNOWN, (*pointer, "Arguments", index), message, fix, subject)
 
 
@@ -179,6 +178,33 @@ def _methods(function: FunctionJson) -> Problems:
                 )
 
 
+def _argument_lengths(function: FunctionJson) -> Problems:
+    """An argument that is kept in a variable has a length that is known."""
+    known = {datatype.reference: datatype for datatype in function.datatypes or ()}
+    for pointer, _, method in methods(function):
+        for key, arguments in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
+            for index, argument in enumerate(arguments):
+                if argument.variable is not None and _is_open(argument.datatype, known):
+                    message = (
+                        f"The argument {argument.name} of {method.name} must have a length that is known, for no adapter "
+                        "can be generated with a text or an array of open length."
+                    )
+                    fix = "Give it a struct, or a number for each element."
+                    at = (*pointer, key, index, "Datatype")
+                    yield Problem(codes.ARGUMENT_OF_OPEN_LENGTH, at, message, fix, Subject("method", method.name))
+
+
+def _is_open(reference: str, known: Mapping[str, Datatype], above: frozenset[str] = frozenset()) -> bool:
+    """Whether a datatype is a text or an array of open length, or holds one."""
+    datatype = known.get(reference)
+    if datatype is None or reference in above:
+        return False
+    if datatype.vss_datatype == "string" or (datatype.kind == "array" and datatype.length is None):
+        return True
+    inner = (datatype.element, *(field.datatype for field in datatype.fields or ()))
+    return any(each is not None and _is_open(each, known, above | {reference}) for each in inner)
+
+
 # -- variables ----------------------------------------------------------------------------------------------------
 
 
@@ -186,13 +212,12 @@ def _roots(function: FunctionJson) -> Problems:
     """With pointers there is nothing but the objects of an instance."""
     if function.code is None or function.code.signature != POINTERS or not function.code.objects:
         return
-    hint = Hints()
     names = [each.name for each in function.code.objects]
     for each in variables(function):
         root = root_of(each.expression)
         if root is not None and root not in names:
             message = f"{each.expression!r} must begin with an object of the code, not with {root!r}."
-            fix = hint(root, names) or f"Begin with {either(dict.fromkeys(names))}, or list it under `objects`."
+            fix = did_you_mean(root, names) or f"Begin with {either(dict.fromkeys(names))}, or list it under `objects`."
             yield Problem(codes.EXPRESSION_OF_NO_OBJECT, each.pointer, message, fix, each.place.subject)
 
 

@@ -1,11 +1,9 @@
 """Signals, queues and parameters: ranges, start values and timeouts."""
 
-import re
 from collections.abc import Collection, Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.code import DEFAULT_STORAGE
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -15,10 +13,10 @@ from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.names import IDENTIFIER, did_you_mean
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
-_IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
 
 
 def check_data_interfaces(function: FunctionJson, known_errors: Collection[str]) -> Problems:
@@ -142,7 +140,7 @@ def _identifiers(function: FunctionJson) -> Problems:
         stated.append(((*pointer, "Key"), "key", item.key, subject))
         stated.append(((*pointer, "Storage"), "storage", item.storage, subject))
     for at, what, text, owner in stated:
-        if text is not None and not _IDENTIFIER.fullmatch(text):
+        if text is not None and not IDENTIFIER.fullmatch(text):
             message = (
                 f"A {what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
             )
@@ -164,7 +162,6 @@ def _words(low: float | None, high: float | None) -> str:
 
 
 def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
-    hint = Hints()
     declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for pointer, (_, _, runnable), item in data(function):
         subject = Subject("data", item.name)
@@ -172,7 +169,7 @@ def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
         name = item.timeout_error
         if name and name not in declared:
             message = f"The timeout error of {item.name!r} must be one that the function declares, not {name!r}."
-            fix = declared_or_meant(name, declared, known, hint)
+            fix = declared_or_meant(name, declared, known)
             cause = Subject("error", name)
             yield Problem(codes.TIMEOUT_ERROR_UNDECLARED, (*pointer, "TimeoutError"), message, fix, subject, cause)
 
@@ -207,9 +204,9 @@ def _is_only_trigger(item: Signal | DataQueue, runnable: Runnable) -> bool:
     return keys == {item.vss_path or item.name}
 
 
-def declared_or_meant(name: str, declared: Collection[str], known: Collection[str], hint: Hints) -> str:
+def declared_or_meant(name: str, declared: Collection[str], known: Collection[str]) -> str:
     """What to do about an error that no call declares: one that exists was not mistyped."""
-    return (name not in known and hint(name, declared)) or "Add it to the errors of the call."
+    return (name not in known and did_you_mean(name, declared)) or "Add it to the errors of the call."
 
 
 def _durations(function: FunctionJson) -> Problems:

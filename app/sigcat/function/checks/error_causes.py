@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator
 from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
@@ -14,6 +13,7 @@ from sigcat.function.function_json.primitive_types import c_type
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
+from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 
@@ -48,14 +48,13 @@ def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
 
 
 def _undeclared(function: FunctionJson, known: Collection[str]) -> Problems:
-    hint = Hints()
     declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for pointer, name, subject in _causes(function):
         if name not in declared:
             key = str(pointer[-1])
             what = f"`{key[:1].lower()}{key[1:]}` of {subject.name!r}"
             message = f"{what} must be an error that the function declares, not {name!r}."
-            fix = declared_or_meant(name, declared, known, hint)
+            fix = declared_or_meant(name, declared, known)
             yield Problem(codes.SET_ERROR_UNDECLARED, pointer, message, fix, subject, Subject("error", name))
 
 
@@ -86,7 +85,6 @@ def _never_rejected(function: FunctionJson) -> Problems:
 
 
 def _resets(function: FunctionJson) -> Problems:
-    hint = Hints()
     types = {datatype.reference: datatype for datatype in function.datatypes}
     consumed = {item.name: item for _, _, item in data(function) if item.role == CONSUMER}
     for pointer, _, error in errors(function):
@@ -97,7 +95,7 @@ def _resets(function: FunctionJson) -> Problems:
             message = (
                 f"{error.name} must be reset by a signal that the function consumes, or `restart`, not {error.reset!r}."
             )
-            fix = hint(error.reset, consumed) or "List the signal under the data of a call, as consumed."
+            fix = did_you_mean(error.reset, consumed) or "List the signal under the data of a call, as consumed."
             yield Problem(codes.RESET_UNKNOWN, (*pointer, "Reset"), message, fix, subject)
         elif not _is_condition(signal, types):
             message = (

@@ -4,10 +4,10 @@ from collections.abc import Collection, Iterator
 
 from sigcat import codes
 from sigcat.function.checks.circles import Circle, circles
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import contracts, errors
+from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 
@@ -17,14 +17,13 @@ _MOST_NAMED = 3
 
 def check_error_references(function: FunctionJson, known_errors: Collection[str]) -> Problems:
     """Every problem of references to errors. `known_errors` are names of errors that others declare."""
-    hint = Hints()
     names = dict.fromkeys((*(error.name for _, _, error in errors(function)), *known_errors))
-    yield from _of_reactions(function, names, known_errors, hint)
-    yield from _of_errors(function, names, known_errors, hint)
+    yield from _of_reactions(function, names, known_errors)
+    yield from _of_errors(function, names, known_errors)
     yield from _circles(function)
 
 
-def _of_reactions(function: FunctionJson, names: Collection[str], known: Collection[str], hint: Hints) -> Problems:
+def _of_reactions(function: FunctionJson, names: Collection[str], known: Collection[str]) -> Problems:
     for pointer, _, contract in contracts(function):
         for i, reaction in enumerate(contract.safety_reactions or ()):
             for j, name in enumerate(reaction.errors):
@@ -32,16 +31,16 @@ def _of_reactions(function: FunctionJson, names: Collection[str], known: Collect
                     message = f"{reaction.name} must react to an error that exists, not to {name!r}."
                     at = (*pointer, "SafetyReactionList", i, "ErrorList", j)
                     subject = Subject("safety_reaction", reaction.name, ("errorList",))
-                    yield Problem(codes.REACTION_TO_UNKNOWN_ERROR, at, message, hint(name, names), subject)
+                    yield Problem(codes.REACTION_TO_UNKNOWN_ERROR, at, message, did_you_mean(name, names), subject)
 
 
-def _of_errors(function: FunctionJson, names: Collection[str], known: Collection[str], hint: Hints) -> Problems:
+def _of_errors(function: FunctionJson, names: Collection[str], known: Collection[str]) -> Problems:
     for pointer, _, error in errors(function):
         for j, name in enumerate(error.dependencies):
             if _is_undeclared(name, names, known, function):
                 message = f"{error.name} must depend on an error that exists, not on {name!r}."
                 subject = Subject("error", error.name, ("dependency",))
-                fix = hint(name, [each for each in names if each != error.name])
+                fix = did_you_mean(name, [each for each in names if each != error.name])
                 yield Problem(codes.DEPENDENCY_UNKNOWN, (*pointer, "Dependancy", j), message, fix, subject)
 
 

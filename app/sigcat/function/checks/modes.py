@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator, Sequence
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson, Mode
 from sigcat.function.function_json.walk import Located, runnables, safety_reactions
@@ -33,25 +32,29 @@ def check_modes(function: FunctionJson) -> Problems:
 
 
 def _unknown_calls(function: FunctionJson, calls: Collection[str]) -> Problems:
-    hint = Hints()
     last_names = [name.removeprefix(f"{function.info.function_name}_") for name in calls]
     for i, mode in enumerate(function.modes or ()):
         subject = Subject("mode", mode.name)
         for j, name in enumerate(mode.runnables):
             if name not in calls:
                 message = f"Mode {mode.name!r} must run calls of the function, not {name!r}, which does not exist."
-                at, fix = ("ModesList", i, "RunnablesList", j), hint(name, calls) or hint(name, last_names)
+                at, fix = (
+                    ("ModesList", i, "RunnablesList", j),
+                    did_you_mean(name, calls) or did_you_mean(name, last_names),
+                )
                 cause = Subject("scheduling", name)
                 yield Problem(codes.MODE_RUNS_UNKNOWN_CALL, at, message, fix, subject, cause)
 
 
 def _names(function: FunctionJson) -> Problems:
-    hint = Hints()
     allowed = dict.fromkeys(mode for interface in function.mode_interfaces or () for mode in interface.modes)
     for i, mode in enumerate(function.modes or ()):
         if allowed and mode.name not in allowed:
             message = f"The mode must be one that the mode interfaces allow, not {mode.name!r}."
-            fix, subject = hint(mode.name, allowed) or f"Use one of {', '.join(allowed)}.", Subject("mode", mode.name)
+            fix, subject = (
+                did_you_mean(mode.name, allowed) or f"Use one of {', '.join(allowed)}.",
+                Subject("mode", mode.name),
+            )
             yield Problem(codes.MODE_NOT_IN_INTERFACE, ("ModesList", i, "Name"), message, fix, subject)
 
 

@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator
 from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
@@ -16,7 +15,6 @@ Problems = Iterator[Problem]
 
 def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> Problems:
     """Every problem of the supervision of calls. `known_errors` are names of errors that others declare."""
-    hint = Hints()
     declared = dict.fromkeys(error.name for _, _, error in errors(function))
     for located in runnables(function):
         watchdog, pointer = located.runnable.watchdog, (*located.pointer, "Watchdog")
@@ -33,7 +31,7 @@ def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> 
                 message = (
                     f"The error of the supervision of {call} must be one that the function declares, not {name!r}."
                 )
-                fix = declared_or_meant(name, declared, known_errors, hint)
+                fix = declared_or_meant(name, declared, known_errors)
                 subject, cause = Subject("scheduling", call, (attribute,)), Subject("error", name)
                 yield Problem(codes.SUPERVISION_ERROR_UNDECLARED, at, message, fix, subject, cause)
 

@@ -23,4 +23,6 @@ def key_of(name: str) -> str:
 class DeclarationModel(BaseModel):
     """A part of the file. Keys that it does not know are refused, so that a typing error cannot pass unseen."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, alias_generator=key_of, validate_by_name=False)
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, strict=True, alias_generator=key_of, validate_by_name=False, defer_build=True
+    )

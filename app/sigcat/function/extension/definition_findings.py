@@ -9,8 +9,8 @@ from sigcat.data import INTERFACE_RULES
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer, Position, pointer_text
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import found_in
-from sigcat.rules.record import load_rules
 from sigcat.rules.rule_set import RuleSet
 
 
@@ -51,7 +51,7 @@ def definition_findings(definitions: Definitions, document: Document, catalogue:
 @cache
 def _rules(*, has_code: bool) -> RuleSet:
     """Definitions that an overlay has as well define nothing new, which is intended; code may have no Init or Terminate."""
-    rules = (rule for rule in load_rules(INTERFACE_RULES) if rule.default and rule.check != "overlay-no-effect")
+    rules = (rule for rule in compiled_rules(INTERFACE_RULES) if rule.default and rule.check != "overlay-no-effect")
     return RuleSet(rule for rule in rules if not (has_code and rule.name == "scheduling-incomplete"))
 
 

@@ -7,6 +7,7 @@ rational, and is taken so near that both directions have the nearest double.
 import re
 import sys
 from fractions import Fraction
+from functools import lru_cache
 from typing import NamedTuple
 
 
@@ -64,6 +65,7 @@ _TO_BASE: dict[str, dict[str, Linear]] = {
 }  # fmt: skip
 
 
+@lru_cache(maxsize=4096)
 def between(source: str, target: str) -> Linear | None:
     """From values in one unit to values in another, by their keys; None if there is no linear way."""
     source, target = source.lower(), target.lower()
@@ -81,6 +83,7 @@ def same_kind(unit: str) -> tuple[str, ...]:
     return next((tuple(u for u in units if u != key) for units in _TO_BASE.values() if key in units), ())
 
 
+@lru_cache(maxsize=4096)
 def as_text(number: Fraction) -> str:
     """A number, exactly: decimal where that has an end, else a fraction, `5/18`."""
     return as_decimal(number) if _has_end(number) else f"{number.numerator}/{number.denominator}"
@@ -110,6 +113,7 @@ _NUMBER = re.compile(
 _LARGEST = Fraction(sys.float_info.max)
 
 
+@lru_cache(maxsize=4096)
 def of_text(text: str) -> Fraction | None:
     """The number that a document has as text, decimal or a fraction; None if it is none, or larger than a double."""
     number = Fraction(text.strip()) if _NUMBER.fullmatch(text.strip()) else None

@@ -4,15 +4,15 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.document.document import Document, Pointer
-from sigcat.function.document.structure import fields_of, models_of, structural_findings
+from sigcat.function.document.document import Document
+from sigcat.function.document.near_keys import near_keys
+from sigcat.function.document.structure import structural_findings
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.names import nearest
 
 _MAJOR = re.compile(r"\s*[vV]?(\d{1,9})(?:\.|\s*\Z)")
 _READ = 1
@@ -53,32 +53,12 @@ def _other_version(document: Document) -> Finding | None:
     return document.finding(codes.SCHEMA_VERSION_UNKNOWN, ("MetaInfo", "SchemaVersion"), message, fix)
 
 
-def _unknown_keys(document: Document) -> Iterator[Finding]:
-    """Keys that no model knows but that are near one it does: probably misspelled."""
-    waiting: list[tuple[Pointer, object, type[BaseModel]]] = [((), document.value, FunctionJson)]
-    while waiting:
-        pointer, value, model = waiting.pop()
-        if isinstance(value, list):
-            waiting.extend(((*pointer, i), item, model) for i, item in enumerate(value))
-        elif isinstance(value, dict):
-            models = models_of(model)
-            if not models.keys() >= value.keys():
-                yield from _misspelled(pointer, value, model, document)
-            for key, inner in models.items():
-                if inner is not None and isinstance(value.get(key), dict | list):
-                    waiting.append(((*pointer, key), value[key], inner))
-
-
 _IGNORED = codes.FIELD_UNKNOWN.graded("warning")
 """The published schema allows further keys, so that a document with one is valid: only its value is lost."""
 
 
-def _misspelled(
-    pointer: Pointer, value: dict[str, object], model: type[BaseModel], document: Document
-) -> Iterator[Finding]:
-    known = fields_of(model)
-    for key in value:
-        meant = nearest(key, [k for k in known if k not in value], limit=1) if key not in known else ()
-        if meant:
-            message = f"Unknown key {key!r}; its value is ignored."
-            yield document.finding(_IGNORED, (*pointer, key), message, f"Did you mean {meant[0]!r}?", of_key=True)
+def _unknown_keys(document: Document) -> Iterator[Finding]:
+    for pointer, key, meant, is_meant_there in near_keys(document.value, FunctionJson):
+        message = f"Unknown key {key!r}; its value is ignored."
+        fix = f"Remove it, or {meant!r}." if is_meant_there else f"Did you mean {meant!r}?"
+        yield document.finding(_IGNORED, pointer, message, fix, of_key=True)

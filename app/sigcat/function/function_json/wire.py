@@ -43,7 +43,13 @@ class WireModel(BaseModel):
     """
 
     model_config = ConfigDict(
-        extra="allow", frozen=True, strict=True, validate_by_name=True, validate_by_alias=True, serialize_by_alias=True
+        extra="allow",
+        frozen=True,
+        strict=True,
+        validate_by_name=True,
+        validate_by_alias=True,
+        serialize_by_alias=True,
+        defer_build=True,
     )
 
     @model_serializer(mode="wrap")

@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 
 from sigcat.asil import Level, rank
 from sigcat.catalogue.near_signals import PLACEHOLDER
-from sigcat.function.c_project.calls import CallKind
 from sigcat.function.c_project.declarations import Place
 from sigcat.function.c_project.project import Call, CodeProject
 from sigcat.function.importing.parameters import ParameterEntry
@@ -153,7 +152,8 @@ def _at(place: Place, draft: Draft) -> str:
 def _define(draft: Draft) -> Iterator[str]:
     """What the catalogue does not have yet."""
     parameters = [each for each in draft.parameters if each.definition]
-    calls = [each for each in _interfaces(draft.project) if each[0] not in draft.known]
+    named = [(_last_name(call, draft.project), call) for call in draft.project.calls]
+    calls = [each for each in named if each[0] not in draft.known]
     if parameters or calls:
         yield "define:"
     if parameters:
@@ -165,30 +165,20 @@ def _define(draft: Draft) -> Iterator[str]:
         yield from (entry(6, key, value) for key, value in parameter.definition.items())
     if calls:
         yield "  scheduling:"
-    for name, kind, call in calls:
-        yield f"    {name}:{'' if call else '  # the code has none'}"
-        yield from (entry(6, key, value) for key, value in _schedule(kind, call, draft).items())
+    for name, call in calls:
+        yield f"    {name}:"
+        yield from (entry(6, key, value) for key, value in _schedule(call, draft).items())
 
 
-def _interfaces(project: CodeProject) -> Iterator[tuple[str, CallKind, Call | None]]:
-    """The catalogue wants Init and Terminate of every function, also of one whose code has nothing to do there."""
-    kinds = {call.kind for call in project.calls}
-    if "init" not in kinds:
-        yield "Init", "init", None
-    yield from ((_last_name(call, project), call.kind, call) for call in project.calls)
-    if "terminate" not in kinds:
-        yield "Terminate", "terminate", None
-
-
-def _schedule(kind: CallKind, call: Call | None, draft: Draft) -> dict[str, Any]:
+def _schedule(call: Call, draft: Draft) -> dict[str, Any]:
     texts = {"init": "Initializes the function.", "step": "Computes the outputs.", "terminate": "Ends the function."}
-    is_step = call is not None and kind == "step"
+    is_step = call.kind == "step"
     schedule = {
-        "cycleTime": (cycle_time(call) or ASSUMED_CYCLE) if call and is_step else None,
-        "priority": {"init": 20, "step": 10, "terminate": 30}[kind],
+        "cycleTime": (cycle_time(call) or ASSUMED_CYCLE) if is_step else None,
+        "priority": {"init": 20, "step": 10, "terminate": 30}[call.kind],
         "scheduling": "Preemptive" if is_step else "NonPreemptive",
         "asil": _asil(draft) if is_step else "QM",
-        "description": texts[kind],
+        "description": texts[call.kind],
     }
     return {key: value for key, value in schedule.items() if value is not None}
 

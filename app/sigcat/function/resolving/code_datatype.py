@@ -10,10 +10,11 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.function.function_json.type_list import Symbols, smallest_integer, symbols_of
 from sigcat.function.resolving.code_value import Item
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Resolving
+from sigcat.names import did_you_mean
 
 
-def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Resolving[Symbols | None]:
+def code_symbols(item: Item, at: Pointer, node: Node) -> Resolving[Symbols | None]:
     """Names and numbers of an enumeration, as the code has them."""
     symbols = symbols_of(node)
     if item.values is None:
@@ -22,32 +23,30 @@ def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Resol
         message = f"{item.path!r} must be an enumeration to have `values`: the catalogue allows no named values."
         yield Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`.")
         return None
-    yield from _miscoded(item.values, symbols, (*at, "values"), context)
+    yield from _miscoded(item.values, symbols, (*at, "values"))
     return item.values
 
 
-def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer, context: Context) -> Iterator[Problem]:
+def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Iterator[Problem]:
     missing = [name for name in symbols if name not in values]
     if missing:
         message, fix = f"`values` must have {', '.join(map(repr, missing))}.", "Give each allowed value a number."
         yield Problem(codes.ENUMERATION_MISCODED, at, message, fix)
     for name in values:
         if name not in symbols:
-            fix = context.hint(name, symbols) or f"Use one of {', '.join(symbols)}."
+            fix = did_you_mean(name, symbols) or f"Use one of {', '.join(symbols)}."
             yield Problem(codes.ENUMERATION_MISCODED, (*at, name), f"The catalogue does not allow {name!r}.", fix)
     if len(set(values.values())) < len(values):
         fix = "Give each value a number of its own."
         yield Problem(codes.ENUMERATION_MISCODED, at, "Two values have the same number.", fix)
 
 
-def code_datatype(
-    item: Item, at: Pointer, node: Node, symbols: Symbols | None, context: Context
-) -> Resolving[str | None]:
+def code_datatype(item: Item, at: Pointer, node: Node, symbols: Symbols | None) -> Resolving[str | None]:
     """VSS datatype in which the code holds the value."""
     own, wanted = str(node.values["datatype"]), item.datatype
     if wanted is None or wanted == own:
         return _stored(own, symbols)
-    message, fix = _other_datatype(own, wanted, symbols, context)
+    message, fix = _other_datatype(own, wanted, symbols)
     if message:
         yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
         return None
@@ -61,10 +60,10 @@ def _stored(own: str, symbols: Symbols | None) -> str:
     return smallest_integer(symbols) + ("[]" if is_array(own) else "")
 
 
-def _other_datatype(own: str, wanted: str, symbols: Symbols | None, context: Context) -> tuple[str, str]:
+def _other_datatype(own: str, wanted: str, symbols: Symbols | None) -> tuple[str, str]:
     """Why the code cannot hold a value of the catalogue in a datatype, and what to do; empty if it can."""
     if element_of(wanted) not in BY_VSS:
-        return f"Unknown datatype {wanted!r}.", context.hint(wanted, BY_VSS)
+        return f"Unknown datatype {wanted!r}.", did_you_mean(wanted, BY_VSS)
     if own not in DATATYPES:
         return f"`datatype` must be the struct {own}, not {wanted}.", "Remove `datatype`."
     holds_numbers = element_of(own) != "string" or symbols is not None

@@ -8,6 +8,7 @@ from sigcat.function.function_json.conversion import IDENTITY, Linear, between, 
 from sigcat.function.resolving.code_value import Item
 from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.numbers import fraction
+from sigcat.names import did_you_mean
 
 
 def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolving[tuple[str | None, Linear]]:
@@ -19,7 +20,7 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolvin
     vocabulary = context.catalogue.vocabulary
     known = vocabulary.unit(item.unit)
     if known is None:
-        fix = context.hint(item.unit, [each.key for each in vocabulary.distinct_units])
+        fix = did_you_mean(item.unit, [each.key for each in vocabulary.distinct_units])
         yield _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own) if own else ""))
         return own, IDENTITY
     if own is None:

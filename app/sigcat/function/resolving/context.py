@@ -7,7 +7,6 @@ from typing import TypeVar
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of, interface_name
-from sigcat.function.document.hints import Hints
 from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.function_json.primitive_types import BY_VSS
@@ -40,7 +39,6 @@ class Context:
     """Name of the function."""
     definitions: Definitions = field(default_factory=Definitions)
     """What the function defines itself."""
-    hint: Hints = field(default_factory=Hints)
     signals: Mapping[str, str] = field(default_factory=dict)
     """Names of the signals that the function consumes, by their paths."""
 

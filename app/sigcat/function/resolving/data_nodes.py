@@ -7,7 +7,7 @@ from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.names import last_name
+from sigcat.names import did_you_mean, last_name
 
 
 def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
@@ -41,7 +41,7 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
 def _spelled_alike(path: str, context: Context) -> str:
     if is_to_be_chosen(path):
         return ""
-    return context.hint(path, context.catalogue.nodes) or context.hint(path, context.own_parameters)
+    return did_you_mean(path, context.catalogue.nodes) or did_you_mean(path, context.own_parameters)
 
 
 def _defined(name: str, context: Context) -> str:

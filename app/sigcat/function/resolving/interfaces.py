@@ -9,7 +9,7 @@ from sigcat.catalogue.model.interfaces import Category, category_of, function_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.names import either
+from sigcat.names import did_you_mean, either
 
 
 def interface_node(
@@ -45,7 +45,7 @@ def error_name(reference: str | None, at: Pointer, context: Context) -> Resolvin
 
 def _meant(reference: str, category: Category, context: Context) -> str:
     """What to write instead: an interface of a near name."""
-    hint = context.hint(reference, context.names(category)) or context.hint(reference, context.own_names(category))
+    hint = did_you_mean(reference, context.names(category)) or did_you_mean(reference, context.own_names(category))
     return hint or f"Define it under `define`, or in an overlay of {_words(category)} interfaces."
 
 

@@ -1,24 +1,21 @@
-"""Proposals of signals that a name in code means, as many as anybody reads."""
+"""Proposals of signals that a name in code means."""
 
 from functools import cached_property
 
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.near_signals import NearSignals, is_to_be_chosen
-from sigcat.limits import PROPOSALS
-from sigcat.names import either, last_name
+from sigcat.names import either, last_name, may_compare
 
 
 class MeantSignals:
-    """The first hundred unknown paths get a proposal: words are looked up in the whole catalogue."""
+    """What unknown paths may mean: words are looked up in the whole catalogue."""
 
     def __init__(self, catalogue: Catalogue) -> None:
         self._catalogue = catalogue
-        self._left = PROPOSALS
 
     def __call__(self, path: str) -> str:
         """A sentence that proposes the signals with the words of the last name; of a path to be chosen, the nearest."""
-        self._left -= 1
-        near = self._near.near(last_name(path)) if self._left >= 0 else ()
+        near = self._near.near(last_name(path)) if may_compare(len(self._catalogue.nodes)) else ()
         meant = [
             one.node.path for one in near if is_to_be_chosen(path) or (one.has_all and one.wanted > 1 and one.whole > 1)
         ]

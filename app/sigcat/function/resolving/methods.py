@@ -11,6 +11,7 @@ from sigcat.function.resolving.context import Context, Resolving
 from sigcat.function.resolving.data_interfaces import ROLES
 from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, each, origin_of, values_of, written
+from sigcat.names import did_you_mean
 
 
 def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[MethodInterface]]:
@@ -37,12 +38,12 @@ def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[Me
 
 def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Resolving[Part[Argument]]:
     if element_of(item.datatype) not in context.datatypes:
-        fix = context.hint(item.datatype, context.datatypes)
+        fix = did_you_mean(item.datatype, context.datatypes)
         yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
         return Part(None, Origin(at))
     vocabulary = context.catalogue.vocabulary
     if item.unit is not None and vocabulary.unit(item.unit) is None:
-        fix = context.hint(item.unit, [unit.key for unit in vocabulary.distinct_units])
+        fix = did_you_mean(item.unit, [unit.key for unit in vocabulary.distinct_units])
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix)
     made = Argument(
         name=item.name,

@@ -1,11 +1,13 @@
 """Numbers between YAML, exact fractions and the texts of Function JSON."""
 
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from sigcat.function.function_json.conversion import as_number
 
 
+@lru_cache(maxsize=4096, typed=True)
 def fraction(value: Any) -> Fraction:
     """A number as it was written: 0.1 is a tenth, not the nearest double."""
     return Fraction(repr(value))

@@ -74,8 +74,10 @@ def _symbols_beyond(code: CodeValue) -> Iterator[Problem]:
 def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
     """A datatype or a scale that cannot hold what the catalogue promises, or promises less than it gives."""
     own, stored = element_of(code.own_datatype), element_of(code.datatype)
+    if _is_wide(stored, own):
+        return
     held, catalogue = _converted(_full(stored), code.scale), _converted(_full(own), code.to_code)
-    if _is_wide(stored, own) or held is None or catalogue is None:
+    if held is None or catalogue is None:
         return
     is_provided = isinstance(code.item, DataItem) and code.item.role == "provided"
     given = held if is_provided else catalogue

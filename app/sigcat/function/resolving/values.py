@@ -51,8 +51,8 @@ def _code_value(item: Item, at: Pointer, context: Context) -> Resolving[CodeValu
     node = yield from data_node(item.path, (*at, "path"), context)
     if node is None:
         return None
-    symbols = yield from code_symbols(item, at, node, context)
-    datatype = yield from code_datatype(item, at, node, symbols, context)
+    symbols = yield from code_symbols(item, at, node)
+    datatype = yield from code_datatype(item, at, node, symbols)
     if datatype is None:
         return None
     unit, to_code = yield from code_unit(item, at, node, context)

@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.network.mapping import RECEIVED
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import Finding, in_order
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.code_files import IsThere
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.hints import Hints
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Runnable
@@ -19,6 +19,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.function.function_json.walk import errors, runnables
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import did_you_mean
 
 Findings = Iterator[Finding]
 
@@ -63,6 +64,7 @@ def check_set(
     findings = [*_same_names(members, chosen), *_mismatches(wiring, by_name), *_rivals(wiring, by_name)]
     if is_whole and catalogue is not None and not any(member.is_incomplete for member in members):
         findings.extend(_unprovided(wiring, by_name, catalogue))
+        findings.extend(_unmapped(wiring, by_name, catalogue))
     return in_order([*findings, *_order(functions), *_dependencies(functions)])
 
 
@@ -121,6 +123,17 @@ def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catal
             yield functions[end.function].finding(codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.path)
 
 
+def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
+    """Of a catalogue that maps signals to a network, those from outside that it does not map."""
+    if catalogue.attributes.isdisjoint(RECEIVED):
+        return
+    for end in wiring.from_outside:
+        node = catalogue.get(end.path)
+        if node is not None and node.type != "attribute" and node.values.keys().isdisjoint(RECEIVED):
+            message = f"{end.path!r} comes from outside, and nothing maps it to a network."
+            yield functions[end.function].finding(codes.CONSUMED_AND_NOT_MAPPED, end.pointer, message, path=end.path)
+
+
 # -- order and errors ---------------------------------------------------------------------------------------------
 
 
@@ -138,13 +151,12 @@ def _order(functions: Sequence[ResolvedFunction]) -> Findings:
         for pointer, _, runnable in runnables(function.function):
             calls.setdefault(runnable.name, _Call(function, pointer, runnable))
     names = {function.name for function in functions}
-    hint = Hints()
     circle_of = circles({n: previous_calls(each.call) for n, each in calls.items()}, "scheduling", "previousRunnable")
     for name, call in calls.items():
         for previous in previous_calls(call.call):
             other = calls.get(previous)
             if other is None:
-                yield from _unknown_previous(name, call, previous, names, hint(previous, calls))
+                yield from _unknown_previous(name, call, previous, names, did_you_mean(previous, calls))
             elif other.function is not call.function:
                 yield from _across(call, other, is_circular=name in circle_of)
 

@@ -1,19 +1,19 @@
 """What a component has of each service: its events, methods and fields, with what it uses of them."""
 
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
 
-from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import MethodUse
-from sigcat.integration.autosar_adaptive.context import Context, Item
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import FIELD_GROUP, Element, Service, cycle_of, group_of
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_parts import Item
+from sigcat.integration.sent_values import sent
 
 
 def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
@@ -88,20 +88,6 @@ def _variable(side: Placed) -> str | None:
 
 def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
     return interface.vss_datatype is not None
-
-
-def sent(value: float | None, interface: Signal | DataQueue) -> int | float | None:
-    """A limit of the code, in the unit in which the value is sent, exact; None if it is not known."""
-    if value is None or interface.conversion_factor is None:
-        return value
-    factor, offset = of_text(interface.conversion_factor), of_text(interface.conversion_offset or "0")
-    if factor is None or offset is None:
-        return None
-    exact = Fraction(value) * factor + offset
-    try:
-        return int(exact) if exact.denominator == 1 else float(exact)
-    except OverflowError:
-        return None
 
 
 def _text(number: str | float | None) -> str | None:

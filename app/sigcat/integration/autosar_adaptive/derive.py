@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from pydantic import BaseModel
-
 from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
@@ -12,12 +10,11 @@ from sigcat.function.function_json.data_interfaces import Signal
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
 from sigcat.function.function_json.status_interfaces import ErrorInterface
-from sigcat.function.function_json.walk import parts
-from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application
+from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.component_views import view
-from sigcat.integration.autosar_adaptive.context import Context, items, named_parts
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
@@ -40,12 +37,11 @@ from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
 from sigcat.integration.autosar_names import short_name
+from sigcat.integration.autosar_parts import items, named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.report import NOT_CARRIED, Entry
-
-NO_DATE = "1970-01-01"
-"""Date of a document whose functions have none: the published schema wants one, and today's would change the bytes."""
+from sigcat.integration.not_carried import report_not_carried
+from sigcat.integration.report import Entry
 
 UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
@@ -95,7 +91,7 @@ def derive(
     report_unused(sides, all_services, context)
     report_units(units_of(integration), context)
     targets = field_targets(context, sides, all_services)
-    _report_not_carried(targets, context)
+    report_not_carried(codes.FIELD_NOT_CARRIED, targets, app.functions, context.findings)
     return Derived(integration, context.findings.findings, targets)
 
 
@@ -127,22 +123,6 @@ def _report_unprotected(side: Placed, *, is_event: bool, context: Context) -> No
         fix = _PROTECT_EVENT if is_event else _PROTECT_OTHER
         subject = Subject(side.identity, interface)
         context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
-
-
-def _report_not_carried(targets: Sequence[Entry], context: Context) -> None:
-    for entry in targets:
-        if entry.target == NOT_CARRIED:
-            message = f"{entry.field} of {entry.interface} ({entry.function}) has no place in the Integration JSON: {entry.note}."
-            holder = _holder(entry, context)
-            subject = entry.interface if holder is None else Subject(entry.interface, holder)
-            context.findings.report(codes.FIELD_NOT_CARRIED, message, subject, key=entry.field)
-
-
-def _holder(entry: Entry, context: Context) -> BaseModel | None:
-    """The part of a function that has the field of an entry."""
-    function = next(each.function for each in context.application.functions if each.name == entry.function)
-    named = (part for _, part in parts(function) if getattr(part, "name", entry.function) == entry.interface)
-    return next((part for part in named if entry.field in (part.model_extra or ())), None)
 
 
 def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
@@ -282,6 +262,7 @@ def _arxml_deployment(context: Context) -> model.ArxmlDeployment:
         release=settings.release,
         namespace=settings.namespace or namespace_of(context.application.name),
         type_namespace=settings.type_namespace,
+        header_folders=settings.header_folders,
         transformation=settings.transformation,
         service_discovery=settings.service_discovery,
         units=dict(settings.units) or None,

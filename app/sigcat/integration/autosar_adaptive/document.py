@@ -1,34 +1,20 @@
 """Integration JSON from anywhere: read, completed by rule where it has no ids, and checked."""
 
-from pydantic import ValidationError
-
 from sigcat import codes
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
-from sigcat.function.document.read_json import read_json
-from sigcat.function.document.structure import structural_findings
 from sigcat.integration.autosar_adaptive.completion import completed
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.problems import numbers_of, problems_of
+from sigcat.integration.checked_document import DocumentKind
 from sigcat.limits import DEFAULT_LIMITS, Limits
+
+_KIND = DocumentKind("autosar-adaptive", IntegrationModel, codes.NOT_WRITABLE_AS_ARXML, problems_of, completed)
 
 
 def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> IntegrationModel:
     """The model of an Integration JSON, completed. Raises InputRefused with everything that is wrong."""
-    document = read_json(data, name, limits)
-    findings: tuple[Finding, ...] = document.findings
-    if not has_errors(findings):
-        try:
-            model = IntegrationModel.model_validate(document.value, by_name=False)
-        except ValidationError as error:
-            findings = (*findings, *structural_findings(error, document, IntegrationModel))
-        else:
-            whole = completed(model)
-            findings = tuple(document.finding(codes.NOT_WRITABLE_AS_ARXML, *problem) for problem in problems_of(whole))
-            if not findings:
-                return whole
-    raise InputRefused(f"{name} must be Integration JSON as `sigcat integrate autosar-adaptive` writes it.", findings)
+    return _KIND.read(data, name, limits)
 
 
 def writable(model: IntegrationModel) -> IntegrationModel:

@@ -9,7 +9,7 @@ from sigcat import codes
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface
-from sigcat.integration.autosar_adaptive.context import Context, Item
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (
@@ -21,6 +21,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
 )
 from sigcat.integration.autosar_adaptive.numbering import Names, numbers
 from sigcat.integration.autosar_names import distinct, event_name, short_name
+from sigcat.integration.autosar_parts import Item
 from sigcat.integration.finding_collector import Subject
 
 FIELD_GROUP = "Fields"

@@ -8,9 +8,10 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
-from sigcat.integration.autosar_adaptive.context import Context, Item
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
 from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_parts import Item
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"

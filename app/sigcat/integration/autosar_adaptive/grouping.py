@@ -10,8 +10,9 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
-from sigcat.integration.autosar_adaptive.context import Context, Item
+from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_names import branch_of, service_name
+from sigcat.integration.autosar_parts import Item
 from sigcat.integration.finding_collector import Subject
 
 MODES = "ModeManagement"
@@ -43,16 +44,23 @@ def placed(items: Sequence[Item], context: Context) -> list[Placed]:
 
 
 def _dependencies(items: Sequence[Item]) -> Iterator[Placed]:
-    """Errors of other components that set an error of a component too: it consumes their status."""
+    """Errors of other components that set an error or a safety reaction of a component: it consumes their status."""
     reported = {item.interface.name: item for item in reversed(items) if isinstance(item.interface, ErrorInterface)}
     seen: set[tuple[str, str]] = set()
     for item in items:
-        for name in item.interface.dependencies if isinstance(item.interface, ErrorInterface) else ():
+        for name in _causes(item.interface):
             other = reported.get(name)
             if other is not None and other.part.name != item.part.name and (item.part.name, name) not in seen:
                 seen.add((item.part.name, name))
                 consumed = Item(item.part, item.call, other.interface)
                 yield Placed(_of_part(other.part), name, consumed, provides=False)
+
+
+def _causes(interface: object) -> tuple[str, ...]:
+    """Names of the errors that set an error or a safety reaction."""
+    if isinstance(interface, SafetyReaction):
+        return interface.errors
+    return interface.dependencies if isinstance(interface, ErrorInterface) else ()
 
 
 def identity_of(item: Item, context: Context) -> str:

@@ -17,9 +17,8 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Mode
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
-from sigcat.integration.autosar_adaptive.namespaces import Namespace
+from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
-from sigcat.integration.autosar_adaptive.si_units import UnitSettings
 from sigcat.integration.autosar_adaptive.someip_settings import (
     DEFAULT_SERVICE_DISCOVERY,
     DEFAULT_TRANSFORMATION,
@@ -27,6 +26,8 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     TransformationSettings,
 )
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
+from sigcat.integration.autosar_si_units import UnitSettings
+from sigcat.integration.source_functions import source_functions
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 
@@ -271,6 +272,11 @@ class ServiceField(WireModel):
     )
     mode: ModeInterface | None = own("Mode", "The mode interface as it is in Function JSON.")
 
+    @property
+    def word(self) -> str:
+        """Word for a primitive, or the name of a datatype of the document; a status without one is a byte."""
+        return self.datatype or "uint8_t"
+
 
 class Services(WireModel):
     """What a component uses or offers of a service interface."""
@@ -356,6 +362,9 @@ class ArxmlDeployment(WireModel):
     )
     namespace: Namespace | None = own("Namespace", "C++ namespace of services.")
     type_namespace: Namespace | None = own("TypeNamespace", "C++ namespace of datatypes; that of services if absent.")
+    header_folders: HeaderFolders = described(
+        "HeaderFolders", "Folders of the headers of services and datatypes.", default=DEFAULT_HEADER_FOLDERS, source=OWN
+    )
     transformation: TransformationSettings = described(
         "Transformation", "How SOME/IP lays out what is sent.", default=DEFAULT_TRANSFORMATION, source=OWN
     )
@@ -377,11 +386,7 @@ class IntegrationModel(WireModel):
     datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
     provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
-    functions: tuple[FunctionJson, ...] | None = own(
-        "SourceFunctionList",
-        "The Function JSON of each function that was integrated: what adapters are generated from.",
-        strict=False,
-    )
+    functions: tuple[FunctionJson, ...] | None = source_functions()
 
 
 def to_json(model: IntegrationModel) -> bytes:

@@ -1,6 +1,6 @@
 """C++ namespaces, in which the code that is generated from ARXML has its services and datatypes."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
@@ -9,6 +9,9 @@ from sigcat.integration.autosar_names import short_name
 from sigcat.integration.reserved_words import CPP_KEYWORDS
 from sigcat.names import snake_case
 
+HeaderFolders = Literal["namespaces", "none"]
+DEFAULT_HEADER_FOLDERS: HeaderFolders = "namespaces"
+"""As SWS_CM prescribes it for services."""
 _TAKEN = ("ara", "std")
 """Outermost namespaces of the platform and of the standard library."""
 

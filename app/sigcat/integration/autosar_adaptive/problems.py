@@ -1,8 +1,6 @@
 """What an Integration JSON has that ARXML cannot: names, datatypes and ids that AUTOSAR does not accept."""
 
-import re
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_adaptive.identifiers import (
@@ -22,23 +20,16 @@ from sigcat.integration.autosar_adaptive.model import (
     TypeEntry,
 )
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
-from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storages
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
 from sigcat.integration.autosar_names import short_name
+from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
+from sigcat.names import IDENTIFIER
 
 _PRIMITIVES = {row.autosar.lower() for row in BY_ADAPTIVE.values()}
 _OTHER_PORTS = {ADAPTER_STORAGE.lower(), "supervision"}
 _PORT_ENDINGS = ("_pport", "_rport", "_monitor")
 """Ports of a component that are no storages of parameters."""
-_SHORT_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
-
-
-class Problem(NamedTuple):
-    """What AUTOSAR has no name, number or datatype for, and where it stands."""
-
-    pointer: Pointer
-    message: str
-    fix: str = ""
 
 
 def problems_of(model: IntegrationModel) -> Iterator[Problem]:
@@ -109,7 +100,7 @@ def _storage_interfaces(model: IntegrationModel) -> Iterator[tuple[Pointer, str]
     """Names as in the ARXML, where those of all components stand in one package."""
     for index, component in enumerate(model.components):
         for name in (*storages(component), ADAPTER_STORAGE):
-            yield ("ComponentList", index), short_name(f"{component.name}_{name}")
+            yield ("ComponentList", index), storage_name(component, name)
 
 
 def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[Problem]:
@@ -126,7 +117,7 @@ def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[P
         for argument in arguments:
             yield from _word((*at, "Methods", index), argument.datatype, f"{method.name}.{argument.name}", types)
     for index, field in enumerate(services.fields):
-        yield from _word((*at, "Fields", index), field.datatype or "uint8_t", field.name, types)
+        yield from _word((*at, "Fields", index), field.word, field.name, types)
     for index, event in enumerate(services.events):
         yield from _word((*at, "Events", index), event.datatype, event.name, types)
 
@@ -147,7 +138,7 @@ def _names(places: Iterable[tuple[Pointer, str]], what: str) -> Iterator[Problem
 
 
 def _name(pointer: Pointer, name: str, what: str) -> Iterator[Problem]:
-    if not _SHORT_NAME.fullmatch(name):
+    if not IDENTIFIER.fullmatch(name):
         message = f"The name of a {what} must be at most 128 letters, digits and underscores, a letter first, not {name[:60]!r}."
         yield Problem(pointer, message, f"Use {short_name(name)[:60]!r}.")
 

@@ -7,9 +7,8 @@ from pydantic import Field
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_adaptive.e2e import NO_E2E, E2eSettings
-from sigcat.integration.autosar_adaptive.namespaces import Namespace
+from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
-from sigcat.integration.autosar_adaptive.si_units import UnitSettings
 from sigcat.integration.autosar_adaptive.someip_settings import (
     DEFAULT_SERVICE_DISCOVERY,
     DEFAULT_TRANSFORMATION,
@@ -17,6 +16,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     TransformationSettings,
 )
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
+from sigcat.integration.autosar_si_units import UnitSettings
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
 """An AUTOSAR short name."""
@@ -61,6 +61,11 @@ class AutosarAdaptiveSettings(DeclarationModel):
     )
     type_namespace: Namespace | None = Field(
         None, description="C++ namespace of datatypes; that of services if absent."
+    )
+    header_folders: HeaderFolders = Field(
+        DEFAULT_HEADER_FOLDERS,
+        description="Where the platform's generator writes the headers of services and datatypes: into a folder for each "
+        "namespace, as SWS_CM prescribes, or into one folder, as AUTOSAR Blockset of MathWorks does.",
     )
     function_group: Identifier | None = Field(
         None, description="Function group of the executables; <Application>FunctionGroup if absent."

@@ -5,9 +5,15 @@ from typing import NamedTuple
 
 from sigcat.function.function_json.code import DEFAULT_STORAGE
 from sigcat.integration.autosar_adaptive.model import Component, ParameterEntry
+from sigcat.integration.autosar_names import short_name
 
 ADAPTER_STORAGE = "Adapter"
 """What the adapter itself keeps: counts of errors and the ignition cycle. No parameter is in it."""
+
+
+def storage_name(component: Component, storage: str) -> str:
+    """Name of the interface over which a component reads and writes a storage."""
+    return short_name(f"{component.name}_{storage}")
 
 
 class StoredParameter(NamedTuple):

@@ -1,7 +1,7 @@
 """From functions to the Integration JSON of ROS 2, without any further input."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
@@ -16,16 +16,22 @@ from sigcat.integration.report import Entry
 from sigcat.integration.ros2.field_targets import field_targets
 from sigcat.integration.ros2.function_set import function_set
 from sigcat.integration.ros2.messages import MessageBook
-from sigcat.integration.ros2.model import InterfacePackage, NodePackage, Ros2Integration, RosNode, SourceFunction
-from sigcat.integration.ros2.names import package_name
-from sigcat.integration.ros2.nodes import Managers, node_of, report_calls, status_names
+from sigcat.integration.ros2.model import Communication, InterfacePackage, NodePackage, Ros2Integration, RosNode
+from sigcat.integration.ros2.names import PACKAGES_OF_ROS, package_name, topic_name
+from sigcat.integration.ros2.nodes import NodeContext, mode_topic, node_of, report_calls
 from sigcat.integration.ros2.services import with_services
 from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of, data_of, node_parts, signal_uses
+from sigcat.integration.ros2.statuses import statuses_of
 from sigcat.integration.ros2.topics import communications, topics_of
+from sigcat.names import did_you_mean
 
 _VERSION = re.compile(r"\d+\.\d+\.\d+")
-_NODE_DEPENDENCIES = ("builtin_interfaces", "diagnostic_msgs", "lifecycle_msgs", "rclcpp", "rclcpp_lifecycle")
+_NODE_DEPENDENCIES = (
+    "builtin_interfaces", "diagnostic_msgs", "lifecycle_msgs", "rcl_interfaces", "rclcpp", "rclcpp_components",
+    "rclcpp_lifecycle",
+)  # fmt: skip
+_UNPROTECTED = "messages have no end-to-end protection"
 
 
 class Derived(NamedTuple):
@@ -44,17 +50,22 @@ def derive(
     merged = function_set(app.functions)
     wholes = tuple(each.function for each in merged.functions)
     findings = FindingCollector(merged.functions)
-    book = MessageBook(settings.message_package, {each.reference: each for each in merged.datatypes}, findings)
+    packages = _packages(app, settings)
+    book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)
-    uses = signal_uses(parts, app.paths)
-    exchanged = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
-    exchanged = with_services(exchanged, parts, book, findings)
-    statuses = status_names(parts)
-    managers = Managers(app.safety_manager, app.mode_manager)
-    nodes = {part.name: node_of(part, managers, exchanged, statuses, settings, book, findings) for part in parts}
-    _report_asil(parts, findings)
-    for part in parts:
-        report_calls(part, findings)
+    exchanged = _exchanged(parts, app, settings, book, findings)
+    context = NodeContext(
+        package=packages.nodes,
+        namespace=settings.namespace or "/",
+        safety_manager=app.safety_manager,
+        mode_manager=app.mode_manager,
+        exchanged=exchanged,
+        statuses=statuses_of(parts, _topic_names(exchanged, parts), findings),
+        book=book,
+        findings=findings,
+    )
+    nodes = {part.name: node_of(part, context) for part in parts}
+    _report(parts, findings)
     model = Ros2Integration(
         meta=_meta(app),
         info=_info(app),
@@ -63,33 +74,85 @@ def derive(
         datatypes=merged.datatypes,
         mode_interfaces=tuple(each for f in wholes for each in f.mode_interfaces or ()) or None,
         communications=exchanged,
-        interface_packages=_interface_packages(book, app, settings),
-        node_packages=tuple(_node_package(part, nodes[part.name], book, app, settings) for part in parts),
-        functions=tuple(_source(function) for function in wholes),
+        interface_packages=(_interface_package(book, app, settings),),
+        node_packages=(_node_package(packages, tuple(nodes.values()), app, settings),),
+        functions=tuple(each.function for each in app.functions),
     )
     return Derived(model, findings.findings, field_targets(parts, nodes, exchanged))
+
+
+def _exchanged(
+    parts: Sequence[Part], app: Application, settings: Ros2Settings, book: MessageBook, findings: FindingCollector
+) -> tuple[Communication, ...]:
+    """What each call exchanges with others."""
+    uses = signal_uses(parts, app.paths)
+    made = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
+    _report_quality_of_nothing(made, {use.path for use in uses if use.path}, settings, findings)
+    return with_services(made, parts, book, findings)
+
+
+def _report_quality_of_nothing(
+    exchanged: Sequence[Communication], paths: Collection[str], settings: Ros2Settings, findings: FindingCollector
+) -> None:
+    """A finding for each quality of service that the deployment states for no signal and no topic."""
+    topics = {topic.name for communication in exchanged for topic in communication.topics}
+    known = {
+        *paths,
+        *topics,
+        *(f"/{topic}" for topic in topics),
+        *(f"{settings.namespace}/{topic}" for topic in topics),
+    }
+    for key in settings.quality:
+        if key not in known:
+            message = f"Nothing in the set is called {key!r}, which the deployment file names under `ros2: quality`."
+            findings.report(codes.QUALITY_OF_NOTHING, message, key, did_you_mean(key, known))
+
+
+class _Packages(NamedTuple):
+    """Names of the packages."""
+
+    nodes: str
+    interfaces: str
+
+
+def _packages(app: Application, settings: Ros2Settings) -> _Packages:
+    """`EcoControl` → `eco_control` and `eco_control_interfaces`."""
+    taken = {*PACKAGES_OF_ROS, *(name.removesuffix("_interfaces") for name in PACKAGES_OF_ROS)}
+    interfaces = settings.message_package or f"{package_name(app.name, taken).text}_interfaces"
+    return _Packages(package_name(app.name, {interfaces, *taken}).text, interfaces)
+
+
+def _topic_names(exchanged: Sequence[Communication], parts: Sequence[Part]) -> Iterator[str]:
+    """Topics of data and modes, and those that every lifecycle node has."""
+    yield from (topic.name for communication in exchanged for topic in communication.topics)
+    for part in parts:
+        yield topic_name(part.name, "transition_event")
+        yield from (mode_topic(part.function_name, mode) for mode in part.function.mode_interfaces or ())
+
+
+def _report(parts: Sequence[Part], findings: FindingCollector) -> None:
+    """Note what ROS 2 cannot express."""
+    _report_asil(parts, findings)
+    for part in parts:
+        report_calls(part, findings)
 
 
 def _report_asil(parts: Sequence[Part], findings: FindingCollector) -> None:
     """ROS 2 protects no message end to end and isolates no call: one finding for each call and interface above QM."""
     for part in parts:
         for call in part.component.runnables:
-            _above_qm(
-                Subject(call.name, call), call.asil_level, "the call shares process and executor with others", findings
-            )
+            _above_qm(Subject(call.name, call), call.asil_level, "the call shares its process with others", findings)
             for contract in call.contracts or ():
                 for item in data_of(contract):
                     name = item.vss_path or f"{part.function_name}.{item.name}"
-                    _above_qm(Subject(name, item), item.asil_level, "messages have no end-to-end protection", findings)
+                    _above_qm(Subject(name, item), item.asil_level, _UNPROTECTED, findings)
                 for parameter in contract.parameters or ():
                     name = parameter.vss_path or f"{part.function_name}.{parameter.name}"
                     _above_qm(Subject(name, parameter), parameter.asil_level, "parameters are not protected", findings)
                 for error in contract.errors or ():
-                    _above_qm(Subject(error.name, error), error.asil_level, "diagnostics are not protected", findings)
+                    _above_qm(Subject(error.name, error), error.asil_level, _UNPROTECTED, findings)
                 for reaction in contract.safety_reactions or ():
-                    _above_qm(
-                        Subject(reaction.name, reaction), reaction.asil_level, "diagnostics are not protected", findings
-                    )
+                    _above_qm(Subject(reaction.name, reaction), reaction.asil_level, _UNPROTECTED, findings)
 
 
 def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCollector) -> None:
@@ -137,47 +200,37 @@ def _modes(functions: Sequence[FunctionJson]) -> tuple[Mode, ...] | None:
     )
 
 
-def _interface_packages(book: MessageBook, app: Application, settings: Ros2Settings) -> tuple[InterfacePackage, ...]:
-    if not (book.messages or book.services):
-        return ()
-    functions = joined(function.function.info.function_responsible for function in app.functions)
-    package = InterfacePackage(
+def _interface_package(book: MessageBook, app: Application, settings: Ros2Settings) -> InterfacePackage:
+    return InterfacePackage(
         name=book.package,
         version=app.version or DEFAULT_VERSION,
         description=f"Messages and services of {app.name}.",
-        maintainer=settings.maintainer or functions or "unknown",
+        maintainer=_maintainer(app, settings),
         email=settings.email,
         license=settings.license,
         dependencies=("builtin_interfaces",),
         messages=book.messages,
         services=book.services,
     )
-    return (package,)
 
 
 def _node_package(
-    part: Part, node: RosNode, book: MessageBook, app: Application, settings: Ros2Settings
+    packages: _Packages, nodes: tuple[RosNode, ...], app: Application, settings: Ros2Settings
 ) -> NodePackage:
-    info = part.function.info
-    name = package_name(part.name, {book.package}).text
-    version = app.version or info.version or ""
+    (first, *others) = app.functions
+    version = app.version or ("" if others else first.function.info.version) or ""
     return NodePackage(
-        name=name,
+        name=packages.nodes,
         version=version if _VERSION.fullmatch(version) else DEFAULT_VERSION,
-        description=info.description,
-        maintainer=settings.maintainer or info.function_responsible or "unknown",
+        description=app.description,
+        maintainer=_maintainer(app, settings),
         email=settings.email,
         license=settings.license,
-        dependencies=tuple(sorted((*_NODE_DEPENDENCIES, *((book.package,) if book.messages or book.services else ())))),
-        executable=f"{name}_node",
-        nodes=(node,),
+        dependencies=tuple(sorted((*_NODE_DEPENDENCIES, packages.interfaces))),
+        nodes=nodes,
     )
 
 
-def _source(function: FunctionJson) -> SourceFunction:
-    return SourceFunction(
-        name=function.info.function_name,
-        version=function.info.version,
-        code=function.code,
-        provenance=function.provenance,
-    )
+def _maintainer(app: Application, settings: Ros2Settings) -> str:
+    responsible = joined(each.function.info.function_responsible for each in app.functions)
+    return " ".join((settings.maintainer or responsible or "unknown").split())

@@ -18,7 +18,7 @@ from sigcat.integration.ros2.topics import PUBLISHER
 Targets = Mapping[str, FieldTarget | str]
 
 _VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
-_CORE = FieldTarget("ComponentList", "the core of the adapter has it from there, on every platform")
+_CORE = FieldTarget("SourceFunctionList", "the core of the adapter has it from there, on every platform")
 _FIELD = "{topic}, field {field}"
 _DATA: Targets = {
     "Name": _FIELD + ": Signal",
@@ -92,27 +92,27 @@ _METHOD: Targets = {
     **dict.fromkeys(("Symbol", "Timeout", "RequestVariable", "StatusVariable"), _CORE),
 }
 _ERROR: Targets = {
-    "Name": "{status}: Error",
+    "Name": "{topic}: InterfaceName; {status}: Error",
     "Description": "{status}: Message",
-    "Datatype": FieldTarget("{status}: Level", "a status has a level instead of a datatype"),
+    "Datatype": FieldTarget("{topic}: MessageType", "sent as PASSED or FAILED"),
     "Dependancy": "{status}: Dependencies",
     "OccurenceCountLimit": "{status}: OccurenceCountLimit",
-    "IgnitionCountLimit": FieldTarget(NOT_CARRIED, "ROS 2 counts no ignition cycles; 0 asks for none"),
+    "IgnitionCountLimit": FieldTarget("{status}: IgnitionCountLimit", "each configuring begins a cycle"),
     "MaturationTime": "{status}: MaturationTime",
     "Severity": "{status}: Severity and Level",
     "ResetTime": "{status}: ResetTime",
     "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, for people"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
-    "VssPath": "{status}: VssPath",
+    "VssPath": "{topic}: VssPath; {status}: VssPath",
     **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "Reset"), _CORE),
 }
 _REACTION: Targets = {
-    "Name": "{condition}: SafetyReaction",
+    "Name": "{topic}: InterfaceName; {condition}: SafetyReaction",
     "Description": "{condition}: Description",
-    "Datatype": "{condition}: VariableDataType",
+    "Datatype": FieldTarget("{topic}: MessageType; {condition}: VariableDataType", "sent as INACTIVE or ACTIVE"),
     "ErrorList": "{condition}: Statuses",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
-    "VssPath": "{condition}: VssPath",
+    "VssPath": "{topic}: VssPath; {condition}: VssPath",
     **dict.fromkeys(("Variable", "DefinedBy", "Initial", "Timeout"), _CORE),
 }
 _CALL_IN_C: Targets = dict.fromkeys(
@@ -123,19 +123,19 @@ _CALL: Targets = {
     "Description": _VERBATIM,
     "Runtype": "{schedule}: Trigger",
     "Cycletime": "{schedule}: Period",
-    "StackSize": FieldTarget(NOT_CARRIED, "ROS 2 sets no stack size"),
+    "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
     "PrevRunnable": FieldTarget("{schedule}: After", "a call of the same node; the life cycle runs init first"),
     "ExecOffset": "{schedule}: Offset",
-    "ParallelProcessing": "{schedule}: CallbackGroupType",
+    "ParallelProcessing": _CORE,
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "Watchdog": FieldTarget(
         "{schedule}: Alive…, Deadline…, Logical…", "of a logical supervision the words; its graph is in ComponentList"
     ),
-    "Scheduling": "{schedule}: CallbackGroup",
+    "Scheduling": FieldTarget("ComponentList", "the calls of a node run in one thread, one after the other"),
     "DebounceDelay": "{schedule}: Debounce",
     "Priority": FieldTarget("{schedule}: ThreadPriority", "if it is a priority of a thread"),
     "EventList": FieldTarget("{schedule}: Topics", "the topics that bring these signals"),
-    "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
+    "funcContractList": "CommunicationList, and the node's Parameters, ErrorTopics and SafetyReactionTopics",
     "SupervisionType": FieldTarget("{schedule}: Alive…, Deadline…", "the limits say which there are"),
     "VssPath": _VERBATIM,
     **_CALL_IN_C,
@@ -149,9 +149,9 @@ _TRANSITIONS: Targets = {
     },
     "Name": "{schedule}: Runnables",
     "Runtype": "{schedule}: Runnables",
-    "StackSize": FieldTarget(NOT_CARRIED, "ROS 2 sets no stack size"),
+    "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
-    "funcContractList": "CommunicationList, and the node's Parameters, Diagnostics and SafetyReactions",
+    "funcContractList": "CommunicationList, and the node's Parameters, ErrorTopics and SafetyReactionTopics",
 }  # fmt: skip
 _MODE_INTERFACE: Targets = {
     "Name": "{topic}: InterfaceName",
@@ -162,7 +162,7 @@ _MODE_INTERFACE: Targets = {
     "VssPath": "{topic}: VssPath",
     **dict.fromkeys(
         ("Variable", "DefinedBy", "Initial", "UnknownAction", "UnknownError", "Values"),
-        FieldTarget("ModeInterfaceList", "the core of the adapter has it from there, on every platform"),
+        _CORE,
     ),
 }
 _MODE: Targets = {
@@ -319,11 +319,15 @@ def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchang
             else:
                 names = {"parameter": f"node {node.name}, parameter {name}"}
                 yield from _entries(part, parameter.name, "parameter", parameter, **names)
+        topics = {
+            end.interface: end.topic for end in (*node.error_topics, *node.reaction_topics) if end.role == PUBLISHER
+        }
         for error in contract.errors or ():
-            yield from _entries(part, error.name, "error", error, status=f"diagnostic status {part.name}: {error.name}")
+            names = {"topic": f"topic {topics[error.name]}", "status": f"diagnostic status {part.name}: {error.name}"}
+            yield from _entries(part, error.name, "error", error, **names)
         for reaction in contract.safety_reactions or ():
-            where = f"node {node.name}, SafetyReactions"
-            yield from _entries(part, reaction.name, "safety reaction", reaction, condition=where)
+            names = {"topic": f"topic {topics[reaction.name]}", "condition": f"node {node.name}, SafetyReactions"}
+            yield from _entries(part, reaction.name, "safety reaction", reaction, **names)
 
 
 def _of_data(item: BaseModel, kind: str, part: Part, found: tuple[RosTopic, FieldMapping] | None) -> list[Entry]:

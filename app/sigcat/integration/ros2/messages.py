@@ -1,29 +1,27 @@
 """Messages and services of the interface package, each made once."""
 
 from collections.abc import Iterable, Mapping
+from collections.abc import Set as AbstractSet
 
 from sigcat import codes
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed
 from sigcat.integration.ros2.types import FieldType, field_type
 
-STAMP = MessageField(
-    name="stamp", datatype="builtin_interfaces/Time", description="Time at which the call that wrote the values began."
-)
-
 
 class MessageBook:
-    """The messages and services of one package."""
+    """The messages and services of one package: those of every set, and what is added."""
 
     def __init__(self, package: str, table: Mapping[str, Datatype], findings: FindingCollector) -> None:
         self.package = package
         self.table = table
         self._findings = findings
-        self._messages: dict[str, Message] = {}
-        self._services: dict[str, Service] = {}
-        self._taken: set[str] = set()
+        self._messages = {message.name.lower(): message for message in (ERROR_STATUS, SAFETY_REACTION)}
+        self._services = {STEP.name.lower(): STEP}
+        self._taken = {*self._messages, *self._services}
         self._structs: dict[str, str] = {}
         self.modes: dict[str, str] = {}
         """Messages of mode interfaces, by interface name: every node of a function has them."""
@@ -86,18 +84,22 @@ class MessageBook:
             )
             return None
         self._open.append(reference)
-        fields = self._members(self.table[reference], interface)
+        members = self._members(self.table[reference], interface)
         self._open.pop()
-        if fields is None:
+        if members is None:
             return None
         datatype = self.table[reference]
         description = datatype.description or f"Struct {datatype.vss_datatype or reference}."
-        name = self.add(reference.removeprefix("DT_"), interface, description, fields, ())
+        name = self.add(reference.removeprefix("DT_"), interface, description, *members)
         self._structs[reference] = name
         return name
 
-    def _members(self, datatype: Datatype, interface: Subject) -> list[MessageField] | None:
+    def _members(
+        self, datatype: Datatype, interface: Subject
+    ) -> tuple[list[MessageField], list[MessageConstant]] | None:
+        """Fields, and the values of those that are enumerations. None, and a finding, if no message can have them."""
         made: list[MessageField] = []
+        values: list[MessageConstant] = []
         for member in datatype.fields or ():
             kind = field_type(member.datatype, None, self.table)
             if kind is None:
@@ -110,7 +112,8 @@ class MessageBook:
             report_renamed(name, member.name, interface, self._findings)
             meaning = member.description or member.name
             made.append(MessageField(name=name.text, datatype=written, description=meaning, units=member.units))
-        return made
+            values += constants(kind, name.text, interface, self._findings, {value.name for value in values})
+        return made, values
 
 
 def unresolved(findings: FindingCollector, interface: Subject, reference: str) -> None:
@@ -122,13 +125,13 @@ def unresolved(findings: FindingCollector, interface: Subject, reference: str) -
 
 
 def constants(
-    kind: FieldType, prefix: str, interface: Subject, findings: FindingCollector
+    kind: FieldType, prefix: str, interface: Subject, findings: FindingCollector, taken: AbstractSet[str] = frozenset()
 ) -> tuple[MessageConstant, ...]:
-    """The values of an enumeration, as the message holds them."""
+    """The values of an enumeration, as the message holds them. `taken` are names that the message has already."""
     made: dict[str, MessageConstant] = {}
     datatype = kind.element.ros2 if kind.element else "string"
     for symbol in kind.symbols:
-        name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, made)
+        name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, taken | made.keys())
         report_renamed(name, symbol.symbol, interface, findings)
         value = symbol.symbol if kind.is_text else str(symbol.value)
         made[name.text] = MessageConstant(name=name.text, datatype=datatype, value=value)

@@ -4,12 +4,11 @@ Fields of the authors' schema keep their spelling (`ROSTopicList`, `GlobalVariab
 there: packages with messages and services, nodes with their life cycle, quality of service, conversions.
 """
 
-from typing import Any
+from typing import Any, Literal
 
-from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.provenance import Provenance
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.integration.source_functions import source_functions
 
 ROS2 = "published ROS 2 integration schema 1.0.0"
 
@@ -92,17 +91,23 @@ class DataMap(WireModel):
     )
 
 
+Reliability = Literal["reliable", "best_effort"]
+Durability = Literal["transient_local", "volatile"]
+
+
 class QualityOfService(WireModel):
     """Quality of service of one end of a topic."""
 
-    reliability: str = described("Reliability", "reliable or best_effort.", source=OWN)
-    durability: str = described("Durability", "transient_local or volatile.", source=OWN)
-    history: str = described("History", "keep_last.", source=OWN)
+    reliability: Reliability = described("Reliability", "reliable or best_effort.", source=OWN)
+    durability: Durability = described("Durability", "transient_local or volatile.", source=OWN)
+    history: Literal["keep_last"] = described("History", "keep_last.", source=OWN)
     depth: Integer = described("Depth", "Values that are kept.", source=OWN)
     deadline: Number | None = described(
         "Deadline", "Longest time between two values; absent if there is none.", default=None, unit="ms", source=OWN
     )
-    liveliness: str = described("Liveliness", "automatic or manual_by_topic.", source=OWN)
+    liveliness: Literal["automatic", "manual_by_topic"] = described(
+        "Liveliness", "automatic or manual_by_topic.", source=OWN
+    )
     lease_duration: Number | None = described(
         "LeaseDuration", "Time after which a silent publisher is taken for dead.", default=None, unit="ms", source=OWN
     )
@@ -147,6 +152,9 @@ class RosService(WireModel):
     node: str = described("NodeName", "Node that has the server or client.", source=OWN)
     request: tuple[ArgumentMap, ...] = described("Request", "Arguments.", source=OWN, strict=False)
     response: tuple[ArgumentMap, ...] = described("Response", "Return values.", source=OWN, strict=False)
+    success: str | None = described(
+        "Success", "Field of the response that tells whether the function has answered.", default=None, source=OWN
+    )
 
 
 class Communication(WireModel):
@@ -217,10 +225,8 @@ class Schedule(WireModel):
     debounce: Number | None = described("Debounce", "Shortest time between calls.", default=None, unit="ms", source=OWN)
     topics: tuple[str, ...] = described("Topics", "Topics whose values trigger the call.", source=OWN, strict=False)
     after: str | None = described("After", "Calls of the node that it follows.", default=None, source=OWN)
-    callback_group: str = described("CallbackGroup", "Name of its callback group.", source=OWN)
-    callback_group_type: str = described("CallbackGroupType", "MutuallyExclusive or Reentrant.", source=OWN)
     thread_priority: Integer | None = described(
-        "ThreadPriority", "Priority of the executor's thread.", default=None, source=OWN
+        "ThreadPriority", "Priority of the thread under SCHED_FIFO.", default=None, source=OWN
     )
     modes: tuple[str, ...] | None = described(
         "ActiveModes", "Modes in which it runs; absent if in all.", default=None, source=OWN, strict=False
@@ -271,6 +277,9 @@ class Diagnostic(WireModel):
     severity: str = described("Severity", "What the error leads to.", source=OWN)
     maturation_time: Integer = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
     occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
+    ignition_count_limit: Integer = described(
+        "IgnitionCountLimit", "Ignition cycles with the error until confirmed; each configuring begins one.", source=OWN
+    )
     reset_time: Number | None = described("ResetTime", "Time until reset.", default=None, unit="ms", source=OWN)
     reset_condition: str | None = described(
         "ResetCondition", "Condition of the reset, in words.", default=None, source=OWN
@@ -282,12 +291,14 @@ class Diagnostic(WireModel):
 
 
 class ConditionMonitor(WireModel):
-    """A safety condition: present while any of these statuses is at its level."""
+    """A safety condition: present while one of these statuses is FAILED, or while its provider says so."""
 
     condition: str = described("SafetyReaction", "Name of the interface.", source=OWN)
     description: str = described("Description", "What the condition means.", source=OWN)
-    topic: str = described("TopicName", "Topic of the statuses.", source=OWN)
-    statuses: tuple[str, ...] = described("Statuses", "Names of the statuses.", source=OWN, strict=False)
+    topic: str = described("TopicName", "Topic on which the node tells it.", source=OWN)
+    statuses: tuple[str, ...] = described(
+        "Statuses", "Names of the diagnostic statuses of its errors.", source=OWN, strict=False
+    )
     provider: str | None = described(
         "Provider", "Who informs of the condition, as the deployment names it.", default=None, source=OWN
     )
@@ -295,17 +306,18 @@ class ConditionMonitor(WireModel):
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 
 
-class ModeTopic(WireModel):
-    """The topic of a mode interface."""
+class StatusTopic(WireModel):
+    """The topic of a mode, an error or a safety reaction."""
 
-    interface: str = described("InterfaceName", "Name of the mode interface.", source=OWN)
+    interface: str = described("InterfaceName", "Name of the interface.", source=OWN)
     topic: str = described("TopicName", "Name of the topic.", source=OWN)
     role: str = described("Role", "Publisher or Subscription.", source=OWN)
     message: str = described("MessageType", "Package, `msg` and message.", source=OWN)
-    field: str = described("Field", "Field that has the mode.", source=OWN)
+    field: str = described("Field", "Field that has the mode, the status or the state.", source=OWN)
     provider: str | None = described(
-        "Provider", "Who sends the mode, as the deployment names it.", default=None, source=OWN
-    )
+        "Provider", "Who sends it to a subscription: a node of the set, or whom the deployment names.", default=None,
+        source=OWN,
+    )  # fmt: skip
     quality: QualityOfService = described("QualityOfService", "Quality of service.", source=OWN)
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 
@@ -317,10 +329,19 @@ class RosNode(WireModel):
     namespace: str = described("Namespace", "Its namespace.", source=OWN)
     function: str = described("FunctionName", "Function that it belongs to.", source=OWN)
     component: str = described("ComponentName", "Component that it runs.", source=OWN)
+    executable: str = described("Executable", "Executable that runs this node alone.", source=OWN)
+    plugin: str = described("Plugin", "Class of the node, as a component container loads it.", source=OWN)
     transitions: tuple[Transition, ...] = described("Lifecycle", "Transitions.", source=OWN, strict=False)
     schedules: tuple[Schedule, ...] = described("Schedules", "When calls run.", source=OWN, strict=False)
     parameters: tuple[RosParameter, ...] = described("Parameters", "Parameters.", source=OWN, strict=False)
-    modes: tuple[ModeTopic, ...] = described("ModeTopics", "Topics of modes.", source=OWN, strict=False)
+    modes: tuple[StatusTopic, ...] = described("ModeTopics", "Topics of modes.", source=OWN, strict=False)
+    error_topics: tuple[StatusTopic, ...] = described(
+        "ErrorTopics", "Topics of its errors, and of those of others on which they depend.", source=OWN, strict=False
+    )
+    reaction_topics: tuple[StatusTopic, ...] = described(
+        "SafetyReactionTopics", "Topics of its safety reactions, as it tells and as it is told.", source=OWN,
+        strict=False,
+    )  # fmt: skip
     diagnostics: tuple[Diagnostic, ...] = described("Diagnostics", "Statuses of errors.", source=OWN, strict=False)
     diagnostics_topic: str = described("DiagnosticsTopic", "Topic of the statuses.", source=OWN)
     conditions: tuple[ConditionMonitor, ...] = described(
@@ -348,19 +369,9 @@ class InterfacePackage(Package):
 
 
 class NodePackage(Package):
-    """A package of one executable with its nodes."""
+    """A package of nodes."""
 
-    executable: str = described("Executable", "Name of the executable.", source=OWN)
-    nodes: tuple[RosNode, ...] = described("Nodes", "Nodes of the executable.", source=OWN, strict=False)
-
-
-class SourceFunction(WireModel):
-    """A function that was integrated."""
-
-    name: str = described("FunctionName", "Name of the function.", source=OWN)
-    version: str | None = described("Version", "Its version.", default=None, source=OWN)
-    code: CodeInterface | None = own("Code", "How its code is compiled and called.")
-    provenance: Provenance | None = described("Provenance", "What it was made from.", default=None, source=OWN)
+    nodes: tuple[RosNode, ...] = described("Nodes", "Its nodes.", source=OWN, strict=False)
 
 
 class Ros2Integration(FunctionJson):
@@ -375,9 +386,7 @@ class Ros2Integration(FunctionJson):
     node_packages: tuple[NodePackage, ...] | None = described(
         "NodePackageList", "Packages of nodes.", default=None, source=OWN, strict=False
     )
-    functions: tuple[SourceFunction, ...] | None = described(
-        "SourceFunctionList", "Functions that were integrated.", default=None, source=OWN, strict=False
-    )
+    functions: tuple[FunctionJson, ...] | None = source_functions()
 
 
 def to_json(model: Ros2Integration) -> bytes:

@@ -24,6 +24,14 @@ LONGEST = 100
 GENERATED = frozenset(("structure_needs_at_least_one_member", "check_fields", "slots", "structure"))
 """Members that the generated code has already."""
 
+PACKAGES_OF_ROS = frozenset((
+    "action_msgs", "ament_cmake", "builtin_interfaces", "composition_interfaces", "diagnostic_msgs", "geometry_msgs",
+    "launch", "launch_ros", "launch_testing", "lifecycle_msgs", "nav_msgs", "rcl", "rcl_interfaces", "rcl_lifecycle", "rclcpp",
+    "rclcpp_components", "rclcpp_lifecycle", "rclpy", "rcutils", "rmw", "rosgraph_msgs", "rosidl_default_generators",
+    "rosidl_default_runtime", "sensor_msgs", "service_msgs", "statistics_msgs", "std", "std_msgs", "std_srvs", "unique_identifier_msgs",
+))  # fmt: skip
+"""Packages that ROS 2 brings, by which a package of one's own would be hidden, and the namespace of the standard library."""
+
 
 class Name(NamedTuple):
     """A name for the target, and why it is not simply the one it was made from."""

@@ -1,95 +1,84 @@
 """Nodes: a lifecycle node for each component, with its calls, modes, diagnostics and safety conditions."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
-from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
-from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.triggers import triggers
 from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
+from sigcat.integration.ros2.common_types import STAMP
+from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
-    ConditionMonitor,
-    Diagnostic,
     MessageField,
-    ModeTopic,
     RosNode,
     RosTopic,
     Schedule,
+    StatusTopic,
     Transition,
 )
-from sigcat.integration.ros2.names import package_name, topic_name
+from sigcat.integration.ros2.names import topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality import MODE
-from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.signal_uses import CYCLIC, EVENT, INIT, SHUTDOWN, run_kind, whole
+from sigcat.integration.ros2.statuses import (
+    DIAGNOSTICS,
+    Statuses,
+    conditions,
+    contracts,
+    diagnostics,
+    error_topics,
+    reaction_topics,
+)
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
-from sigcat.integration.ros2.types import c_definition, field_type
+from sigcat.integration.ros2.types import field_type
+from sigcat.names import camel_case
 
-DIAGNOSTICS = "/diagnostics"
-"""Where nodes report their statuses, as diagnostic_updater and the aggregator have it."""
-_Named = TypeVar("_Named", ErrorInterface, SafetyReaction)
-_MILD = ("warn", "information", "amber", "none")
 _PRIORITIES = range(1, 100)
 """Priorities of threads under SCHED_FIFO."""
 
 
-def status_names(parts: Sequence[Part]) -> dict[str, str]:
-    """Names of the diagnostic statuses of every error of the set: `core_acc: CoreAcc_AliveError_ErrorSts`."""
-    return {
-        error.name: f"{part.name}: {error.name}"
-        for part in reversed(parts)
-        for contract in contracts(part)
-        for error in contract.errors or ()
-    }
+class NodeContext(NamedTuple):
+    """What holds for all nodes of a set."""
+
+    package: str
+    namespace: str
+    safety_manager: str | None
+    """Who informs of safety conditions."""
+    mode_manager: str | None
+    """Who sends the modes."""
+    exchanged: Sequence[Communication]
+    statuses: Statuses
+    book: MessageBook
+    findings: FindingCollector
 
 
-def contracts(part: Part) -> Iterable[Contract]:
-    """Every contract of a component's calls."""
-    return (contract for runnable in part.component.runnables for contract in runnable.contracts or ())
-
-
-class Managers(NamedTuple):
-    """Who of the platform provides what no function does."""
-
-    safety: str | None = None
-    mode: str | None = None
-
-
-def node_of(
-    part: Part, managers: Managers, exchanged: Sequence[Communication], statuses: Mapping[str, str], settings: Ros2Settings,
-    book: MessageBook, findings: FindingCollector,
-) -> RosNode:  # fmt: skip
+def node_of(part: Part, context: NodeContext) -> RosNode:
     """The node of a component."""
-    own = tuple(contracts(part))
-    errors = _once(error for contract in own for error in contract.errors or ())
-    reactions = _once(reaction for contract in own for reaction in contract.safety_reactions or ())
     running = [call for call in part.component.runnables if run_kind(call) in (CYCLIC, EVENT)]
-    is_first = part.is_first
+    book, findings, statuses, manager = context.book, context.findings, context.statuses, context.safety_manager
     return RosNode(
         name=part.name,
-        namespace=settings.namespace or "/",
+        namespace=context.namespace,
         function=part.function_name,
         component=part.component.name,
+        executable=f"{part.name}_node",
+        plugin=f"{context.package}::{camel_case(part.name)}Node",
         transitions=_transitions(part),
-        schedules=tuple(_schedule(call, part, exchanged, findings) for call in running),
-        parameters=parameters_of(own, part, book.table, findings),
-        modes=tuple(_modes(part, managers, book, findings, is_first=is_first)),
-        diagnostics=tuple(_diagnostic(error, part, statuses, findings) for error in errors.values()),
+        schedules=tuple(_schedule(call, part, context) for call in running),
+        parameters=parameters_of(contracts(part), part, book.table, findings),
+        modes=tuple(_modes(part, context)),
+        error_topics=tuple(error_topics(part, book.package, statuses)),
+        reaction_topics=tuple(reaction_topics(part, book.package, statuses, manager)),
+        diagnostics=tuple(diagnostics(part, statuses, findings)),
         diagnostics_topic=DIAGNOSTICS,
-        conditions=tuple(_condition(each, managers, statuses, book.table, findings) for each in reactions.values()),
+        conditions=tuple(conditions(part, statuses, manager, book.table, findings)),
     )
-
-
-def _once(items: Iterable[_Named]) -> dict[str, _Named]:
-    """Interfaces by name; several calls may share one."""
-    return {item.name: item for item in items}
 
 
 # -- life cycle and schedules -------------------------------------------------------------------------------------
@@ -115,9 +104,9 @@ def _transitions(part: Part) -> tuple[Transition, ...]:
     )
 
 
-def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], findings: FindingCollector) -> Schedule:
-    is_timed = run_kind(call) == CYCLIC
-    topics = () if is_timed else _triggers(call, part, exchanged)
+def _schedule(call: Runnable, part: Part, context: NodeContext) -> Schedule:
+    is_timed, findings = run_kind(call) == CYCLIC, context.findings
+    topics = () if is_timed else _triggers(call, part, context.exchanged)
     if (is_timed and not call.cycle_time) or (not is_timed and not topics):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
         findings.report(
@@ -127,8 +116,6 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
             "Add it, or correct the run type.",
             key="Runtype",
         )
-    own_group = call.scheduling.lower().replace("-", "").replace("_", "") == "preemptive"
-    group = package_name(call.name if own_group else f"{part.name}_calls").text
     return Schedule(
         runnable=call.name,
         trigger="Timer" if is_timed else "Topics",
@@ -137,8 +124,6 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
         debounce=whole(milliseconds(call.debounce_delay)),
         topics=topics,
         after=_after(call, part, findings),
-        callback_group=group,
-        callback_group_type="Reentrant" if call.parallel_processing else "MutuallyExclusive",
         thread_priority=_priority(call, findings),
         modes=_active_modes(call, part),
         **_supervision(call),
@@ -230,31 +215,28 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
 # -- modes --------------------------------------------------------------------------------------------------------
 
 
-def _modes(
-    part: Part,
-    managers: Managers,
-    book: MessageBook,
-    findings: FindingCollector,
-    *,
-    is_first: bool,
-) -> Iterable[ModeTopic]:
+def mode_topic(function: str, interface: ModeInterface) -> str:
+    """The topic of a mode interface: `core_acc/mode_in`."""
+    return topic_name(function, f"mode_{interface.direction}")
+
+
+def _modes(part: Part, context: NodeContext) -> Iterable[StatusTopic]:
     """A topic for each mode interface of the function. Every node receives the mode; the first one sends it."""
     for interface in part.function.mode_interfaces or ():
         is_received = interface.direction.lower() == "in"
-        if not is_received and not is_first:
+        if not is_received and not part.is_first:
             continue
-        kind = field_type(interface.datatype, None, book.table)
+        kind = field_type(interface.datatype, None, context.book.table)
         if kind is None or kind.element is None:
-            unresolved(findings, Subject(interface.name, interface), interface.datatype)
+            unresolved(context.findings, Subject(interface.name, interface), interface.datatype)
             continue
-        way = f"mode_{interface.direction}"
-        yield ModeTopic(
+        yield StatusTopic(
             interface=interface.name,
-            topic=topic_name(part.function_name, way),
+            topic=mode_topic(part.function_name, interface),
             role=SUBSCRIPTION if is_received else PUBLISHER,
-            message=f"{book.package}/msg/{_mode_message(interface, part, book, findings)}",
+            message=f"{context.book.package}/msg/{_mode_message(interface, part, context.book, context.findings)}",
             field="mode",
-            provider=managers.mode if is_received else None,
+            provider=context.mode_manager if is_received else None,
             quality=MODE,
             vss_path=interface.vss_path,
         )
@@ -282,67 +264,3 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
     )
     book.modes[interface.name] = name
     return name
-
-
-# -- errors and safety conditions ---------------------------------------------------------------------------------
-
-
-def _diagnostic(
-    error: ErrorInterface, part: Part, statuses: Mapping[str, str], findings: FindingCollector
-) -> Diagnostic:
-    subject = Subject(error.name, error)
-    if error.ignition_count_limit:
-        message = (
-            f"{error.name}: ROS 2 counts no ignition cycles; the limit of {error.ignition_count_limit} is left out."
-        )
-        fix = "Count them in a fault memory outside ROS 2."
-        findings.report(codes.IGNITION_CYCLES_NOT_COUNTED, message, subject, fix, key="IgnitionCountLimit")
-    if error.reset_condition and error.reset is None:
-        message = f"{error.name}: the reset condition is free text, which no node can check."
-        fix = "Say it with `reset`, unless it is that the error is no longer present."
-        findings.report(codes.RESET_CONDITION_IN_WORDS, message, subject, fix, key="ResetCondition")
-    return Diagnostic(
-        name=f"{part.name}: {error.name}",
-        error=error.name,
-        message=error.description,
-        level="WARN" if any(word in error.severity.lower() for word in _MILD) else "ERROR",
-        severity=error.severity,
-        maturation_time=error.maturation_time,
-        occurrence_count_limit=error.occurrence_count_limit,
-        reset_time=error.reset_time,
-        reset_condition=error.reset_condition,
-        dependencies=_statuses(subject, "Dependancy", error.dependencies, statuses, findings),
-        vss_path=error.vss_path,
-    )
-
-
-def _condition(
-    reaction: SafetyReaction,
-    managers: Managers,
-    statuses: Mapping[str, str],
-    table: Mapping[str, Datatype],
-    findings: FindingCollector,
-) -> ConditionMonitor:
-    return ConditionMonitor(
-        condition=reaction.name,
-        description=reaction.description,
-        topic=DIAGNOSTICS,
-        statuses=_statuses(Subject(reaction.name, reaction), "ErrorList", reaction.errors, statuses, findings),
-        provider=managers.safety,
-        variable_type=c_definition(reaction.datatype, table),
-        vss_path=reaction.vss_path,
-    )
-
-
-def _statuses(
-    subject: Subject, key: str, errors: Iterable[str], statuses: Mapping[str, str], findings: FindingCollector
-) -> tuple[str, ...]:
-    """Names of the statuses of errors; of an error from outside of the set, its own name."""
-    made = []
-    for error in errors:
-        if error not in statuses:
-            message = f"{subject} depends on {_short(error)}, which no function in the set reports."
-            fix = f"The node that reports it must call its status {_short(error)!r}."
-            findings.report(codes.ERROR_FROM_OUTSIDE, message, subject, fix, key=key)
-        made.append(statuses.get(error, error))
-    return tuple(made)

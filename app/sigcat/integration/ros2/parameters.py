@@ -22,6 +22,8 @@ from sigcat.integration.ros2.types import FieldType, c_definition, field_type, s
 
 _LARGEST = 2**63 - 1
 """Largest integer of a parameter."""
+OWN = frozenset(("lock_step", "scheduling_policy", "start_type_description_service", "storage_folder", "use_sim_time"))
+"""Parameters that a node has whatever its function is."""
 _LONGEST = 10_000
 """Most elements of a default that is written."""
 
@@ -54,7 +56,7 @@ def _parameter(
         return None
     kind = sent(kind, item.vss_symbols)
     _unexpressed(item, kind, interface, findings)
-    name = field_name(item.name, taken)
+    name = field_name(item.name, taken | OWN)
     report_renamed(name, item.name, interface, findings)
     ways = _Ways(physical(item, interface, findings), to_catalogue(item, interface, findings))
     return _resolved(item, kind, name.text, part, table, ways)
@@ -72,7 +74,8 @@ class _Ways(NamedTuple):
 def _resolved(
     item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], ways: _Ways
 ) -> RosParameter:
-    low, high = _limits(item, kind, ways.physical)
+    limits = _limits(item, kind, ways.physical)
+    low, high = (None, None) if kind.suffix else limits
     names: dict[float, str] = {each.value: each.symbol for each in symbols_of(item.datatype, table)}
     api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
     return RosParameter(
@@ -83,8 +86,8 @@ def _resolved(
         default=_default(item, kind, ways.physical, names),
         low=low,
         high=high,
-        constraints=_constraints(kind),
-        read_only=item.interface_type == "Measurement",
+        constraints=_constraints(kind, limits),
+        read_only=item.interface_type == "Measurement" or item.attribute == "LearningParameter",
         units=item.vss_unit or item.units or None,
         variable=item.variable or item.name,
         variable_type=c_definition(item.datatype, table),
@@ -105,14 +108,16 @@ def _type(kind: FieldType) -> str:
 
 
 def _limits(item: ParameterInterface, kind: FieldType, linear: Linear) -> tuple[float | None, float | None]:
-    """The range, where it says more than the datatype does."""
+    """The range, where it says more than the datatype of the parameter does: that of a byte is an integer of 64 bits."""
     assert kind.element is not None
     full = value_range(kind.element.vss)
-    if full is None or kind.element.vss == "boolean" or kind.suffix or item.min == item.max:
+    if full is None or kind.element.vss == "boolean":
         return None, None
-    ends = sorted(value for value in (converted(item.min, linear), converted(item.max, linear)) if value is not None)
-    low, high = (ends[0] if ends[0] > full[0] else None), (ends[1] if ends[1] < full[1] else None)
-    return (low, high) if low is not None or high is not None else (None, None)
+    given = () if item.min == item.max else (converted(item.min, linear), converted(item.max, linear))
+    ends = sorted(value for value in given if value is not None) or list(full)
+    widest = INTEGER_RANGES["int64"] if kind.element.vss in INTEGER_RANGES else full
+    low, high = max(ends[0], full[0]), min(ends[-1], full[1])
+    return (low if low > widest[0] else None), (high if high < widest[1] else None)
 
 
 def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
@@ -150,18 +155,22 @@ def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[flo
     return round(value) if kind.element.vss in INTEGER_RANGES else float(value)
 
 
-def _constraints(kind: FieldType) -> str | None:
+def _constraints(kind: FieldType, limits: tuple[float | None, float | None]) -> str | None:
+    """What no range can say: texts and numbers of an enumeration, and ranges of elements."""
     if not kind.symbols:
-        return None
+        return _of_elements(*limits) if kind.suffix else None
     if kind.is_text:
         return "one of " + ", ".join(symbol.symbol for symbol in kind.symbols)
     return "one of " + ", ".join(f"{symbol.value} ({symbol.symbol})" for symbol in kind.symbols)
 
 
+def _of_elements(low: float | None, high: float | None) -> str | None:
+    ends = (("from", low), ("to", high))
+    words = [f"{word} {int(end) if end == int(end) else end}" for word, end in ends if end is not None]
+    return " ".join(("each element", *words)) if words else None
+
+
 def _unexpressed(item: ParameterInterface, kind: FieldType, interface: Subject, findings: FindingCollector) -> None:
-    if item.interface_type == "PersistenceMemory" or item.attribute == "LearningParameter":
-        message = f"{interface} must survive a restart, and node parameters do not."
-        findings.report(codes.VALUE_NOT_KEPT, message, interface, "Write it to a file when the node is cleaned up.")
     if item.interface_type == "Measurement":
         message = f"{interface} is a measurement; as a node parameter it can be read, but sends no updates."
         findings.report(codes.NOT_A_NODE_PARAMETER, message, interface, "Provide it as a signal.")

@@ -3,7 +3,8 @@
 - reliable where a lost value is not replaced by the next one, or matters: queues, attributes, calls without a cycle,
   ASIL A to D; best effort for QM values that come again in the next cycle.
 - transient local where values do not come again: attributes, and publishers without a cycle.
-- depth: the queue's length, on both ends; 1 where only the latest value counts.
+- depth: of queues ten times their length, and 100 at least, on both ends: what comes while a process is held up is taken
+  later, and the core counts what does not fit into the queue itself; 1 where only the latest value counts.
 - deadline: the subscriber's time-out. A publisher offers twice its cycle, so that one lost or late value passes, or
   the shortest time-out of the set's subscribers, if that is shorter.
 - liveliness asserted by the publishing call itself for ASIL C and D, by the middleware otherwise.
@@ -16,7 +17,7 @@ Attributes are the exception: a publisher that does not keep them has nothing fo
 from collections.abc import Sequence
 
 from sigcat.asil import rank
-from sigcat.integration.ros2.model import QualityOfService
+from sigcat.integration.ros2.model import Durability, QualityOfService, Reliability
 from sigcat.integration.ros2.settings import QualitySettings, Ros2Settings
 from sigcat.integration.ros2.signal_uses import SignalUse
 
@@ -24,6 +25,10 @@ MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
     reasons=("A mode is sent once and holds until the next one.",),
 )  # fmt: skip
+_LEAST_DEPTH = 100
+_QUEUES = 10
+"""Depth of a queue, and how often its length has room in the middleware."""
+STATUS = MODE.model_copy(update={"reasons": ("A status is sent on change and holds until the next one.",)})
 
 
 def quality(
@@ -50,7 +55,7 @@ def quality(
     return _overridden(derived, [settings.quality[key] for key in dict.fromkeys(keys) if key in settings.quality])
 
 
-def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -> str:
+def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -> Reliability:
     causes = (
         (asil != "QM", f"reliable: ASIL {asil}"),
         (any(use.queue_length for use in everyone), "reliable: queued, no value may be lost"),
@@ -65,13 +70,13 @@ def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -
     return "best_effort"
 
 
-def _of_outsider(reasons: list[str]) -> str:
+def _of_outsider(reasons: list[str]) -> Reliability:
     """A subscription at best effort hears a reliable publisher too, and then misses values only as the network does."""
     reasons.append("best effort: the publisher is not of the set, and may offer no more")
     return "best_effort"
 
 
-def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> str:
+def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> Durability:
     if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
         reasons.append("transient local: late subscribers need the last value")
         return "transient_local"
@@ -80,8 +85,12 @@ def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> str:
 
 def _depth(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: list[str]) -> int:
     relevant = everyone if any(use.is_provider for use in mine) else mine
-    depth = max((use.queue_length or 1 for use in relevant), default=1)
-    reasons.append(f"depth {depth}: length of the queue" if depth > 1 else "depth 1: only the latest value counts")
+    lengths = [use.queue_length for use in relevant if use.queue_length]
+    if not lengths:
+        reasons.append("depth 1: only the latest value counts")
+        return 1
+    depth = max(_LEAST_DEPTH, _QUEUES * max(lengths))
+    reasons.append(f"depth {depth}: the queue loses values, and counts them, before the middleware does")
     return depth
 
 
@@ -98,16 +107,19 @@ def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons:
     cycles = [2 * use.cycle for use in mine if use.cycle]
     if not cycles:
         return None
+    if not any(use.is_sent_in_each_cycle for use in mine):
+        reasons.append("no deadline: a call may have nothing to send")
+        return None
     shortest = min([*timeouts, max(cycles)])
     reasons.append("deadline: twice the cycle" if shortest == max(cycles) else "deadline: a subscriber's time-out")
     return shortest
 
 
 def _is_offered(mine: Sequence[SignalUse], everyone: Sequence[SignalUse]) -> bool:
-    """Whether every publisher of the signals is of the set, and has a cycle."""
-    cycles = [use.cycle for use in everyone if use.is_provider]
+    """Whether every publisher of the signals is of the set, and sends in each of its cycles."""
+    offered = [use.is_sent_in_each_cycle for use in everyone if use.is_provider]
     provided = {use.key for use in everyone if use.is_provider}
-    return bool(cycles) and all(cycles) and provided >= {use.key for use in mine}
+    return bool(offered) and all(offered) and provided >= {use.key for use in mine}
 
 
 def _overridden(derived: QualityOfService, settings: Sequence[QualitySettings]) -> QualityOfService:

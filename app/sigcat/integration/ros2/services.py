@@ -72,16 +72,20 @@ def _service(
     response = _side(method.outputs, interface, book, findings)
     if request is None or response is None:
         return None
+    success = _success(response)
     if method.name not in types:
+        answer = (*response.fields, success)
         types[method.name] = (
-            book.add_service(camel_case(method.name), interface, method.description, request.fields, response.fields),
+            book.add_service(camel_case(method.name), interface, method.description, request.fields, answer),
             request,
             response,
         )
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
-        message = f"The method {method.name} must have the same arguments everywhere; those of {call.part.function_name} differ from another function's."
-        findings.report(codes.MEANINGS_DIFFER, message, interface, "Rename one of them.")
+        message = f"The method {method.name} must have the same arguments everywhere, in the same units; those of {call.part.function_name} differ from another function's."
+        findings.report(
+            codes.MEANINGS_DIFFER, message, interface, "Rename one of them, or use the same datatypes and units."
+        )
     return RosService(
         name=topic_name(method.name),
         method=method.name,
@@ -90,11 +94,18 @@ def _service(
         node=call.part.name,
         request=request.arguments,
         response=response.arguments,
+        success=success.name,
     )
 
 
-def _shape(side: _Side) -> list[tuple[str, str]]:
-    return [(field.name, field.datatype) for field in side.fields]
+def _success(response: _Side) -> MessageField:
+    """The field that tells whether the function has answered: a mode may exclude its call."""
+    name = field_name("success", {field.name for field in response.fields}).text
+    return MessageField(name=name, datatype="bool", description="Whether the function has answered.")
+
+
+def _shape(side: _Side) -> list[tuple[str, str, str | None]]:
+    return [(field.name, field.datatype, field.units) for field in side.fields]
 
 
 def _side(

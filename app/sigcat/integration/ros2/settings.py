@@ -1,12 +1,25 @@
 """The section of the deployment file that concerns ROS 2."""
 
+import re
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
 from sigcat.function.declaration.form import DeclarationModel, Natural, Text
+from sigcat.integration.ros2.names import PACKAGES_OF_ROS
 
-RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100)]
+EMAIL = re.compile(r"[^@\s<>\"&]+@[^@\s<>\"&]+")
+NAMESPACE = re.compile(r"(/[a-z](_?[a-z0-9]+)*)*")
+
+
+def _not_of_ros(name: str) -> str:
+    if name in PACKAGES_OF_ROS:
+        raise PydanticCustomError("package_of_ros", "Input should be no package that ROS 2 brings")
+    return name
+
+
+RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100), AfterValidator(_not_of_ros)]
 Topics = Literal["cycle", "signal", "branch", "function"]
 
 
@@ -38,12 +51,16 @@ class Ros2Settings(DeclarationModel):
         description="How messages hold an enumeration of texts: its number, with a constant for each, beside the text; "
         "or one of the two alone. The numbers are the catalogue's.",
     )
-    namespace: Annotated[str, Field(pattern=r"^(/[a-z](_?[a-z0-9]+)*)*$", max_length=100)] = Field(
+    namespace: Annotated[str, Field(pattern=f"^{NAMESPACE.pattern}$", max_length=100)] = Field(
         "", description="Namespace of the nodes, as /ego. Names of topics and services are relative to it."
     )
-    message_package: RosName = Field("vehicle_msgs", description="Package that holds the messages and services.")
+    message_package: RosName | None = Field(
+        None,
+        description="Package that holds the messages and services, for sets that share one; <name>_interfaces if "
+        "absent.",
+    )
     maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")
-    email: Annotated[str, Field(pattern=r"^[^@\s<>\"&]+@[^@\s<>\"&]+$", max_length=200)] = Field(
+    email: Annotated[str, Field(pattern=f"^{EMAIL.pattern}$", max_length=200)] = Field(
         "maintainer@example.com", description="Mail address of the maintainer; package.xml requires one."
     )
     license: Text = Field("Proprietary", description="License of the packages, as package.xml states it.")

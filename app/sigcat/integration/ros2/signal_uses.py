@@ -47,6 +47,11 @@ class SignalUse(NamedTuple):
         return self.data.queue_length if isinstance(self.data, DataQueue) else None
 
     @property
+    def is_sent_in_each_cycle(self) -> bool:
+        """Whether the call provides a value whenever it runs: of a queue with a count it may provide none."""
+        return bool(self.cycle) and not (isinstance(self.data, DataQueue) and self.data.count_variable)
+
+    @property
     def timeout(self) -> float | None:
         """Longest time between two values, in ms."""
         return whole(milliseconds(self.data.timeout)) or None

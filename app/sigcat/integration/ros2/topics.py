@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
-from sigcat.integration.ros2.messages import STAMP, MessageBook, constants, unresolved
+from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
     Conversion,
@@ -51,6 +52,8 @@ class Topic(NamedTuple):
 class _Group(NamedTuple):
     segments: tuple[str, ...]
     message: str
+    title: str = ""
+    """What the message carries, if that is not plain from the segments."""
 
 
 def topics_of(
@@ -136,7 +139,8 @@ def _group(use: SignalUse, providing: SignalUse | None, together: _Together, set
         is_shared = (provider, providing.cycle) in together.shared
         call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
         names = (provider, *call, f"Cycle{providing.cycle}ms")
-        return _Group(names, "".join(map(camel_case, names)))
+        title = f"What {' '.join((provider, *call))} provides every {providing.cycle} ms."
+        return _Group(names, "".join(map(camel_case, names)), title)
     if settings.topics == "function":
         owner, way = (provider, "out") if provider else (use.part.function_name, "in")
         return _Group((owner, way), camel_case(owner) + camel_case(way))
@@ -187,8 +191,10 @@ def _topic(
         members[key] = member
         fields.extend(_fields(member, own[0]))
         kind = number_of(member.kind) if member.number else member.kind
-        values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings))
-    what = uses[0].data.description if len(of_key) == 1 else f"Signals of {' '.join(group.segments)}."
+        taken = {value.name for value in values}
+        values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings, taken))
+    together = group.title or f"Signals of {' '.join(group.segments)}."
+    what = uses[0].data.description if len(of_key) == 1 else together
     message = book.add(group.message, uses[0].interface, what, fields, values)
     return Topic(name, message, members, tuple(uses))
 
@@ -204,7 +210,7 @@ def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
     if member.number:
         kind = number_of(member.kind)
         assert kind.element is not None
-        description = f"The same, as one of the constants; it agrees with {member.field}."
+        description = f"The same as {member.field}, as one of the constants. Nodes read the number."
         yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 

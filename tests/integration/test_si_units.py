@@ -7,7 +7,7 @@ import yaml
 
 from sigcat.data import VSPEC
 from sigcat.function.function_json.conversion import between
-from sigcat.integration.autosar_adaptive.si_units import WITHOUT_SI, Dimension, UnitSettings, si_unit
+from sigcat.integration.autosar_si_units import WITHOUT_SI, Dimension, UnitSettings, si_unit
 
 UNITS = sorted(yaml.safe_load((VSPEC / "units.yaml").read_text(encoding="utf-8")))
 NEWER = ["ns", "us", "hPa", "celsius", "bpm"]

@@ -1,0 +1,52 @@
+"""Comparisons beside the functions of a service: files that `sigcat compare` wrote, known by their name."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.errors import NotFound
+from sigcat.limits import RUNS
+from sigcat.names import nearest
+
+FILE = "comparison.json"
+
+
+class HostedComparison(NamedTuple):
+    """A stored comparison. It is read when a page shows it."""
+
+    id: str
+    """Name in addresses: that of its folder."""
+    name: str
+    """What notes call it."""
+    path: Path
+
+
+HostedComparisons = tuple[HostedComparison, ...]
+
+
+def comparisons_among(paths: Iterable[Path], folder: Path) -> Iterator[HostedComparison]:
+    """The comparisons among files below a folder."""
+    for path in islice((path for path in paths if path.name == FILE), RUNS):
+        below = path.relative_to(folder)
+        yield HostedComparison(below.parent.name or folder.name, (Path(folder.name) / below).as_posix(), path)
+
+
+def told_apart(comparisons: Iterable[HostedComparison]) -> HostedComparisons:
+    """Those of one's own before shipped ones, each id once."""
+    known: dict[str, HostedComparison] = {}
+    for each in comparisons:
+        number, free = 1, each.id
+        while free in known:
+            number += 1
+            free = f"{each.id}-{number}"
+        known[free] = each._replace(id=free)
+    return tuple(known.values())
+
+
+def comparison_named(comparison_id: str, comparisons: Sequence[HostedComparison]) -> HostedComparison:
+    """A comparison by its id. Raises NotFound with the nearest ids."""
+    known = {each.id: each for each in comparisons}
+    if comparison_id not in known:
+        raise NotFound(f"There is no comparison {comparison_id[:100]!r}.", nearest(comparison_id[:100], known))
+    return known[comparison_id]

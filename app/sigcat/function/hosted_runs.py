@@ -1,0 +1,103 @@
+"""Runs beside the functions of a service: CSV files as `sigcat simulate` writes them, known by their header."""
+
+import csv
+import logging
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.errors import NotFound
+from sigcat.file_kind import RUN_COLUMNS, ending_of
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.walk import data, errors, safety_reactions
+from sigcat.limits import RUN_HEADER_BYTES, RUNS
+from sigcat.names import nearest
+
+ENDING = ".csv"
+FILE = "run.csv"
+_log = logging.getLogger("sigcat.hosting")
+
+
+class HostedRun(NamedTuple):
+    """A stored run. Its rows are read when a page shows them."""
+
+    id: str
+    """Name in addresses: of `NAME/run.csv` its folder, of any other file its own."""
+    name: str
+    """What notes call it."""
+    path: Path
+    group: str
+    """That of the functions which it may be of."""
+    columns: tuple[str, ...]
+
+
+HostedRuns = tuple[HostedRun, ...]
+
+
+def is_run_name(name: str) -> bool:
+    """Whether a file of this name may be a run, and can be named in an address."""
+    return ending_of(name) == ENDING and name.isprintable()
+
+
+def runs_among(paths: Iterable[Path], folder: Path, group: str) -> Iterator[HostedRun]:
+    """The runs among files below a folder, with ids of their own."""
+    found = [(path, columns) for path in paths if is_run_name(path.name) and (columns := run_columns(path))]
+    if len(found) > RUNS:
+        _log.warning("%s: of %d runs the first %d are shown", folder, len(found), RUNS)
+    taken: set[str] = set()
+    for path, columns in islice(found, RUNS):
+        below = path.relative_to(folder)
+        run_id = _free(below.stem if below.name != FILE else below.parent.name or folder.name, taken)
+        taken.add(run_id)
+        yield HostedRun(run_id, (Path(folder.name) / below).as_posix(), path, group, columns)
+
+
+def _free(wanted: str, taken: set[str]) -> str:
+    number, free = 1, wanted
+    while free in taken:
+        number += 1
+        free = f"{wanted}-{number}"
+    return free
+
+
+def run_columns(path: Path) -> tuple[str, ...]:
+    """The columns of a run; none if the file is something else, or cannot be read."""
+    try:
+        with path.open("rb") as file:
+            line = file.readline(RUN_HEADER_BYTES)
+        text = line.decode("utf-8-sig")
+        columns = tuple(cell.strip() for cell in next(csv.reader([text]), ()))
+    except OSError as error:
+        _log.warning("%s: %s", path, error.strerror or error)
+        return ()
+    except (UnicodeDecodeError, csv.Error):
+        return ()
+    return columns if columns[: len(RUN_COLUMNS)] == RUN_COLUMNS else ()
+
+
+def runs_of(function: FunctionJson, group: str, runs: Iterable[HostedRun]) -> HostedRuns:
+    """The runs of a function: those of its folder that have something which it alone sends, if there is such."""
+    sent = frozenset(_sent(function)) or frozenset(each.name for _, _, each in safety_reactions(function))
+    return tuple(run for run in runs if run.group == group and not sent.isdisjoint(run.columns))
+
+
+def _sent(function: FunctionJson) -> Iterator[str]:
+    """Columns that only this function writes; a safety reaction is decided by each function that has it."""
+    yield from (_column(item) for _, _, item in data(function) if item.role == PROVIDER)
+    yield from (item.name for _, _, item in errors(function))
+    yield from (item.name for item in function.mode_interfaces or () if item.direction == "Out")
+
+
+def _column(item: Signal | DataQueue) -> str:
+    return item.vss_path or item.name
+
+
+def run_named(run_id: str, runs: Sequence[HostedRun]) -> HostedRun:
+    """A run of a function by its id, the first one if that is empty. Raises NotFound with the nearest ids."""
+    known = {run.id: run for run in runs}
+    if not runs or (run_id and run_id not in known):
+        raise NotFound(f"There is no run {run_id[:100]!r}.", nearest(run_id[:100], known))
+    return known[run_id] if run_id else runs[0]

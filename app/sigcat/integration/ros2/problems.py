@@ -1,0 +1,182 @@
+"""What an Integration JSON has that no ROS 2 package can: names, types and texts that rosidl or package.xml refuse."""
+
+import re
+from collections.abc import Iterable, Iterator
+from math import isfinite
+from typing import Any
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.checked_document import Problem
+from sigcat.integration.datatypes import BY_VSS
+from sigcat.integration.ros2.model import (
+    InterfacePackage,
+    Message,
+    MessageConstant,
+    MessageField,
+    NodePackage,
+    Package,
+    Ros2Integration,
+    RosNode,
+    RosParameter,
+)
+from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
+from sigcat.integration.ros2.settings import EMAIL, NAMESPACE
+
+_PRIMITIVES = {spelling.ros2 for spelling in BY_VSS.values()}
+_TYPE = re.compile(r"(\w+(?:/\w+)?)(\[[0-9]{0,9}\])?", re.ASCII)
+_VERSION = re.compile(r"[0-9]{1,9}\.[0-9]{1,9}\.[0-9]{1,9}")
+_EXECUTABLE = re.compile(r"[a-z][a-z0-9_]*")
+_PLUGIN = re.compile(r"[a-z][a-z0-9_]*::[A-Z][A-Za-z0-9]*")
+_TOPIC = re.compile(r"/?[a-z][a-z0-9_]*(?:/[a-z][a-z0-9_]*)*")
+_INTERFACE = re.compile(r"[a-z][a-z0-9_]*/(?:msg|srv)/[A-Z][A-Za-z0-9]*")
+_PARAMETER_TYPES = {f"{name}{ending}" for name in ("bool", "integer", "double", "string") for ending in ("", "_array")}
+_INTEGER = re.compile(r"-?[0-9]{1,20}")
+
+
+def problems_of(model: Ros2Integration) -> Iterator[Problem]:
+    """Everything in a model that packages cannot have."""
+    for key, packages in (("InterfacePackageList", model.interface_packages), ("NodePackageList", model.node_packages)):
+        if packages is not None and len(packages) != 1:
+            yield Problem((key,), f"`{key}` must have one package, not {len(packages)}.")
+    for index, interfaces in enumerate(model.interface_packages or ()):
+        yield from _package(interfaces, ("InterfacePackageList", index))
+        yield from _interfaces(interfaces, ("InterfacePackageList", index))
+    for index, nodes in enumerate(model.node_packages or ()):
+        yield from _package(nodes, ("NodePackageList", index))
+        yield from _nodes(nodes, ("NodePackageList", index))
+    for index, communication in enumerate(model.communications):
+        at: Pointer = ("CommunicationList", index)
+        for number, topic in enumerate(communication.topics):
+            below: Pointer = (*at, "ROSTopicList", number)
+            yield from _is(topic.name, _TOPIC, (*below, "TopicName"), "name of a topic")
+            yield from _is(topic.message or "", _INTERFACE, (*below, "MessageType"), "type of a topic")
+            if topic.quality is None:
+                yield Problem(below, f"The topic {topic.name} must have a `QualityOfService`.")
+        for number, service in enumerate(communication.services or ()):
+            below = (*at, "ROSServiceList", number)
+            yield from _is(service.name, _TOPIC, (*below, "ServiceName"), "name of a service")
+            yield from _is(service.service, _INTERFACE, (*below, "ServiceType"), "type of a service")
+
+
+def _is(text: str, form: re.Pattern[str], at: Pointer, what: str) -> Iterator[Problem]:
+    if not form.fullmatch(text) or len(text) > 3 * LONGEST:
+        yield Problem(at, f"The {what} must be one that ROS 2 accepts, not {text[:60]!r}.")
+
+
+def _names(places: Iterable[tuple[Pointer, str]], form: re.Pattern[str], what: str) -> Iterator[Problem]:
+    """Names of a kind, each valid and none twice; names of files do not differ in case alone."""
+    seen: set[str] = set()
+    for at, name in places:
+        yield from _is(name, form, at, f"name of a {what}")
+        if name.lower() in seen:
+            yield Problem(at, f"The name of a {what} must be given once, not twice: {name[:60]!r}.")
+        seen.add(name.lower())
+
+
+def _package(package: Package, at: Pointer) -> Iterator[Problem]:
+    yield from _is(package.name, FIELD, (*at, "Name"), "name of a package")
+    yield from _is(package.version, _VERSION, (*at, "Version"), "version of a package")
+    yield from _is(package.email, EMAIL, (*at, "MaintainerEmail"), "mail address of a maintainer")
+    for index, name in enumerate(package.dependencies):
+        yield from _is(name, FIELD, (*at, "Dependencies", index), "name of a package")
+    for key, text in (("Maintainer", package.maintainer), ("License", package.license)):
+        if not text.strip() or not text.isprintable():
+            yield Problem((*at, key), f"{key} of {package.name} must be one line of text: package.xml requires it.")
+
+
+# -- messages and services ----------------------------------------------------------------------------------------
+
+
+def _interfaces(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
+    messages: Pointer = (*at, "Messages")
+    services: Pointer = (*at, "Services")
+    places = [((*messages, i, "Name"), each.name) for i, each in enumerate(package.messages)]
+    places += [((*services, i, "Name"), each.name) for i, each in enumerate(package.services)]
+    yield from _names(places, MESSAGE, "message")
+    known = {message.name for message in package.messages} | {"builtin_interfaces/Time"} | _PRIMITIVES
+    for index, message in enumerate(package.messages):
+        yield from _message(message, (*messages, index), known)
+    for index, service in enumerate(package.services):
+        for key, fields in (("Request", service.request), ("Response", service.response)):
+            yield from _fields(fields, (*services, index, key), known)
+
+
+def _message(message: Message, at: Pointer, known: set[str]) -> Iterator[Problem]:
+    yield from _fields(message.fields, (*at, "Fields"), known)
+    constants = [((*at, "Constants", i, "Name"), each.name) for i, each in enumerate(message.constants)]
+    yield from _names(constants, CONSTANT, "constant")
+    for index, constant in enumerate(message.constants):
+        if not _has_value(constant):
+            text = f"The value of {constant.name} must be one of {constant.datatype}, not {constant.value[:60]!r}."
+            yield Problem((*at, "Constants", index, "Value"), text)
+
+
+def _has_value(constant: MessageConstant) -> bool:
+    if constant.datatype == "string":
+        return constant.value.isprintable() and "#" not in constant.value
+    return constant.datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(constant.value))
+
+
+def _fields(fields: tuple[MessageField, ...], at: Pointer, known: set[str]) -> Iterator[Problem]:
+    yield from _names((((*at, i, "Name"), field.name) for i, field in enumerate(fields)), FIELD, "field")
+    for index, field in enumerate(fields):
+        match = _TYPE.fullmatch(field.datatype)
+        if match is None or match[1] not in known:
+            message = f"The datatype of {field.name} must be a primitive or a message of the package, not {field.datatype[:60]!r}."
+            yield Problem((*at, index, "DataType"), message)
+
+
+# -- nodes --------------------------------------------------------------------------------------------------------
+
+
+def _nodes(package: NodePackage, at: Pointer) -> Iterator[Problem]:
+    places: Pointer = (*at, "Nodes")
+    for key, form, names in (
+        ("NodeName", FIELD, [node.name for node in package.nodes]),
+        ("Executable", _EXECUTABLE, [node.executable for node in package.nodes]),
+        ("Plugin", _PLUGIN, [node.plugin for node in package.nodes]),
+    ):
+        yield from _names((((*places, i, key), name) for i, name in enumerate(names)), form, "node")
+    if not package.nodes:
+        yield Problem(places, f"`Nodes` of {package.name} must have a node.")
+    for index, node in enumerate(package.nodes):
+        yield from _node(node, (*places, index))
+
+
+def _node(node: RosNode, at: Pointer) -> Iterator[Problem]:
+    if node.namespace != "/":
+        yield from _is(node.namespace, NAMESPACE, (*at, "Namespace"), "namespace of a node")
+    for key, ends in (("ModeTopics", node.modes), ("ErrorTopics", node.error_topics),
+                      ("SafetyReactionTopics", node.reaction_topics)):  # fmt: skip
+        for index, end in enumerate(ends):
+            yield from _is(end.topic, _TOPIC, (*at, key, index, "TopicName"), "name of a topic")
+            yield from _is(end.message, _INTERFACE, (*at, key, index, "MessageType"), "type of a topic")
+            yield from _is(end.field, FIELD, (*at, key, index, "Field"), "name of a field")
+    parameters: Pointer = (*at, "Parameters")
+    yield from _names(
+        (((*parameters, i, "Name"), each.name) for i, each in enumerate(node.parameters)), FIELD, "parameter"
+    )
+    for index, parameter in enumerate(node.parameters):
+        if parameter.type not in _PARAMETER_TYPES:
+            message = f"The type of {parameter.name} must be one of a node parameter, not {parameter.type[:60]!r}."
+            yield Problem((*parameters, index, "Type"), message)
+        elif not _is_default(parameter):
+            message = f"The default of {parameter.name} must be of the type {parameter.type}."
+            yield Problem((*parameters, index, "Default"), message)
+
+
+def _is_default(parameter: RosParameter) -> bool:
+    element = parameter.type.removesuffix("_array")
+    if element == parameter.type:
+        return _is_value(parameter.default, element)
+    listed = parameter.default
+    return isinstance(listed, list | tuple) and all(_is_value(each, element) for each in listed)
+
+
+def _is_value(value: Any, element: str) -> bool:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+    if element == "integer":
+        return is_number and value == int(value) and -(2**63) <= value < 2**63
+    if element == "double":
+        return is_number
+    return isinstance(value, bool if element == "bool" else str)
