@@ -1,0 +1,163 @@
+"""What an RTE generator would refuse in a component: its ports, runnables, events and needs."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_classic.model import (
+    ClassicIntegration,
+    Component,
+    Event,
+    Port,
+    Runnable,
+    SupervisedEntity,
+)
+from sigcat.integration.autosar_classic.problem import name, names, unknown
+from sigcat.integration.checked_document import Problem
+
+Interfaces = Mapping[str, tuple[str, frozenset[str]]]
+"""Kind and elements of each interface."""
+
+
+def component_problems(component: Component, at: Pointer, known: Interfaces) -> Iterator[Problem]:
+    yield from ports_problems(component.ports, at, known)
+    yield from names((*at, "Runnables"), (each.name for each in component.runnables))
+    inner = [
+        *(each.name for each in component.events), *(each.name for each in component.runnables),
+        *(each.name for each in component.exclusive_areas), *(each.name for each in component.memories),
+        *(each.name for each in component.parameters),
+    ]  # fmt: skip
+    yield from names((*at, "Events"), inner)
+    yield from names((*at, "MemorySections"), (each.name for each in component.sections))
+    yield from _served(component, at)
+    ports = {port.name: port for port in component.ports}
+    runnables = {each.name: each for each in component.runnables}
+    started = {event.runnable for event in component.events}
+    for index, runnable in enumerate(component.runnables):
+        if runnable.name not in started:
+            message = f"{runnable.name} must be started by an event, and none starts it."
+            yield Problem((*at, "Runnables", index), message, "Add an event for it.")
+        yield from _accesses(runnable, (*at, "Runnables", index), ports, component)
+    for index, event in enumerate(component.events):
+        yield from _event(event, (*at, "Events", index), ports, runnables)
+    yield from _needs(component, at, ports)
+
+
+def _served(component: Component, at: Pointer) -> Iterator[Problem]:
+    """Operations that the component provides: each has one event, which starts what serves it."""
+    invoked = [(event.port, event.element) for event in component.events if event.kind == "OperationInvoked"]
+    for index, port in enumerate(component.ports):
+        for element in port.elements if (port.kind, port.direction) == ("ClientServer", "Provided") else ():
+            if invoked.count((port.name, element.name)) != 1:
+                message = f"Operation {element.name} of {port.name} must start one runnable, and starts {invoked.count((port.name, element.name))}."
+                yield Problem((*at, "Ports", index), message, "Give it one event of kind OperationInvoked.")
+
+
+def ports_problems(ports: Iterable[Port], at: Pointer, known: Interfaces) -> Iterator[Problem]:
+    listed = tuple(ports)
+    yield from names((*at, "Ports"), (port.name for port in listed))
+    for index, port in enumerate(listed):
+        here: Pointer = (*at, "Ports", index)
+        kind, elements = known.get(port.interface, ("", frozenset()))
+        if kind != port.kind:
+            yield unknown((*here, "Interface"), f"{port.kind} interface", port.interface)
+            continue
+        for number, element in enumerate(port.elements):
+            if element.name not in elements:
+                yield unknown((*here, "Elements", number), f"element of {port.interface}", element.name)
+            if port.kind == "SenderReceiver" and element.queue_length is None and element.init is None and port.direction == "Required":  # fmt: skip
+                message = f"{element.name} of {port.name} must have an initial value, since nothing may have been sent when it is read."
+                yield Problem((*here, "Elements", number), message, "Give `InitValue`.")
+            if element.queue_length is not None and element.queue_length < 1:
+                yield Problem((*here, "Elements", number, "QueueLength"), f"A queue must hold at least 1, not {element.queue_length}.", "Correct it.")  # fmt: skip
+
+
+_DIRECTIONS = {
+    "ImplicitRead": ("SenderReceiver", "Required"), "ExplicitRead": ("SenderReceiver", "Required"),
+    "QueuedReceive": ("SenderReceiver", "Required"), "ExplicitWrite": ("SenderReceiver", "Provided"),
+    "QueuedSend": ("SenderReceiver", "Provided"), "Mode": ("ModeSwitch", "Required"),
+    "ModeSwitch": ("ModeSwitch", "Provided"), "SynchronousCall": ("ClientServer", "Required"),
+    "AsynchronousCall": ("ClientServer", "Required"), "Result": ("ClientServer", "Required"),
+    "Parameter": ("Parameter", "Required"),
+}  # fmt: skip
+
+
+def _accesses(runnable: Runnable, at: Pointer, ports: Mapping[str, Port], component: Component) -> Iterator[Problem]:
+    yield from names((*at, "Accesses"), (access.name for access in runnable.accesses))
+    areas = {area.name for area in component.exclusive_areas}
+    for area in runnable.exclusive_areas:
+        if area not in areas:
+            yield unknown((*at, "ExclusiveAreas"), "exclusive area", area)
+    if runnable.section not in {section.name for section in component.sections if section.kind == "CODE"}:
+        yield unknown((*at, "Section"), "memory section of code", runnable.section)
+    for index, access in enumerate(runnable.accesses):
+        here: Pointer = (*at, "Accesses", index)
+        if access.kind == "InternalTrigger":
+            if access.element not in {each.name for each in component.runnables}:
+                yield unknown(here, "runnable", access.element)
+            continue
+        port = ports.get(access.port or "")
+        if port is None or access.element not in {element.name for element in port.elements}:
+            yield unknown(here, f"element {access.element} of a port", str(access.port))
+        elif (port.kind, port.direction) != _DIRECTIONS[access.kind]:
+            kind, direction = _DIRECTIONS[access.kind]
+            message = f"{access.kind} must be of a port that is {kind} and {direction}; {port.name} is {port.kind} and {port.direction}."
+            yield Problem(here, message, "Correct the kind of access.")
+
+
+def _event(
+    event: Event, at: Pointer, ports: Mapping[str, Port], runnables: Mapping[str, Runnable]
+) -> Iterator[Problem]:
+    if event.runnable not in runnables:
+        yield unknown((*at, "Runnable"), "runnable", event.runnable)
+    if event.kind == "Timing" and not (event.period and event.period > 0):
+        yield Problem((*at, "Period"), f"{event.name} must have a period above 0.", "Correct it.")
+    if event.kind in ("DataReceived", "ModeSwitch", "OperationInvoked", "CallReturns"):
+        port = ports.get(event.port or "")
+        if port is None or event.element not in {element.name for element in port.elements}:
+            yield unknown(at, f"element {event.element} of a port", str(event.port))
+    if event.kind in ("InternalTrigger", "CallReturns"):
+        source = runnables.get(event.source or "")
+        names = {access.name for access in source.accesses} if source else set()
+        elements = {access.element for access in source.accesses if access.kind == "AsynchronousCall"} if source else set()  # fmt: skip
+        if event.element not in (names if event.kind == "InternalTrigger" else elements):
+            yield unknown(at, f"access {event.element} of a runnable", str(event.source))
+
+
+def _needs(component: Component, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
+    """Needs of the base software, which go through ports of the component."""
+    memories = {memory.name for memory in component.memories}
+    for index, block in enumerate(component.nv_blocks):
+        if block.memory not in memories:
+            yield unknown((*at, "NvBlocks", index), "per-instance memory", block.memory)
+        if block.port not in ports:
+            yield unknown((*at, "NvBlocks", index), "port", block.port)
+    for index, event in enumerate(component.diagnostic_events):
+        if event.port not in ports:
+            yield unknown((*at, "DiagnosticEvents", index), "port", event.port)
+    for index, entity in enumerate(component.supervised_entities):
+        yield from _supervision(entity, (*at, "SupervisedEntities", index), ports)
+
+
+def _supervision(entity: SupervisedEntity, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
+    points = {point.name for point in entity.checkpoints}
+    for index, point in enumerate(entity.checkpoints):
+        if point.port not in ports:
+            yield unknown((*at, "Checkpoints", index), "port", point.port)
+    used = [each.checkpoint for each in entity.alive]
+    used += [each for deadline in entity.deadlines for each in (deadline.start, deadline.end)]
+    used += [each for step in entity.transitions for each in (step.source, step.target)]
+    for each in used:
+        if each not in points:
+            yield unknown(at, "checkpoint", each)
+
+
+def symbol_problems(model: ClassicIntegration) -> Iterator[Problem]:
+    """Functions of C: one for each symbol on the whole ECU."""
+    seen: dict[str, str] = {}
+    for index, component in enumerate(model.components):
+        for number, runnable in enumerate(component.runnables):
+            at: Pointer = ("Components", index, "Runnables", number, "Symbol")
+            yield from name(at, runnable.symbol)
+            other = seen.setdefault(runnable.symbol, f"{component.name}.{runnable.name}")
+            if other != f"{component.name}.{runnable.name}":
+                yield Problem(at, f"{runnable.symbol} must be the function of one runnable, and is that of {other} too.", "Rename it.")  # fmt: skip

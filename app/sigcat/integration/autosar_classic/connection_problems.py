@@ -1,0 +1,107 @@
+"""What an RTE generator would refuse between components, and in the mapping of their events to tasks."""
+
+from collections.abc import Iterator, Mapping
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Port
+from sigcat.integration.autosar_classic.problem import names, unknown
+from sigcat.integration.checked_document import Problem
+
+
+def connection_problems(model: ClassicIntegration) -> Iterator[Problem]:
+    """Connectors whose ends do not fit, and required ports that have none."""
+    types = {
+        **{each.name: each.ports for each in model.components},
+        **{each.name: each.ports for each in model.parameter_components},
+    }
+    ports = {(each.name, port.name): port for each in model.composition.prototypes for port in types.get(each.type, ())}
+    outer = {port.name: port for port in model.composition.ports}
+    at: Pointer = ("Composition",)
+    for index, each in enumerate(model.composition.prototypes):
+        if each.type not in types:
+            yield unknown((*at, "Components", index), "component type", each.type)
+    connectors = [each.name for each in model.composition.assemblies]
+    connectors += [each.name for each in model.composition.delegations]
+    inside = [each.name for each in model.composition.prototypes]
+    inside += [each.name for each in model.composition.ports]
+    yield from names((*at, "Assemblies"), (*connectors, *inside))
+    writers: dict[tuple[str, str], str] = {}
+    for index, assembly in enumerate(model.composition.assemblies):
+        here: Pointer = (*at, "Assemblies", index)
+        given = assembly.provider.component, assembly.provider.port
+        taken = assembly.requester.component, assembly.requester.port
+        yield from _ends(ports.get(given), ports.get(taken), here)
+        if writers.setdefault(taken, assembly.name) != assembly.name:
+            yield Problem(here, f"{'.'.join(taken)} must be connected with one provider: {writers[taken]} connects it already.", "Take one away.")  # fmt: skip
+    for index, delegation in enumerate(model.composition.delegations):
+        here = (*at, "Delegations", index)
+        inner, border = ports.get((delegation.inner.component, delegation.inner.port)), outer.get(delegation.outer)
+        if inner is None or border is None:
+            yield unknown(here, "port", delegation.outer if border is None else delegation.inner.port)
+        elif (inner.interface, inner.direction) != (border.interface, border.direction):
+            yield Problem(here, f"Both ends of {delegation.name} must have one interface and direction.", "Correct it.")
+    yield from _open_ports(model, ports, writers)
+
+
+def _ends(given: Port | None, taken: Port | None, at: Pointer) -> Iterator[Problem]:
+    if given is None or taken is None:
+        yield Problem(at, "Both ends of a connector must be ports of components of the composition.", "Correct the names.")  # fmt: skip
+    elif given.interface != taken.interface or given.direction != "Provided" or taken.direction != "Required":
+        message = f"{taken.name} must be a required port of the interface of {given.name}, {given.interface}, which provides it."
+        yield Problem(at, message, "Connect ports of one interface.")
+
+
+def _open_ports(
+    model: ClassicIntegration, ports: Mapping[tuple[str, str], Port], connected: Mapping[tuple[str, str], str]
+) -> Iterator[Problem]:
+    """Required ports that nothing is connected with; those of services are connected by the ECU configuration."""
+    delegated = {(each.inner.component, each.inner.port) for each in model.composition.delegations}
+    for key, port in ports.items():
+        if port.direction == "Required" and not port.service and key not in connected and key not in delegated:
+            message = f"{'.'.join(key)} must be connected, with a component or with a port of the composition."
+            yield Problem(("Composition", "Assemblies"), message, "Add a connector.")
+
+
+def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
+    """Every event has one task; runnables that never run twice at a time have all theirs in one."""
+    types = {each.name: each for each in model.components}
+    events = {
+        (each.name, event.name): event
+        for each in model.composition.prototypes
+        for event in (types[each.type].events if each.type in types else ())
+    }
+    yield from names(("Ecu", "Tasks"), (task.name for task in model.ecu.tasks))
+    mapped: dict[tuple[str, str], str] = {}
+    homes: dict[tuple[str, str], str] = {}
+    for index, task in enumerate(model.ecu.tasks):
+        for number, entry in enumerate(task.events):
+            key, at = (entry.component, entry.event), ("Ecu", "Tasks", index, "Events", number)
+            if key not in events:
+                yield unknown(at, "event", ".".join(key))
+                continue
+            if key in mapped:
+                yield Problem(
+                    at, f"{'.'.join(key)} must be in one task and once, and is in {mapped[key]} too.", "Take it away."
+                )
+            mapped[key] = task.name
+            if [each.position for each in task.events].count(entry.position) > 1:
+                yield Problem((*at, "Position"), f"Position {entry.position} of {task.name} must be that of one event.", "Number them.")  # fmt: skip
+            yield from _in_ticks(events[key], key, at, model)
+            home = (entry.component, events[key].runnable)
+            if homes.setdefault(home, task.name) != task.name:
+                message = f"All events of {'.'.join(home)} must be in one task, since it never runs twice at a time; others are in {homes[home]}."
+                yield Problem(at, message, "Move it there.")
+    for key in events:
+        if key not in mapped:
+            yield Problem(("Ecu", "Tasks"), f"{'.'.join(key)} must be in a task.", "Map it to one.")
+
+
+def _in_ticks(event: Event, key: tuple[str, str], at: Pointer, model: ClassicIntegration) -> Iterator[Problem]:
+    """Periods and offsets that the counter can count."""
+    for what, seconds in (("period", event.period), ("offset", event.offset)):
+        ticks = (seconds or 0) * 1_000_000 / max(model.deployment.tick, 1)
+        if abs(ticks - round(ticks)) > 1e-6:
+            message = (
+                f"The {what} of {'.'.join(key)} must be whole ticks of {model.deployment.tick} µs, not {seconds} s."
+            )
+            yield Problem(at, message, "Choose a shorter tick in the deployment.")

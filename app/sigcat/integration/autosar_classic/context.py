@@ -1,0 +1,68 @@
+"""What every step of `derive` needs: the functions of the set with their components, the settings, the findings."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.runnable import Runnable as Call
+from sigcat.integration.application import Application, Part
+from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
+from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.finding_collector import FindingCollector
+
+OF_ADAPTER = ("Init", "Receive", "Supervise", "Terminate", "Core", "Stored")
+"""Runnables, area and memory of a component, whatever the names of its steps: all of them have one namespace."""
+OF_BASE_SOFTWARE = (
+    "Clock", "Ignition", "EcuMode", "StoredBlock", "Parameters", "AdapterClock", "AdapterIgnition", "DiagnosticMonitor",
+    "NvMService", "WdgM_LocalSupervision", "EcuM_CurrentMode",
+)  # fmt: skip
+"""Ports and interfaces that every component or set has."""
+INIT, STEP, TERMINATE = "Init", "Step", "Terminate"
+
+
+class NamedCall(NamedTuple):
+    """A call of a component, and the name of its runnable."""
+
+    name: str
+    """Last part of its name: `Step`."""
+    role: str
+    """Init, Step or Terminate."""
+    call: Call
+
+
+@dataclass(frozen=True)
+class Context:
+    """What one derivation starts from, and the findings that it comes across."""
+
+    application: Application
+    settings: AutosarClassicSettings
+    parts: tuple[Part, ...]
+    findings: FindingCollector
+
+    def path_of(self, part: Part, interface: Signal | DataQueue) -> str:
+        """VSS path of a data interface, its own or the one that the deployment gives; empty if there is none."""
+        return interface.vss_path or self.application.paths.get(f"{part.function_name}.{interface.name}", "")
+
+    def identity_of(self, part: Part, interface: Signal | DataQueue) -> str:
+        """What makes two data interfaces one signal: the path, or the name."""
+        return self.path_of(part, interface) or interface.name
+
+
+def role_of(call: Call) -> str:
+    """What a call is to the adapter, however the document spells it."""
+    text = call.run_type.strip().lower()
+    if text.startswith("init"):
+        return INIT
+    return TERMINATE if text.startswith(("shut", "term")) else STEP
+
+
+def named_calls(part: Part) -> tuple[NamedCall, ...]:
+    """The calls of a component under names of their own, which no runnable of the adapter has."""
+    calls = part.component.runnables
+    wanted = {
+        f"{index:06d}": short_name(call.name.removeprefix(f"{part.function_name}_")) for index, call in enumerate(calls)
+    }
+    steps = {key: name for (key, name), call in zip(wanted.items(), calls, strict=True) if role_of(call) == STEP}
+    given: Mapping[str, str] = {**wanted, **distinct(steps, OF_ADAPTER)}
+    return tuple(NamedCall(given[f"{index:06d}"], role_of(call), call) for index, call in enumerate(calls))

@@ -1,0 +1,289 @@
+"""From functions to the Integration JSON of AUTOSAR Classic, without any further input."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.findings import Finding, has_errors
+from sigcat.function.document.document import pointer_text
+from sigcat.function.function_json.conversion import of_text
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Part, application
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.base_software import (
+    CLOCK,
+    DIAGNOSTIC_MONITOR,
+    ECU_MODE,
+    ECU_MODES,
+    IGNITION,
+    NV_MEMORY,
+    SERVICE_TYPES,
+    SUPERVISION,
+)
+from sigcat.integration.autosar_classic.composition import composition_of
+from sigcat.integration.autosar_classic.context import Context, named_calls
+from sigcat.integration.autosar_classic.elements import Element, by_part, elements_of
+from sigcat.integration.autosar_classic.events import events_of
+from sigcat.integration.autosar_classic.field_targets import field_targets
+from sigcat.integration.autosar_classic.findings import (
+    report_asil,
+    report_calls,
+    report_meanings,
+    report_order,
+)
+from sigcat.integration.autosar_classic.interfaces import data_interface, method_interface, mode_interface
+from sigcat.integration.autosar_classic.parameters import (
+    calibration,
+    internal_parameters,
+    parameter_interface,
+    parameter_port,
+)
+from sigcat.integration.autosar_classic.ports import data_ports, kind_of_port
+from sigcat.integration.autosar_classic.problems import problems_of
+from sigcat.integration.autosar_classic.runnables import AREA, Behaviour, runnables_of
+from sigcat.integration.autosar_classic.service_needs import (
+    asil_of,
+    inhibitions,
+    memories,
+    monitors,
+    nv_blocks,
+    service_ports,
+    supervised_entities,
+)
+from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
+from sigcat.integration.autosar_classic.signals import system_signals
+from sigcat.integration.autosar_classic.tasks import behaviours_by_name, tasks_of
+from sigcat.integration.autosar_classic.types import TypeTable
+from sigcat.integration.autosar_names import short_name
+from sigcat.integration.autosar_parts import named_parts
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.not_carried import report_not_carried
+from sigcat.integration.report import Entry
+
+
+class Derived(NamedTuple):
+    """The document, the findings about it, and where each field of each interface went."""
+
+    model: model.ClassicIntegration
+    findings: tuple[Finding, ...]
+    report: tuple[Entry, ...]
+
+
+def derive(
+    functions: Sequence[ResolvedFunction],
+    deployment: Deployment = NO_DEPLOYMENT,
+    settings: AutosarClassicSettings = NO_SETTINGS,
+) -> Derived:
+    """The integration of a function or a set of functions. The order in which they are given does not matter."""
+    app = application(functions, deployment)
+    context = Context(app, settings, named_parts([f.function for f in app.functions]), FindingCollector(app.functions))
+    elements = elements_of(context)
+    types, own = _types(context), by_part(elements)
+    interfaces = _interfaces(elements, types, context)
+    report_meanings(elements, types, context)
+    behaviours = behaviours_by_name(
+        context.parts, [_behaviour(part, own[part.name], types, context) for part in context.parts]
+    )
+    groups = {group.name: group for group in interfaces.groups}
+    components = tuple(
+        _component(part, behaviours[part.name], interfaces, groups, types, context) for part in context.parts
+    )
+    calibrations = _calibrations(context, types)
+    parameters = tuple(parameter_interface(part, types) for part in context.parts if _over_ports(part, context))
+    composition = composition_of(components, calibrations, elements, context)
+    integration = model.ClassicIntegration(
+        meta=_meta(context),
+        info=_info(context),
+        deployment=model.ClassicDeployment(
+            package=settings.package or short_name(app.name), release=settings.release, tick=settings.tick
+        ),
+        units=types.units,
+        compu_methods=types.compu_methods,
+        constraints=types.constraints,
+        implementation_types=types.implementation_types,
+        application_types=types.application_types,
+        mode_groups=tuple(groups[name] for name in sorted(groups)),
+        sender_receiver_interfaces=interfaces.data,
+        client_server_interfaces=interfaces.operations,
+        mode_switch_interfaces=interfaces.modes,
+        parameter_interfaces=parameters,
+        components=components,
+        parameter_components=calibrations,
+        composition=composition,
+        ecu=model.Ecu(
+            name=settings.ecu or short_name(f"{app.name}Ecu"),
+            signals=system_signals(elements, composition, context),
+            tasks=tasks_of(components, behaviours),
+        ),
+        provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
+        or None,
+        functions=tuple(each.function for each in app.functions),
+    )
+    targets = field_targets(context, elements)
+    report_asil(elements, composition, context)
+    report_calls(context)
+    report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
+    report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
+    return Derived(integration, (*context.findings.findings, *_refused(integration, context)), targets)
+
+
+def _refused(integration: model.ClassicIntegration, context: Context) -> Iterator[Finding]:
+    """What an RTE generator would refuse all the same, where nothing else is wrong that would explain it."""
+    if not has_errors(context.findings.findings):
+        for problem in problems_of(integration):
+            at = pointer_text(problem.pointer)
+            yield codes.NOT_WRITABLE_AS_CLASSIC.finding(problem.message, pointer=at, fix=problem.fix)
+
+
+class _Interfaces(NamedTuple):
+    data: tuple[model.SenderReceiverInterface, ...]
+    operations: tuple[model.ClientServerInterface, ...]
+    modes: tuple[model.ModeSwitchInterface, ...]
+    groups: tuple[model.ModeGroup, ...]
+
+
+def _types(context: Context) -> TypeTable:
+    types = TypeTable(context)
+    for vss in ("boolean", "uint8", "uint16", "uint32", "uint64"):
+        types.primitive(vss)
+    for name, base in SERVICE_TYPES.items():
+        types.service_type(name, base)
+    return types
+
+
+def _interfaces(elements: Sequence[Element], types: TypeTable, context: Context) -> _Interfaces:
+    """One for each element, and those of the base software."""
+    modes = [mode_interface(each, types) for each in elements if kind_of_port(each) == "ModeSwitch"]
+    services = (CLOCK, DIAGNOSTIC_MONITOR, IGNITION, NV_MEMORY, SUPERVISION)
+    methods = [method_interface(each, types) for each in elements if kind_of_port(each) == "ClientServer"]
+    return _Interfaces(
+        tuple(data_interface(each, types, context) for each in elements if kind_of_port(each) == "SenderReceiver"),
+        tuple(sorted((*methods, *services), key=lambda each: each.name)),
+        tuple(sorted((*(each for each, _ in modes), ECU_MODE), key=lambda each: each.name)),
+        (*(group for _, group in modes), ECU_MODES),
+    )
+
+
+def _priorities(
+    components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]
+) -> dict[tuple[str, str], float]:
+    """Declared priorities of what is cyclic, by component and event."""
+    found: dict[tuple[str, str], float] = {}
+    for component in components:
+        calls = {each.name: each.call for each in behaviours[component.name].steps}
+        for event in component.events:
+            call = calls.get(event.runnable)
+            number = of_text(call.priority) if call is not None and call.priority else None
+            if event.kind == "Timing" and number is not None:
+                found[component.name, event.name] = float(number)
+    return found
+
+
+def _over_ports(part: Part, context: Context) -> bool:
+    return context.settings.parameters == "ports" and bool(calibration(part))
+
+
+def _behaviour(part: Part, elements: Sequence[Element], types: TypeTable, context: Context) -> Behaviour:
+    calls = named_calls(part)
+    ports = [*data_ports(part, elements, types), *service_ports(part, calls)]
+    if _over_ports(part, context):
+        ports.append(parameter_port(part, "Required", types))
+    internal = () if context.settings.parameters == "ports" else tuple(each.name for each in calibration(part))
+    return Behaviour(
+        part, calls, tuple(sorted(ports, key=lambda port: port.name)), nv_blocks(part), context.settings.tick, internal
+    )
+
+
+def _component(
+    part: Part,
+    behaviour: Behaviour,
+    interfaces: _Interfaces,
+    groups: dict[str, model.ModeGroup],
+    types: TypeTable,
+    context: Context,
+) -> model.Component:
+    runnables = runnables_of(behaviour)
+    info = part.function.info
+    received = behaviour.mode_port.interface if behaviour.mode_port else ""
+    modes = next((groups[each.group].modes for each in interfaces.modes if each.name == received), ())
+    is_internal = context.settings.parameters == "internal"
+    return model.Component(
+        name=part.name,
+        kind="Application",
+        function=part.function_name,
+        version=info.version,
+        description=info.description,
+        ports=behaviour.ports,
+        runnables=runnables,
+        events=events_of(behaviour, runnables, tuple(mode.name for mode in modes)),
+        exclusive_areas=(model.ExclusiveArea(name=AREA, description="The core: one runnable is in it at a time."),),
+        memories=memories(part),
+        parameters=tuple(internal_parameters(part, types)) if is_internal else (),
+        nv_blocks=behaviour.nv_blocks,
+        diagnostic_events=monitors(part),
+        supervised_entities=supervised_entities(part, behaviour.calls),
+        inhibitions=inhibitions(part),
+        sections=_sections(part, runnables),
+        asil_level=asil_of(part),
+        code=part.function.code,
+    )
+
+
+def _sections(part: Part, runnables: Sequence[model.Runnable]) -> tuple[model.MemorySection, ...]:
+    """One for the code of each ASIL that runnables have, and one for variables at the highest one."""
+    level = asil_of(part)
+    stacks: dict[str, list[int]] = {}
+    levels: dict[str, str] = {}
+    for runnable in runnables:
+        stacks.setdefault(runnable.section, []).append(runnable.stack_size or 0)
+        levels[runnable.section] = runnable.asil_level or "QM"
+    code = [
+        model.MemorySection(
+            name=name,
+            kind="CODE",
+            asil_level=levels[name],
+            alignment="UNSPECIFIED",
+            stack_size=max(stacks[name]) or None,
+        )
+        for name in sorted(stacks)
+    ]
+    name = "VAR_CLEARED_UNSPECIFIED" if level == "QM" else f"VAR_CLEARED_ASIL_{level}_UNSPECIFIED"
+    return (*code, model.MemorySection(name=name, kind="VAR_CLEARED", asil_level=level, alignment="UNSPECIFIED"))
+
+
+def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterComponent, ...]:
+    parts = [part for part in context.parts if _over_ports(part, context)]
+    if not parts:
+        return ()
+    return (
+        model.ParameterComponent(
+            name=short_name(f"{context.application.name}Calibration"),
+            ports=tuple(parameter_port(part, "Provided", types) for part in parts),
+        ),
+    )
+
+
+def _meta(context: Context) -> model.MetaInformation:
+    app = context.application
+    if app.date is None:
+        message = f"The document must have a date, and no function has one: {NO_DATE} is written."
+        context.findings.report(
+            codes.DATE_MISSING_CLASSIC, message, fix="Set `date` in the deployment file or in a function."
+        )
+    return model.MetaInformation(
+        authority=app.authority,
+        author=app.author,
+        date=app.date.isoformat() if app.date else NO_DATE,
+        version=app.version or DEFAULT_VERSION,
+    )
+
+
+def _info(context: Context) -> model.ApplicationInformation:
+    app = context.application
+    return model.ApplicationInformation(
+        name=app.name,
+        responsible=app.responsible,
+        description=app.description,
+        functions=tuple(function.name for function in app.functions),
+    )

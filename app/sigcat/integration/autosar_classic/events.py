@@ -1,0 +1,106 @@
+"""What starts the runnables of a component."""
+
+from collections.abc import Iterator
+
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
+from sigcat.integration.autosar_classic.interfaces import in_seconds
+from sigcat.integration.autosar_classic.runnables import AREA, Behaviour, trigger_ports
+from sigcat.integration.autosar_classic.service_needs import ECU_PORT, STORED
+from sigcat.integration.autosar_names import distinct, short_name
+
+SHUTDOWN = "SHUTDOWN"
+
+
+def events_of(behaviour: Behaviour, runnables: tuple[model.Runnable, ...], modes: tuple[str, ...]) -> tuple[model.Event, ...]:  # fmt: skip
+    """All of them. `modes` are those that the function receives."""
+    made = [event for runnable in runnables for event in _events(runnable, behaviour, runnables, modes)]
+    taken = {AREA, STORED, *(runnable.name for runnable in runnables), *behaviour.parameters}
+    names = distinct({f"{index:06d}": event.name for index, event in enumerate(made)}, taken)
+    return tuple(event.model_copy(update={"name": names[f"{index:06d}"]}) for index, event in enumerate(made))
+
+
+def _events(
+    runnable: model.Runnable, behaviour: Behaviour, runnables: tuple[model.Runnable, ...], modes: tuple[str, ...]
+) -> Iterator[model.Event]:
+    if runnable.role == INIT:
+        yield model.Event(name="OnInit", kind="Init", runnable=runnable.name)
+    if runnable.role == TERMINATE:
+        yield _on_entry(f"{runnable.name}_{SHUTDOWN}", runnable, ECU_PORT, "currentMode", SHUTDOWN)
+    if runnable.role == "Receive":
+        yield from _received(runnable, behaviour, modes)
+    if runnable.role == "Answer":
+        yield from _answered(runnable, runnables)
+    if runnable.role == "Supervise":
+        cycles = [each.call.cycle_time for each in behaviour.steps if each.call.cycle_time]
+        yield _timing(runnable, min(cycles, default=100), 0)
+    if runnable.role == "Method":
+        port = next(p for p in behaviour.ports if p.direction == "Provided" and p.kind == "ClientServer" and p.elements[0].uses and p.elements[0].uses[0].interface == runnable.method)  # fmt: skip
+        yield model.Event(
+            name=short_name(f"Invoked_{runnable.name}"), kind="OperationInvoked", runnable=runnable.name,
+            port=port.name, element=port.elements[0].name,
+        )  # fmt: skip
+    if runnable.role == STEP:
+        yield from _starts(runnable, behaviour, runnables)
+
+
+def _starts(runnable: model.Runnable, behaviour: Behaviour, runnables: tuple[model.Runnable, ...]) -> Iterator[model.Event]:  # fmt: skip
+    call = next(each.call for each in behaviour.steps if each.name == runnable.name)
+    if call.cycle_time and call.run_type != EVENT_TRIGGERED:
+        yield _timing(runnable, call.cycle_time, milliseconds(call.execution_offset) or 0)
+    ports = trigger_ports(call, behaviour)
+    for port in ports:
+        yield _data_received(runnable, port.name, port.elements[0].name)
+    if ports and runnable.minimum_start_interval:
+        yield _timing(runnable, behaviour.tick / 1000, 0)
+    for other in runnables:
+        for access in other.accesses:
+            if access.kind == "InternalTrigger" and access.element == runnable.name:
+                yield model.Event(
+                    name=short_name(f"{other.name}_{access.name}"), kind="InternalTrigger", runnable=runnable.name,
+                    source=other.name, element=access.name,
+                )  # fmt: skip
+
+
+def _received(runnable: model.Runnable, behaviour: Behaviour, modes: tuple[str, ...]) -> Iterator[model.Event]:
+    for access in runnable.accesses:
+        if access.kind in ("ExplicitRead", "QueuedReceive") and access.port:
+            yield _data_received(runnable, access.port, access.element)
+    port = behaviour.mode_port
+    for mode in modes if port is not None else ():
+        assert port is not None
+        yield _on_entry(f"{runnable.name}_{mode}", runnable, port.name, port.elements[0].name, mode)
+
+
+def _answered(runnable: model.Runnable, runnables: tuple[model.Runnable, ...]) -> Iterator[model.Event]:
+    result = next(access for access in runnable.accesses if access.kind == "Result")
+    for other in runnables:
+        for access in other.accesses:
+            if access.kind == "AsynchronousCall" and access.port == result.port:
+                yield model.Event(
+                    name=short_name(f"Returns_{access.element}"), kind="CallReturns", runnable=runnable.name,
+                    source=other.name, port=access.port, element=access.element,
+                )  # fmt: skip
+
+
+def _data_received(runnable: model.Runnable, port: str, element: str) -> model.Event:
+    return model.Event(
+        name=short_name(f"{runnable.name}_{port}"), kind="DataReceived", runnable=runnable.name, port=port,
+        element=element,
+    )  # fmt: skip
+
+
+def _timing(runnable: model.Runnable, cycle: float, offset: float) -> model.Event:
+    return model.Event(
+        name=short_name(f"{runnable.name}_{cycle}ms"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
+        offset=in_seconds(offset),
+    )  # fmt: skip
+
+
+def _on_entry(name: str, runnable: model.Runnable, port: str, element: str, mode: str) -> model.Event:
+    return model.Event(
+        name=short_name(name), kind="ModeSwitch", runnable=runnable.name, port=port, element=element, mode=mode,
+        activation="OnEntry",
+    )  # fmt: skip

@@ -1,0 +1,226 @@
+"""For every field of every interface of a function: where it stands in the Integration JSON, or that the core has it.
+
+The document carries each function whole: what the core decides is taken from there, and stands nowhere else.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from sigcat.function.function_json.code import CodeInterface
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_classic.context import Context, named_calls
+from sigcat.integration.autosar_classic.elements import Element
+from sigcat.integration.autosar_classic.parameters import Parameter, parameters_of
+from sigcat.integration.report import Entry, FieldTarget, entries
+
+_CORE = FieldTarget("SourceFunctionList", "the core decides it, from the function that the document carries")
+_SENT = "values are sent in the catalogue's datatype and unit; the core converts"
+_Targets = Mapping[str, FieldTarget | str]
+
+
+def _core(*fields: str) -> dict[str, FieldTarget | str]:
+    return dict.fromkeys(fields, _CORE)
+
+
+_DATA: _Targets = {
+    "Name": "{port}/Elements/Uses/Interface", "Description": "{interface}/Description",
+    "Role": FieldTarget("{port}/Direction", "and which accesses the runnable has"),
+    "Datatype": FieldTarget("{interface}/Elements/Type", _SENT), "Units": FieldTarget("{interface}/Elements/Unit", _SENT),
+    "VssPath": FieldTarget("{interface}/Elements/VssPath", "interface and ports are named by it"),
+    "VssDatatype": "{interface}/Elements/Type", "VssUnit": "{interface}/Elements/Unit",
+    "VssMin": "DataConstraints/{element}/Min", "VssMax": "DataConstraints/{element}/Max", "VssSymbols": "CompuMethods",
+    "InitValue": FieldTarget("{port}/Elements/InitValue", "in the catalogue's unit"),
+    "InitElements": FieldTarget("{port}/Elements/InitValue", "in the catalogue's unit"),
+    "Default": FieldTarget("{port}/Elements/InitValue", "where there is no InitValue; the core has it too"),
+    "DefaultElements": _CORE,
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it: AliveTimeout of COM is 0"),
+    "Access": FieldTarget("Runnables/Accesses/Kind", "Buffered: implicit, where the core need not know what is fresh"),
+    "QueueLength": "{port}/Elements/QueueLength", "ExternalProvider": "Composition/Ports/ExternalProvider",
+    "AsilLevel": "AsilLevel and MemorySections", "AsilInfo": "AsilLevel and MemorySections",
+    "E2eError": FieldTarget("{port}/Elements/TransformerErrors", "what the transformer rejects is told to the core"),
+    **_core(
+        "Min", "Max", "Variable", "Factor", "Offset", "RangeErrorAction", "TimeoutError", "Type", "Resolution",
+        "ConversionFactor", "ConversionOffset", "DefinedBy", "Members", "TimeoutStart", "TimeoutValue",
+        "TimeoutRecovery", "RangeError", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
+    ),
+}  # fmt: skip
+_METHOD: _Targets = {
+    "Name": "{interface}/Operations/Name", "Description": "{interface}/Operations/Description",
+    "Role": "{port}/Direction", "InDataTypeList": "{interface}/Operations/Arguments",
+    "OutDataTypeList": "{interface}/Operations/Arguments",
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"),
+    **_core("Symbol", "RequestVariable", "StatusVariable"),
+}  # fmt: skip
+_HEAD: _Targets = {
+    "Name": "{interface}/Name", "Description": "{interface}/Description", "Datatype": "{interface}/Elements/Type",
+    "VssPath": "{interface}/Elements/VssPath", "AsilLevel": "AsilLevel and MemorySections",
+}  # fmt: skip
+_ERROR: _Targets = {
+    **_HEAD,
+    "Severity": "DiagnosticEvents/Severity", "OccurenceCountLimit": "DiagnosticEvents/OccurrenceCountLimit",
+    "IgnitionCountLimit": "DiagnosticEvents/IgnitionCountLimit",
+    "MaturationTime": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
+    "Dependancy": FieldTarget("Ports", "a required port for each error of another component; the core decides"),
+    **_core("ResetTime", "ResetCondition", "Variable", "StatusVariable", "DefinedBy", "Reset"),
+}  # fmt: skip
+_REACTION: _Targets = {
+    **_HEAD, "ErrorList": "Inhibitions/Events", "Initial": "{port}/Elements/InitValue",
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"), **_core("Variable", "DefinedBy"),
+}  # fmt: skip
+_MODE: _Targets = {
+    **_HEAD, "Datatype": "ModeGroups/Type", "VssPath": FieldTarget("SourceFunctionList", "modes are named by their interface"),
+    "Description": "{port}/Description", "Direction": "{port}/Direction", "Modes": "ModeGroups/Modes",
+    "Initial": "ModeGroups/InitialMode",
+    **_core("Variable", "DefinedBy", "UnknownAction", "UnknownError", "Values"),
+}  # fmt: skip
+_CALL: _Targets = {
+    "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
+    "Cycletime": "Events/Period", "ExecOffset": "Events/Offset",
+    "EventList": FieldTarget("Events", "a data received event for each"),
+    "DebounceDelay": "{runnable}/MinimumStartInterval", "StackSize": "{runnable}/StackSize and MemorySections",
+    "AsilLevel": "{runnable}/AsilLevel and Section", "Scheduling": "Ecu/Tasks/Preemptable",
+    "Priority": FieldTarget("Ecu/Tasks/Events/Position", "among calls of one period; the task's follows from its period"),
+    "PrevRunnable": _CORE, "ParallelProcessing": FieldTarget("SourceFunctionList", "the core answers no call then"),
+    "Watchdog": "SupervisedEntities", "SupervisionType": "SupervisedEntities",
+    "Checkpoint": "SupervisedEntities/Checkpoints and Logical",
+    "funcContractList": FieldTarget("Ports and {runnable}/Accesses", "each interface has entries of its own"),
+    "VssPath": FieldTarget("SourceFunctionList", "a call is no port"),
+    **_core("Symbol", "Arguments", "SuccessValue", "PreProcessing", "PostProcessing", "OverrunError"),
+}  # fmt: skip
+_PARAMETER: _Targets = {
+    "Name": "{parameter}/Name", "Description": "{parameter}/Description", "Datatype": "{parameter}/Type",
+    "Min": FieldTarget("DataConstraints", "in the catalogue's unit"), "Max": FieldTarget("DataConstraints", "in the catalogue's unit"),
+    "InitValue": "{parameter}/InitValue", "InitElements": "{parameter}/InitValue", "DefaultText": "{parameter}/InitValue",
+    "Units": "{parameter}/Unit", "VssUnit": "{parameter}/Unit", "VssPath": "{parameter}/VssPath",
+    "VssDatatype": "{parameter}/Type", "VssSymbols": "CompuMethods",
+    "Asillevel": "AsilLevel and MemorySections",
+    "Interfacetype": FieldTarget("ParameterInterfaces or NvBlocks", "PersistenceMemory is kept, the others are calibrated"),
+    "Attribute": FieldTarget("NvBlocks/Parameters", "what is learned is kept"),
+    **_core(
+        "Default", "RangeErrorAction", "ConversionFactor", "ConversionOffset", "Variable", "Factor", "Offset", "DefinedBy",
+        "Members", "Key", "Storage", "RangeError",
+    ),
+}  # fmt: skip
+_FUNCTION: _Targets = {
+    "FunctionName": "ApplicationInformation/Functions, Components/Function",
+    "FunctionResponsible": "ApplicationInformation/Responsible", "Description": "Components/Description",
+    "Version": FieldTarget("Components/Version", "the version of the document is that of the deployment"),
+}  # fmt: skip
+_META: _Targets = {
+    "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
+    **dict.fromkeys(
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has a version and a description of its own"),
+    ),
+}  # fmt: skip
+_CODE: _Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
+_COMPONENT: _Targets = {"Name": "Name", "functionList": "Runnables"}
+_CONTRACT: _Targets = {
+    "Type": _CORE,
+    **dict.fromkeys(
+        ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
+        FieldTarget("Ports", "each interface has entries of its own"),
+    ),
+    "ParameterList": FieldTarget("Ports or InternalParameters", "each interface has entries of its own"),
+}
+_MODES: _Targets = {"Name": "ModeGroups/Modes", **_core("Description", "RunnablesList")}
+
+TABLES: Mapping[type, tuple[str, _Targets]] = {
+    Signal: ("signal", _DATA),
+    DataQueue: ("queue", _DATA),
+    MethodInterface: ("method", _METHOD),
+    ErrorInterface: ("error", _ERROR),
+    SafetyReaction: ("safety reaction", _REACTION),
+    ModeInterface: ("mode", _MODE),
+}
+"""Kind and targets of each interface."""
+CALL_TARGETS, PARAMETER_TARGETS = _CALL, _PARAMETER
+
+
+def field_targets(context: Context, elements: Sequence[Element]) -> tuple[Entry, ...]:
+    """An entry for each field that has a value, in the order of the documents."""
+    named = {id(side.interface): element for element in elements for side in element.sides if not _is_foreign(side.part, element, side.interface)}  # fmt: skip
+    made: list[Entry] = []
+    for part in context.parts:
+        made += _of_part(part)
+        for interface in _interfaces(part):
+            if id(interface) in named:
+                made += _of_interface(part, interface, named[id(interface)])
+    return tuple(made)
+
+
+def _is_foreign(part: Part, element: Element, interface: object) -> bool:
+    """Whether a component only hears of an error: its entries are those of who reports it."""
+    return element.kind == "error" and not any(interface is each for each in _interfaces(part))
+
+
+def _interfaces(part: Part) -> list[Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface]:  # fmt: skip
+    found: list[Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface] = []
+    for call in part.component.runnables:
+        for contract in call.contracts or ():
+            found += contract.signals or ()
+            found += contract.queues or ()
+            found += contract.methods or ()
+            found += contract.errors or ()
+            found += contract.safety_reactions or ()
+    return [*found, *(part.function.mode_interfaces or () if part.is_first else ())]
+
+
+def _of_interface(part: Part, interface: object, element: Element) -> list[Entry]:
+    kind, table = TABLES[type(interface)]
+    lists = {"method": "ClientServerInterfaces", "mode": "ModeSwitchInterfaces"}
+    names = {
+        "{port}": f"{part.name}/Ports/{element.name}",
+        "{interface}": f"{lists.get(kind, 'SenderReceiverInterfaces')}/{element.name}",
+        "{element}": element.name,
+    }
+    return entries(part.function_name, interface.name, kind, interface, _named(table, names))  # type: ignore[attr-defined, arg-type]
+
+
+def _named(table: _Targets, names: Mapping[str, str]) -> dict[str, FieldTarget | str]:
+    """Targets with the names of what they are in."""
+    made: dict[str, FieldTarget | str] = {}
+    for field, known in table.items():
+        target = FieldTarget(known) if isinstance(known, str) else known
+        text = target.target
+        for word, name in names.items():
+            text = text.replace(word, name)
+        made[field] = FieldTarget(text, target.note)
+    return made
+
+
+def _of_part(part: Part) -> Iterator[Entry]:
+    function, name = part.function, part.function_name
+    if part.is_first:
+        yield from entries(name, name, "document", function.meta, _META)
+        yield from entries(name, name, "function", function.info, _FUNCTION)
+        if function.code is not None:
+            yield from entries(name, name, "code", function.code, _below(part, _CODE))
+        for mode in function.modes or ():
+            yield from entries(name, mode.name, "active mode", mode, _MODES)
+    yield from entries(name, part.name, "component", part.component, _below(part, _COMPONENT))
+    parameters = parameters_of(part)
+    for each in named_calls(part):
+        runnable = each.name if each.role == "Step" else each.role
+        yield from entries(
+            name, each.call.name, "call", each.call, _below(part, _CALL, runnable=f"Runnables/{runnable}")
+        )
+        for contract in each.call.contracts or ():
+            yield from entries(name, each.call.name, "contract", contract, _below(part, _CONTRACT))
+            for parameter in contract.parameters or ():
+                known = next(p for p in parameters if p.interface.name == parameter.name)
+                table = _below(part, _PARAMETER, parameter=_place(known))
+                yield from entries(name, parameter.name, "parameter", parameter, table)
+
+
+def _place(parameter: Parameter) -> str:
+    return f"{'NvBlocks' if parameter.is_stored else 'Parameters'}/{parameter.name}"
+
+
+def _below(part: Part, table: _Targets, **names: str) -> dict[str, FieldTarget | str]:
+    made = _named(table, {f"{{{word}}}": name for word, name in names.items()})
+    return {
+        field: target if isinstance(target, str) or target.target == _CORE.target else FieldTarget(f"{part.name}/{target.target}", target.note)
+        for field, target in made.items()
+    }  # fmt: skip

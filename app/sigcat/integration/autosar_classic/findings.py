@@ -1,0 +1,90 @@
+"""What the platform cannot express, or an integrator should know: each at the part of a function that it is about."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+
+from sigcat import codes
+from sigcat.asil import is_above, level_of
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
+from sigcat.integration.autosar_classic.elements import Element, Side
+from sigcat.integration.autosar_classic.interfaces import type_of
+from sigcat.integration.autosar_classic.types import TypeTable
+from sigcat.integration.finding_collector import Subject
+
+
+def report_meanings(elements: Iterable[Element], types: TypeTable, context: Context) -> None:
+    """Sides of an element that take it as another datatype, or in another unit."""
+    for element in elements:
+        for side in element.sides if element.kind == "data" else ():
+            found, wanted = _meaning(side, types), _meaning(element.leading, types)
+            if found != wanted:
+                message = (
+                    f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
+                    f"{element.leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}."
+                )
+                subject = Subject(element.identity, side.interface)
+                context.findings.report(codes.MEANINGS_DIFFER_CLASSIC, message, subject, "Build both from the same catalogue.")  # fmt: skip
+
+
+def _meaning(side: Side, types: TypeTable) -> tuple[str, str]:
+    interface = side.interface
+    assert isinstance(interface, Signal | DataQueue)
+    return type_of(side, types), interface.vss_unit or interface.units or ""
+
+
+def report_asil(elements: Iterable[Element], composition: model.Composition, context: Context) -> None:
+    """What crosses the border with an ASIL: nothing in this document protects it end to end."""
+    crossing = {port.interface for port in composition.ports}
+    for element in elements:
+        for side in element.sides if element.kind == "data" and element.name in crossing else ():
+            interface = side.interface
+            assert isinstance(interface, Signal | DataQueue)
+            level = level_of(interface.asil_level)
+            if is_above(level, "QM"):
+                message = f"{element.identity} ({side.item.where}) is of ASIL {level}, and its way over a bus has to be protected end to end."
+                fix = "Configure an end-to-end transformer for its system signal."
+                subject = Subject(element.identity, interface)
+                context.findings.report(codes.ASIL_OVER_A_BUS, message, subject, fix, key="AsilLevel")
+
+
+def report_calls(context: Context) -> None:
+    """Steps that nothing starts, and times that no counter has."""
+    for part in context.parts:
+        for each in named_calls(part):
+            if each.role == STEP:
+                _report_call(each.call, context)
+
+
+def _report_call(call: Runnable, context: Context) -> None:
+    subject = Subject(call.name, call)
+    consumed = any(contract.signals or contract.queues for contract in call.contracts or ())
+    if not call.cycle_time and not (call.run_type == "EventTriggered" and consumed):
+        message = f"{call.name} must have a cycle time, or events that start it: no event starts its runnable."
+        context.findings.report(codes.RUNNABLE_WITHOUT_EVENT, message, subject, "Give `cycleTime` in its scheduling.")
+    for key, time in (("Cycletime", call.cycle_time), ("ExecOffset", milliseconds(call.execution_offset))):
+        if time and (Fraction(str(time)) * 1000) % context.settings.tick:
+            message = f"{key} of {call.name} must be a multiple of the counter's tick, {context.settings.tick} µs, not {time} ms."
+            fix = "Correct it in the function, or set `tick` under `autosarClassic` in the deployment file."
+            context.findings.report(codes.TIME_NOT_IN_TICKS, message, subject, fix, key=key)
+
+
+def report_order(tasks: Sequence[model.Task], priorities: Mapping[tuple[str, str], float], context: Context) -> None:
+    """Calls whose declared priority is higher than that of a call with a shorter period: tasks go by the period."""
+    lowest: tuple[float, str] | None = None
+    for task in tasks:
+        if task.period is None:
+            continue
+        for event in task.events:
+            priority = priorities.get((event.component, event.event))
+            if priority is None:
+                continue
+            if lowest is not None and priority > lowest[0]:
+                name = f"{event.component}.{event.event}"
+                message = f"{name} has a higher priority ({priority:g}) than {lowest[1]} ({lowest[0]:g}), whose period is shorter: tasks are ordered by period."
+                context.findings.report(codes.PRIORITY_AGAINST_PERIOD, message, name)
+        own = [(p, f"{e.component}.{e.event}") for e in task.events if (p := priorities.get((e.component, e.event))) is not None]  # fmt: skip
+        lowest = min([*own, *([lowest] if lowest else [])], default=None)

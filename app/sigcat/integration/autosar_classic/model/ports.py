@@ -1,0 +1,53 @@
+"""Ports of a component."""
+
+from typing import Any, Literal
+
+from sigcat.function.function_json.wire import Integer, Number, WireModel
+from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.integration.autosar_classic.model.interfaces import Kind
+
+
+class Use(WireModel):
+    """An interface of the function that stands behind an element of a port."""
+
+    interface: str = always("Interface", "Name of the interface in the function.")
+    kind: Literal["signal", "queue", "method", "parameter", "error", "safety reaction", "mode"] = always(
+        "Kind", "Which of its lists it is in."
+    )
+    function: str = always("Function", "Name of the function that has the port.")
+    call: str | None = own("Call", "Call that has it; absent for modes.")
+    timeout: Number | None = own("Timeout", "Longest age of a value: the core judges it, not COM.", unit="ms")
+
+
+class Element(WireModel):
+    """What a port says of an element of its interface: its communication specification."""
+
+    name: str = always("Name", "Name of the data element, operation, mode or parameter.")
+    init: Any = own(
+        "InitValue",
+        "Value before the first one, in the unit of the interface: a number, a list, an object; of an enumeration its number.",
+    )
+    queue_length: Integer | None = own("QueueLength", "Values or calls that wait; absent if nothing is queued.")
+    never_received: bool | None = own("HandleNeverReceived", "Whether the RTE tells that no value has come yet.")
+    update: bool | None = own("EnableUpdate", "Whether Rte_IsUpdated tells the core what is fresh.")
+    alive_timeout: Number | None = own("AliveTimeout", "Time-out of COM: 0, since the core has its own.", unit="s")
+    transformer_errors: bool | None = own(
+        "TransformerErrors", "Whether the RTE tells what end-to-end protection has rejected, so that the core is told."
+    )
+    uses: tuple[Use, ...] | None = own("Uses", "Interfaces of the function behind it.", strict=False)
+
+
+class Port(WireModel):
+    """A port prototype of a component."""
+
+    name: str = always("Name", "Name of the port.")
+    direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")
+    kind: Kind = always("Kind", "Kind of its interface.")
+    interface: str = always("Interface", "Name of its interface.")
+    elements: tuple[Element, ...] = always(
+        "Elements", "Elements that are used, with what holds for each.", strict=False
+    )
+    service: str | None = own(
+        "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
+    )
+    description: str | None = own("Description", "What goes through it.")

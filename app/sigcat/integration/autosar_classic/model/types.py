@@ -1,0 +1,103 @@
+"""Datatypes: what the code has (implementation), what it means (application), and how one becomes the other."""
+
+from typing import Literal
+
+from sigcat.function.function_json.wire import Integer, Number, WireModel
+from sigcat.integration.autosar_classic.model.fields import always, own
+
+
+class Symbol(WireModel):
+    """A named value of an enumeration."""
+
+    symbol: str = always("Symbol", "Name of the value.")
+    value: Integer = always("Value", "Number that stands for it.")
+
+
+class Unit(WireModel):
+    """A unit."""
+
+    name: str = always("Name", "Short name of the unit.")
+    display_name: str = always("DisplayName", "Unit as the catalogue has it: km/h.")
+
+
+class CompuMethod(WireModel):
+    """What the numbers of a datatype mean. Values travel in the unit of the catalogue: no number is scaled."""
+
+    name: str = always("Name", "Name of the method.")
+    category: Literal["IDENTICAL", "LINEAR", "TEXTTABLE"] = always(
+        "Category", "IDENTICAL: the number itself; LINEAR: scaled; TEXTTABLE: an enumeration."
+    )
+    unit: str | None = own("Unit", "Name of the unit.")
+    factor: str | None = own("Factor", "Value = number × factor + offset; exact: a decimal number or a fraction.")
+    offset: str | None = own("Offset", "Offset of that.")
+    symbols: tuple[Symbol, ...] | None = own("Symbols", "Values of an enumeration.", strict=False)
+
+
+class DataConstraint(WireModel):
+    """The range of a datatype."""
+
+    name: str = always("Name", "Name of the constraint.")
+    min: Number | None = own("Min", "Smallest value, in the unit of the datatype.")
+    max: Number | None = own("Max", "Largest value.")
+
+
+class TypeMember(WireModel):
+    """A member of a structure."""
+
+    name: str = always("Name", "Name of the member.")
+    type: str = always(
+        "Type", "Name of its datatype: an implementation type in one of these, an application type else."
+    )
+    description: str | None = own("Description", "What the member means.")
+
+
+class ImplementationType(WireModel):
+    """A datatype of the code, as the RTE generates it into Rte_Type.h."""
+
+    name: str = always("Name", "Name of the datatype, which is its name in C.")
+    category: Literal["VALUE", "TYPE_REFERENCE", "ARRAY", "STRUCTURE"] = always(
+        "Category",
+        "VALUE: a platform type, which the vendor has; TYPE_REFERENCE: another name for one; ARRAY, STRUCTURE.",
+    )
+    base: str | None = own(
+        "Base", "Platform type of a value (uint8, sint16, float32, boolean, ...), or the one that is referred to."
+    )
+    element: str | None = own("ElementType", "Implementation type of the elements of an array.")
+    length: Integer | None = own("Length", "Elements of an array.")
+    members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
+    compu_method: str | None = own("CompuMethod", "Name of the method of an enumeration.")
+    reference: str | None = own("TypeRef", "Reference in Function JSON.")
+
+
+class ApplicationType(WireModel):
+    """What the values of a data element mean: unit, range, names."""
+
+    name: str = always("Name", "Name of the datatype.")
+    category: Literal["VALUE", "BOOLEAN", "ARRAY", "STRUCTURE"] = always(
+        "Category", "VALUE, BOOLEAN, ARRAY or STRUCTURE."
+    )
+    implementation: str = always("ImplementationType", "Name of the datatype of the code that it is mapped to.")
+    compu_method: str | None = own("CompuMethod", "Name of the method; absent for arrays and structures.")
+    constraint: str | None = own("DataConstraint", "Name of the range.")
+    unit: str | None = own("Unit", "Name of the unit.")
+    element: str | None = own("ElementType", "Application type of the elements of an array.")
+    length: Integer | None = own("Length", "Elements of an array.")
+    members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
+    description: str | None = own("Description", "What the values mean.")
+
+
+class ModeNumber(WireModel):
+    """A mode of a group."""
+
+    name: str = always("Name", "Name of the mode.")
+    value: Integer = always("Value", "Number of the mode, which the core takes and gives.")
+
+
+class ModeGroup(WireModel):
+    """A mode declaration group: the modes of an interface."""
+
+    name: str = always("Name", "Name of the group.")
+    modes: tuple[ModeNumber, ...] = always("Modes", "Modes, in the order of the declaration.", strict=False)
+    initial: str = always("InitialMode", "Mode in which the mode machine starts.")
+    type: str = always("Type", "Implementation type that holds a mode.")
+    on_transition: Integer = always("OnTransitionValue", "Number that Rte_Mode returns during a transition.")

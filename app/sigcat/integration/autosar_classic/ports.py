@@ -1,0 +1,119 @@
+"""Ports of a component, and the interfaces of the set."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.elements import Element, Side
+from sigcat.integration.autosar_classic.interfaces import numbers_of_status, queue_length
+from sigcat.integration.autosar_classic.types import TypeTable
+from sigcat.integration.sent_values import initial
+
+CALIBRATION = "Parameters"
+"""Port of calibration parameters."""
+
+
+def data_ports(part: Part, elements: Iterable[Element], types: TypeTable) -> tuple[model.Port, ...]:
+    """Ports for everything that the component exchanges with others, by name."""
+    made = [port for element in elements for port in _ports(part, element, types)]
+    return tuple(sorted(made, key=lambda port: port.name))
+
+
+def _ports(part: Part, element: Element, types: TypeTable) -> Iterator[model.Port]:
+    mine = element.of(part)
+    if not mine:
+        return
+    required = [side for side in mine if not side.provides]
+    provided = [side for side in mine if side.provides]
+    if required:
+        yield _port(element.name, "Required", element, required, types)
+    if provided:
+        yield _port(f"{element.name}_Out" if required else element.name, "Provided", element, provided, types)
+    elif element.kind == "reaction":
+        yield _port(f"{element.name}_Out", "Provided", element, required, types)
+
+
+def _port(name: str, direction: str, element: Element, sides: list[Side], types: TypeTable) -> model.Port:
+    return model.Port(
+        name=name,
+        direction=direction,  # type: ignore[arg-type]
+        kind=kind_of_port(element),
+        interface=element.name,
+        elements=(_element(element, direction, sides, types),),
+        description=getattr(sides[0].interface, "description", None) or None,
+    )
+
+
+def kind_of_port(element: Element) -> model.Kind:
+    """Kind of the interface of an element."""
+    if element.kind == "method":
+        return "ClientServer"
+    return "ModeSwitch" if element.kind.startswith("mode") else "SenderReceiver"
+
+
+def _element(element: Element, direction: str, sides: list[Side], types: TypeTable) -> model.Element:
+    is_data = kind_of_port(element) == "SenderReceiver"
+    is_received = is_data and direction == "Required"
+    length = queue_length(element, sides) if is_received or element.kind == "method" else None
+    plain = is_received and not element.is_queued
+    return model.Element(
+        name=element.leaf,
+        init=None if element.is_queued or not is_data else initial_of(sides, types),
+        queue_length=length if element.is_queued or element.kind == "method" else None,
+        never_received=True if plain else None,
+        update=True if plain else None,
+        alive_timeout=0 if plain else None,
+        transformer_errors=True
+        if is_received and any(getattr(s.interface, "e2e_error", None) for s in sides)
+        else None,
+        uses=tuple(_use(side) for side in sides),
+    )
+
+
+def _use(side: Side) -> model.Use:
+    interface = side.interface
+    timeout = getattr(interface, "timeout", None)
+    number = milliseconds(timeout) if timeout else None
+    return model.Use(
+        interface=interface.name,
+        kind=_KINDS[type(interface)],
+        function=side.part.function_name,
+        call=side.item.call.name if side.item.call else None,
+        timeout=whole(number),
+    )
+
+
+_KINDS: dict[type, Any] = {
+    Signal: "signal", DataQueue: "queue", MethodInterface: "method", ErrorInterface: "error",
+    SafetyReaction: "safety reaction", ModeInterface: "mode",
+}  # fmt: skip
+
+
+def whole(number: float | None) -> float | None:
+    """A number that is whole as an integer, so that it is written as one."""
+    return int(number) if number is not None and number == int(number) else number
+
+
+def initial_of(sides: Iterable[Side], types: TypeTable) -> Any:
+    """What an element has before the first value, as it is sent: the declared one, or 0."""
+    for side in sides:
+        interface = side.interface
+        if isinstance(interface, Signal | DataQueue):
+            known = types.numbers(side.part.function, interface)
+            value = initial(interface, names=known[0], numbers=known[1]) if known else initial(interface)
+            if value is None and known:
+                return min(known[1].values(), default=0)
+            if value is not None:
+                return value
+        if isinstance(interface, SafetyReaction):
+            numbers = numbers_of_status(side, types)
+            return numbers.get((interface.initial or "INACTIVE").upper(), min(numbers.values(), default=0))
+        if isinstance(interface, ErrorInterface):
+            numbers = numbers_of_status(side, types)
+            return numbers.get("PASSED", min(numbers.values(), default=0))
+    return 0

@@ -1,0 +1,61 @@
+"""What an RTE generator would refuse in an Integration JSON, each with its place."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sigcat.integration.autosar_classic.component_problems import component_problems, ports_problems, symbol_problems
+from sigcat.integration.autosar_classic.connection_problems import connection_problems, task_problems
+from sigcat.integration.autosar_classic.interface_problems import interface_problems
+from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.autosar_classic.problem import name, names
+from sigcat.integration.autosar_classic.type_problems import type_problems
+from sigcat.integration.checked_document import Problem
+
+
+def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
+    """Everything that is wrong: names, references, ports, behaviour, connections, tasks."""
+    yield from _all_names(model)
+    if model.deployment.tick < 1:
+        message = f"A tick must be at least 1 µs, not {model.deployment.tick}."
+        yield Problem(
+            ("ClassicDeployment", "Tick"), message, "Name the period of the counter that starts timing events."
+        )
+    yield from type_problems(model)
+    yield from interface_problems(model)
+    known = interfaces_of(model)
+    for index, component in enumerate(model.components):
+        yield from component_problems(component, ("Components", index), known)
+    for index, parameters in enumerate(model.parameter_components):
+        yield from ports_problems(parameters.ports, ("ParameterComponents", index), known)
+    yield from symbol_problems(model)
+    yield from connection_problems(model)
+    yield from task_problems(model)
+
+
+def interfaces_of(model: ClassicIntegration) -> Mapping[str, tuple[str, frozenset[str]]]:
+    """Kind and elements of each interface."""
+    found: dict[str, tuple[str, frozenset[str]]] = {}
+    for data in model.sender_receiver_interfaces:
+        found[data.name] = "SenderReceiver", frozenset(each.name for each in data.elements)
+    for operations in model.client_server_interfaces:
+        found[operations.name] = "ClientServer", frozenset(each.name for each in operations.operations)
+    for modes in model.mode_switch_interfaces:
+        found[modes.name] = "ModeSwitch", frozenset((modes.prototype,))
+    for parameters in model.parameter_interfaces:
+        found[parameters.name] = "Parameter", frozenset(each.name for each in parameters.elements)
+    return found
+
+
+def _all_names(model: ClassicIntegration) -> Iterator[Problem]:
+    yield from name(("ClassicDeployment", "Package"), model.deployment.package)
+    lists: tuple[tuple[str, Iterable[object]], ...] = (
+        ("ImplementationTypes", model.implementation_types), ("ApplicationTypes", model.application_types),
+        ("ModeGroups", model.mode_groups), ("Components", (*model.components, *model.parameter_components)),
+        ("CompuMethods", model.compu_methods), ("Units", model.units), ("DataConstraints", model.constraints),
+    )  # fmt: skip
+    for key, listed in lists:
+        yield from names((key,), (each.name for each in listed))  # type: ignore[attr-defined]
+    interfaces = [each.name for each in model.sender_receiver_interfaces]
+    interfaces += [each.name for each in model.client_server_interfaces]
+    interfaces += [each.name for each in model.mode_switch_interfaces]
+    interfaces += [each.name for each in model.parameter_interfaces]
+    yield from names(("SenderReceiverInterfaces",), interfaces)

@@ -1,0 +1,7 @@
+"""Releases of AUTOSAR that the ARXML can be of."""
+
+from typing import Literal
+
+ReleaseName = Literal["4.4.0", "R23-11"]
+RELEASES: tuple[ReleaseName, ...] = ("4.4.0", "R23-11")
+DEFAULT_RELEASE: ReleaseName = "R23-11"

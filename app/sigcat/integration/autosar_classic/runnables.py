@@ -1,0 +1,333 @@
+"""Runnables of a component: one for each call, and those of the adapter; what each accesses."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sigcat.asil import level_of
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.runnable import Runnable as Call
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE, NamedCall
+from sigcat.integration.autosar_classic.interfaces import in_seconds
+from sigcat.integration.autosar_classic.service_needs import (
+    CLOCK_PORT,
+    IGNITION_PORT,
+    NV_PORT,
+    SUPERVISION_PORT,
+)
+from sigcat.integration.autosar_names import short_name
+
+AREA = "Core"
+"""Exclusive area around the core."""
+
+
+@dataclass(frozen=True)
+class Behaviour:
+    """What the runnables of a component are made of."""
+
+    part: Part
+    calls: tuple[NamedCall, ...]
+    ports: tuple[model.Port, ...]
+    nv_blocks: tuple[model.NvBlock, ...]
+    tick: int
+    """Period of the counter that starts timing events, in µs: a call that waits for its debounce time is looked for then."""
+    parameters: tuple[str, ...]
+    """Internal calibration parameters."""
+
+    @property
+    def steps(self) -> tuple[NamedCall, ...]:
+        """Calls that are neither init nor terminate."""
+        return tuple(each for each in self.calls if each.role == STEP)
+
+    @cached_property
+    def data_ports(self) -> Mapping[tuple[str, str | None, str], model.Port]:
+        """Ports of signals and queues, by direction, call and name."""
+        return {
+            (port.direction, use.call, use.interface): port
+            for port in self.ports
+            if port.kind == "SenderReceiver"
+            for use in port.elements[0].uses or ()
+            if use.kind in ("signal", "queue")
+        }
+
+    def port(self, name: str) -> model.Port | None:
+        """A port by its name."""
+        return next((port for port in self.ports if port.name == name), None)
+
+    @property
+    def mode_port(self) -> model.Port | None:
+        """The port over which the function receives its mode."""
+        return next(
+            (p for p in self.ports if p.kind == "ModeSwitch" and p.direction == "Required" and not p.service), None
+        )
+
+
+def runnables_of(behaviour: Behaviour) -> tuple[model.Runnable, ...]:
+    """All of them: init, steps, methods, what follows a mode, supervision, terminate."""
+    made = [_init(behaviour), *(_step(each, behaviour) for each in behaviour.steps)]
+    made += [_method(port, behaviour) for port in behaviour.ports if _offers(port)]
+    made += [_answer(port, behaviour) for port in behaviour.ports if uses_method(port)]
+    if behaviour.mode_port is not None or _arriving(behaviour):
+        made.insert(1, _own("Receive", "Receive", "Takes what comes when it comes, and starts what is due.", behaviour))
+    if any(port.service == "WatchdogManager" for port in behaviour.ports):
+        made.append(_own("Supervise", "Supervise", "Looks for calls that hang or do not come.", behaviour))
+    made.append(_terminate(behaviour))
+    return tuple(made)
+
+
+def _offers(port: model.Port) -> bool:
+    return port.kind == "ClientServer" and port.direction == "Provided"
+
+
+def uses_method(port: model.Port) -> bool:
+    """Whether a method of another function is called through it."""
+    return port.kind == "ClientServer" and port.direction == "Required" and bool(port.elements[0].uses)
+
+
+def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: str) -> model.Runnable:  # fmt: skip
+    level = level_of(call.asil_level) if call else None
+    stack = milliseconds(call.stack_size) if call else None
+    debounce = milliseconds(call.debounce_delay) if call else None
+    return model.Runnable(
+        name=name,
+        symbol=short_name(f"{behaviour.part.name}_Run_{name}"),
+        role=role,  # type: ignore[arg-type]
+        call=call.name if call else None,
+        description=description or None,
+        concurrent=False,
+        minimum_start_interval=in_seconds(debounce),
+        accesses=_numbered(accesses),
+        exclusive_areas=(AREA,),
+        parameters=behaviour.parameters or None if role in (INIT, STEP) else None,
+        stack_size=int(stack) if stack else None,
+        asil_level=level or "QM",
+        section="CODE" if level in (None, "QM") else f"CODE_ASIL_{level}",
+    )
+
+
+def _numbered(accesses: Iterable[model.Access]) -> tuple[model.Access, ...]:
+    """Each once, under names that no other one has."""
+    found: dict[tuple[str, str | None, str], model.Access] = {}
+    for access in accesses:
+        found.setdefault((access.kind, access.port, access.element), access)
+    return tuple(found.values())
+
+
+def _access(kind: model.AccessKind, port: model.Port, element: model.Element, reason: str = "") -> model.Access:
+    name = short_name(f"{kind}_{port.name}_{element.name}")
+    return model.Access(name=name, kind=kind, port=port.name, element=element.name, reason=reason or None)
+
+
+def _init(behaviour: Behaviour) -> model.Runnable:
+    first = next((each for each in behaviour.calls if each.role == INIT), None)
+    accesses = [
+        *_calls_to(behaviour, CLOCK_PORT),
+        *_calls_to(behaviour, IGNITION_PORT),
+        *_calls_to(behaviour, NV_PORT, "GetErrorStatus"),
+        *_parameters(behaviour),
+        *_mode(behaviour),
+        *_statuses(behaviour),
+    ]
+    return _runnable("Init", INIT, accesses, behaviour, first.call if first else None, "Starts the core, and its clocks.")  # fmt: skip
+
+
+def _terminate(behaviour: Behaviour) -> model.Runnable:
+    last = next((each for each in behaviour.calls if each.role == TERMINATE), None)
+    accesses = [
+        *_calls_to(behaviour, CLOCK_PORT),
+        *_calls_to(behaviour, NV_PORT, "SetRamBlockStatus"),
+        *_statuses(behaviour),
+    ]
+    return _runnable("Terminate", TERMINATE, accesses, behaviour, last.call if last else None, "Ends the core, and hands over what is stored.")  # fmt: skip
+
+
+def _own(name: str, role: str, description: str, behaviour: Behaviour) -> model.Runnable:
+    accesses = [*_calls_to(behaviour, CLOCK_PORT), *_mode(behaviour), *_statuses(behaviour)]
+    if role == "Receive":
+        accesses = [*_arriving(behaviour), *accesses, *_triggers(behaviour, None)]
+    return _runnable(name, role, accesses, behaviour, None, description)
+
+
+def _method(port: model.Port, behaviour: Behaviour) -> model.Runnable:
+    (element,) = port.elements
+    method = element.uses[0].interface if element.uses else element.name
+    made = _runnable(short_name(f"Serve_{element.name}"), "Method", [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)], behaviour, None, port.description or "")  # fmt: skip
+    return made.model_copy(update={"method": method})
+
+
+def _answer(port: model.Port, behaviour: Behaviour) -> model.Runnable:
+    (element,) = port.elements
+    accesses = [_access("Result", port, element), *_calls_to(behaviour, CLOCK_PORT)]
+    made = _runnable(short_name(f"Answer_{element.name}"), "Answer", accesses, behaviour, None, f"Takes the answer of {element.name}.")  # fmt: skip
+    return made.model_copy(update={"method": element.uses[0].interface if element.uses else element.name})
+
+
+def _arriving(behaviour: Behaviour) -> list[model.Access]:
+    """What has to be taken when it comes, and starts no call by itself: its time counts."""
+    found = [
+        access
+        for each in behaviour.steps
+        for access in (*_data(each.call, behaviour), *_received_statuses(behaviour))
+        if access.kind in ("ExplicitRead", "QueuedReceive")
+    ]
+    starting = {
+        (port.name, port.elements[0].name) for each in behaviour.steps for port in trigger_ports(each.call, behaviour)
+    }
+    return list({a.name: a for a in found if (a.port, a.element) not in starting}.values())
+
+
+def trigger_ports(call: Call, behaviour: Behaviour) -> list[model.Port]:
+    """Ports whose values trigger a call."""
+    if call.run_type != EVENT_TRIGGERED:
+        return []
+    ports = [_port_of(data, call, behaviour) for data in triggers(call)]
+    return list({port.name: port for port in ports if port is not None}.values())
+
+
+def _step(each: NamedCall, behaviour: Behaviour) -> model.Runnable:
+    accesses = [
+        *_calls_to(behaviour, CLOCK_PORT),
+        *(access for port in _checkpoint_ports(behaviour, each) for access in _calls_to(behaviour, port)),
+        *_data(each.call, behaviour),
+        *_received_statuses(behaviour),
+        *_mode(behaviour),
+        *_statuses(behaviour),
+        *_requests(each.call, behaviour),
+        *_parameters(behaviour),
+        *_triggers(behaviour, each),
+    ]
+    return _runnable(each.name, STEP, accesses, behaviour, each.call, each.call.description)
+
+
+def _calls_to(behaviour: Behaviour, name: str, operation: str = "") -> list[model.Access]:
+    port = behaviour.port(name)
+    if port is None:
+        return []
+    return [
+        _access("SynchronousCall", port, element)
+        for element in port.elements
+        if not operation or element.name == operation
+    ]
+
+
+def _mode(behaviour: Behaviour) -> list[model.Access]:
+    port = behaviour.mode_port
+    return [_access("Mode", port, port.elements[0])] if port else []
+
+
+def _parameters(behaviour: Behaviour) -> list[model.Access]:
+    return [
+        _access("Parameter", port, element)
+        for port in behaviour.ports
+        if port.kind == "Parameter"
+        for element in port.elements
+    ]
+
+
+def _statuses(behaviour: Behaviour) -> list[model.Access]:
+    """What the core may say at any time: states of errors and reactions, its mode, results for the DEM."""
+    made = []
+    for port in behaviour.ports:
+        kinds = {use.kind for element in port.elements for use in element.uses or ()}
+        if port.kind == "SenderReceiver" and port.direction == "Provided" and kinds <= {"error", "safety reaction"}:
+            made.append(_access("ExplicitWrite", port, port.elements[0]))
+        if port.kind == "ModeSwitch" and port.direction == "Provided":
+            made.append(_access("ModeSwitch", port, port.elements[0]))
+        if port.service == "DiagnosticEventManager":
+            made.append(_access("SynchronousCall", port, port.elements[0]))
+    return made
+
+
+def _received_statuses(behaviour: Behaviour) -> list[model.Access]:
+    """Errors of others and safety reactions, which the core takes for all calls."""
+    return [
+        _access("ExplicitRead", port, port.elements[0], "The core is told what is fresh.")
+        for port in behaviour.ports
+        if port.kind == "SenderReceiver" and port.direction == "Required"
+        and {use.kind for use in port.elements[0].uses or ()} <= {"error", "safety reaction"}
+    ]  # fmt: skip
+
+
+def _data(call: Call, behaviour: Behaviour) -> Iterator[model.Access]:
+    """Signals and queues of a call."""
+    for contract in call.contracts or ():
+        listed: list[Signal | DataQueue] = [*(contract.signals or ()), *(contract.queues or ())]
+        for data in listed:
+            port = _port_of(data, call, behaviour)
+            if port is None:
+                continue
+            element = port.elements[0]
+            if data.role != CONSUMER:
+                yield _access("ExplicitWrite" if element.init is not None else "QueuedSend", port, element, "Sent when the core says so.")  # fmt: skip
+            elif element.queue_length is not None:
+                yield _access("QueuedReceive", port, element, "Each value is received.")
+            else:
+                yield _access(*_reading(data, call, port))
+
+
+def _reading(data: Signal | DataQueue, call: Call, port: model.Port) -> tuple[model.AccessKind, model.Port, model.Element, str]:  # fmt: skip
+    element = port.elements[0]
+    if (data.access or "").lower() == "immediate":
+        return "ExplicitRead", port, element, "Access is Immediate: the latest value when the call begins."
+    if data.timeout:
+        return "ExplicitRead", port, element, "The core's time-out has to know what is fresh."
+    if data.e2e_error:
+        return "ExplicitRead", port, element, "The core has to know what was rejected."
+    if call.run_type == EVENT_TRIGGERED and data in triggers(call):
+        return "ExplicitRead", port, element, "It triggers the call: each value counts."
+    return "ImplicitRead", port, element, "Access is Buffered: the same value for the whole call."
+
+
+def _port_of(data: Signal | DataQueue, call: Call, behaviour: Behaviour) -> model.Port | None:
+    direction = "Required" if data.role == CONSUMER else "Provided"
+    return behaviour.data_ports.get((direction, call.name, data.name))
+
+
+def _requests(call: Call, behaviour: Behaviour) -> Iterator[model.Access]:
+    """Methods that a call uses: the answer comes later."""
+    used = {
+        method.name
+        for contract in call.contracts or ()
+        for method in contract.methods or ()
+        if isinstance(method, MethodInterface) and method.role == CONSUMER
+    }
+    for port in behaviour.ports:
+        if port.kind == "ClientServer" and port.direction == "Required" and not port.service:
+            for element in port.elements:
+                if any(use.interface in used and _asks(call, use.interface, behaviour) for use in element.uses or ()):
+                    yield _access("AsynchronousCall", port, element)
+
+
+def _asks(call: Call, method: str, behaviour: Behaviour) -> bool:
+    """Whether it is the first call that uses a method: this one asks for all."""
+    users = [
+        each.call.name
+        for each in behaviour.steps
+        for contract in each.call.contracts or ()
+        for used in contract.methods or ()
+        if used.name == method and used.role == CONSUMER
+    ]
+    return users[:1] == [call.name]
+
+
+def _checkpoint_ports(behaviour: Behaviour, each: NamedCall) -> list[str]:
+    """Ports of the checkpoints of a call."""
+    names = {short_name(f"{SUPERVISION_PORT}_{each.name}_{moment}") for moment in ("Begin", "End")}
+    return [port.name for port in behaviour.ports if port.name in names]
+
+
+def _triggers(behaviour: Behaviour, own: NamedCall | None) -> list[model.Access]:
+    """The core decides which call is due: one that is not this runnable's is started by a trigger."""
+    others: Sequence[NamedCall] = [each for each in behaviour.steps if each is not own]
+    return [
+        model.Access(
+            name=f"Start_{each.name}", kind="InternalTrigger", element=each.name, reason="The core may find it due."
+        )
+        for each in others
+    ]

@@ -1,0 +1,100 @@
+"""Tasks: a proposal from the cycles and priorities of calls, which an integrator may change."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.function.function_json.conversion import of_text
+from sigcat.integration.application import Part
+from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.runnables import Behaviour
+from sigcat.integration.autosar_names import short_name
+
+_ROLES = ("Init", "Receive", "Answer", "Method", "Step", "Supervise", "Terminate")
+
+
+class _Mapped(NamedTuple):
+    component: model.Component
+    event: model.Event
+    runnable: model.Runnable
+    rank: tuple[int, float, int]
+    """Order within a task: what the runnable does, then the higher priority, then the order of the file."""
+    preemptable: bool
+    period: float | None
+    """Period of the runnable, whatever starts it: all its events are in one task, since it never runs twice at a time."""
+
+
+def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]) -> tuple[model.Task, ...]:
+    """One task for init and terminate, one for each period, one for what other events start; the shorter the period,
+    the higher the priority."""
+    mapped = [each for component in components for each in _mapped(component, behaviours[component.name])]
+    periods = sorted({each.period for each in mapped if each.period is not None})
+    groups: list[tuple[str, list[_Mapped], float | None, str]] = [
+        (
+            "Events",
+            [each for each in mapped if _is_event(each)],
+            None,
+            "What is received, called or switched is served before what is cyclic.",
+        ),
+    ]
+    groups += [
+        (f"Cycle_{_text(period)}ms", [each for each in mapped if each.period == period], period,
+         f"Everything with a period of {_text(period)} ms: the shorter, the higher the priority.")
+        for period in periods
+    ]  # fmt: skip
+    groups += [("Life", [each for each in mapped if each.runnable.role == "Init" or _is_end(each)], None,
+                "Init before everything else, Terminate after it.")]  # fmt: skip
+    filled = [group for group in groups if group[1]]
+    return tuple(_task(*group, priority=len(filled) - index) for index, group in enumerate(filled))
+
+
+def _is_end(each: _Mapped) -> bool:
+    return each.runnable.role == "Terminate"
+
+
+def _is_event(each: _Mapped) -> bool:
+    return each.period is None and each.runnable.role not in ("Init", "Terminate")
+
+
+def _text(period: float) -> str:
+    number = round(period * 1000, 6)
+    return str(int(number)) if number == int(number) else str(number).replace(".", "_")
+
+
+def _task(name: str, mapped: Iterable[_Mapped], period: float | None, reason: str, *, priority: int) -> model.Task:
+    ordered = sorted(mapped, key=lambda each: each.rank)
+    stacks = [each.runnable.stack_size for each in ordered if each.runnable.stack_size]
+    return model.Task(
+        name=short_name(f"Task_{name}"),
+        priority=priority,
+        preemptable=all(each.preemptable for each in ordered),
+        period=period,
+        offset=0 if period is not None else None,
+        stack_size=max(stacks, default=None),
+        events=tuple(
+            model.TaskEvent(
+                component=each.component.name, event=each.event.name,
+                position=number,
+            )
+            for number, each in enumerate(ordered, 1)
+        ),
+        reason=reason,
+    )  # fmt: skip
+
+
+def _mapped(component: model.Component, behaviour: Behaviour) -> Iterable[_Mapped]:
+    runnables = {each.name: each for each in component.runnables}
+    order = [each.name for each in component.runnables]
+    calls = {each.call.name: each.call for each in behaviour.calls}
+    periods = {event.runnable: event.period for event in component.events if event.period is not None}
+    for event in component.events:
+        runnable = runnables[event.runnable]
+        call = calls.get(runnable.call or "")
+        priority = of_text(call.priority) if call and call.priority else None
+        plain = "".join(letter for letter in (call.scheduling if call else "").lower() if letter.isalpha())
+        rank = (_ROLES.index(runnable.role), -float(priority or 0), order.index(runnable.name))
+        yield _Mapped(component, event, runnable, rank, plain != "nonpreemptive", periods.get(runnable.name))
+
+
+def behaviours_by_name(parts: Iterable[Part], behaviours: Iterable[Behaviour]) -> Mapping[str, Behaviour]:
+    """The behaviours of components by their names."""
+    return {part.name: behaviour for part, behaviour in zip(parts, behaviours, strict=True)}

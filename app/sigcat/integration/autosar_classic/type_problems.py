@@ -1,0 +1,82 @@
+"""What is wrong with datatypes: references to nothing, or to what comes later."""
+
+from collections.abc import Iterator
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, ImplementationType
+from sigcat.integration.autosar_classic.problem import names, unknown
+from sigcat.integration.checked_document import Problem
+
+PLATFORM_TYPES = (
+    "boolean",
+    *(f"{kind}{size}" for kind in ("uint", "sint") for size in (8, 16, 32, 64)),
+    "float32",
+    "float64",
+)
+"""Types that every platform has (AUTOSAR_SWS_PlatformTypes)."""
+
+
+def type_problems(model: ClassicIntegration) -> Iterator[Problem]:
+    """Datatypes that refer to others: these stand before them, so that nothing contains itself."""
+    codes = {each.name for each in model.implementation_types}
+    yield from _implementation(model)
+    yield from _application(model, codes)
+    units = {each.name for each in model.units}
+    for index, method in enumerate(model.compu_methods):
+        if method.unit is not None and method.unit not in units:
+            yield unknown(("CompuMethods", index, "Unit"), "unit", method.unit)
+    groups = {group.name for group in model.mode_groups}
+    for index, modes in enumerate(model.mode_switch_interfaces):
+        if modes.group not in groups:
+            yield unknown(("ModeSwitchInterfaces", index), "mode group", modes.group)
+
+
+def _implementation(model: ClassicIntegration) -> Iterator[Problem]:
+    seen: set[str] = set()
+    methods = {each.name for each in model.compu_methods}
+    for index, each in enumerate(model.implementation_types):
+        at = ("ImplementationTypes", index)
+        yield from names((*at, "Members"), (member.name for member in each.members or ()))
+        yield from _whole(each, at)
+        if each.category == "VALUE" and each.base not in PLATFORM_TYPES:
+            yield unknown((*at, "Base"), "platform type", str(each.base))
+        if each.compu_method is not None and each.compu_method not in methods:
+            yield unknown((*at, "CompuMethod"), "compu method", each.compu_method)
+        base = each.base if each.category == "TYPE_REFERENCE" else None
+        for used in filter(None, [base, each.element, *(member.type for member in each.members or ())]):
+            if used not in seen:
+                yield unknown(("ImplementationTypes", index), "implementation type before it", used)
+        seen.add(each.name)
+
+
+def _application(model: ClassicIntegration, codes: set[str]) -> Iterator[Problem]:
+    seen: set[str] = set()
+    methods = {each.name for each in model.compu_methods}
+    ranges = {each.name for each in model.constraints}
+    units = {each.name for each in model.units}
+    for index, each in enumerate(model.application_types):
+        at = ("ApplicationTypes", index)
+        if each.implementation not in codes:
+            yield unknown(at, "implementation type", each.implementation)
+        if each.compu_method is not None and each.compu_method not in methods:
+            yield unknown(at, "compu method", each.compu_method)
+        yield from names((*at, "Members"), (member.name for member in each.members or ()))
+        yield from _whole(each, at)
+        if each.unit is not None and each.unit not in units:
+            yield unknown((*at, "Unit"), "unit", each.unit)
+        if each.constraint is not None and each.constraint not in ranges:
+            yield unknown(at, "data constraint", each.constraint)
+        for used in filter(None, [each.element, *(member.type for member in each.members or ())]):
+            if used not in seen:
+                yield unknown(at, "application type before it", used)
+        seen.add(each.name)
+
+
+def _whole(entry: ImplementationType | ApplicationType, at: Pointer) -> Iterator[Problem]:
+    """An array has elements and a length, a structure has members, a reference a datatype that it is one for."""
+    if entry.category == "ARRAY" and (not entry.element or (entry.length or 0) < 1):
+        yield Problem(at, f"Array {entry.name} must have a type of its elements, and a length of at least 1.", "Add them.")  # fmt: skip
+    if entry.category == "STRUCTURE" and not entry.members:
+        yield Problem(at, f"Structure {entry.name} must have a member.", "Add one.")
+    if isinstance(entry, ImplementationType) and entry.category == "TYPE_REFERENCE" and not entry.base:
+        yield Problem(at, f"{entry.name} must say which datatype it is another name for.", "Add `Base`.")

@@ -1,0 +1,1 @@
+"""Functions become the Integration JSON of AUTOSAR Classic."""
