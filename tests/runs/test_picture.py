@@ -25,7 +25,7 @@ def drawn(values, shape=DOUBLE):
 
 def test_a_value_holds_until_the_next_one():
     (panel,) = drawn([(0, 0.0), (SECOND, 10.0), (2 * SECOND, 10.0)]).panels
-    assert panel.path == f"M{LEFT} 129H{LEFT + WIDTH / 2:g}V29H{LEFT + WIDTH}V29H{LEFT + WIDTH}"
+    assert panel.path == f"M{LEFT} 129H{LEFT + WIDTH / 2:g}V29H{LEFT + WIDTH}"
     assert panel.title == "a [m/s²]"
 
 

@@ -4,11 +4,11 @@ import pytest
 
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
-from sigcat.rules.record import load_rules
+from sigcat.rules.compiled import compiled_rules
 from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.trace_file import Known, moments, open_trace
 
-OWN = [rule for rule in load_rules(INTERFACE_RULES) if rule.check == "simulation"]
+OWN = [rule for rule in compiled_rules(INTERFACE_RULES) if rule.check == "simulation"]
 GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
 BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
 KNOWN = Known({"Vehicle.Speed": Number("float")}, ("Vehicle.Mass",))

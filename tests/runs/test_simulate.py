@@ -1,9 +1,14 @@
 """`sigcat simulate`: what it says of code that cannot be built, and of calls that do not return. It lives through all of it."""
 
 import json
+import os
 import re
 import shutil
+import signal
+import subprocess
+import sys
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -13,6 +18,7 @@ from sigcat.adapter import toolchain
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from tests.needs import slow
+from tests.waiting import DEADLINE, wait_until
 
 CASE = ROOT / RUNS.folder / "one_function_feeds_another"
 EXPECTED = (CASE / RUNS.expected).read_text()
@@ -84,7 +90,11 @@ def test_what_functions_keep_is_in_a_file_that_the_next_run_reads(case):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("[", "stored.json must be JSON"),
+        ("[", "stored.json must be a JSON object"),
+        ("[]", "stored.json must be a JSON object"),
+        ("null", "stored.json must be a JSON object"),
+        ('{"Filter": {"parameters": {"Gian": 2}}}', "stored.json: Filter/parameters/Gian is not kept by the function"),
+        ('{"Filter": {"faults": 3}}', "stored.json: Filter/faults is not kept by the function"),
         ('{"Filter": {"ignitionCycle": -1}}', "stored.json: Filter/ignitionCycle must be a whole number from 0 to"),
         ('{"Filter": {"errors": {"Filter_Standstill_ErrorSts": 3}}}', "must be a mapping with occurrences"),
     ],
@@ -94,6 +104,57 @@ def test_a_file_of_what_is_kept_that_cannot_be_used(case, text, words):
     status, (line,) = case("--stored", "stored.json")
     assert status == 2
     assert words in line
+    assert Path("stored.json").read_text() == text
+
+
+def test_what_functions_keep_that_do_not_run_stays_in_the_file(case):
+    Path("stored.json").write_text('{"Other": {"parameters": {"Gain": 0.5}}}')
+    assert case("--stored", "stored.json") == (0, [])
+    stored = json.loads(Path("stored.json").read_text())
+    assert stored["Other"] == {"parameters": {"Gain": 0.5}}
+    assert stored["Filter"]["ignitionCycle"] == 1
+
+
+STORING = """
+function: Storing
+description: Keeps two parameters under one key.
+responsible: Tests
+code: {signature: globals, sources: [storing.c], headers: [storing.h]}
+components:
+  - name: Storing
+    runnables:
+      - interface: Step
+        data: [{path: Vehicle.Speed, role: consumed, variable: g_speed, asil: QM}]
+        parameters:
+          - {path: GainA, variable: g_gain_a, key: Gain, storage: CalA}
+          - {path: GainB, variable: g_gain_b, key: Gain, storage: CalB}
+define:
+  parameters:
+    GainA: {datatype: float, default: 1, asil: QM, description: In the first storage.}
+    GainB: {datatype: float, default: 2, asil: QM, description: In the second storage.}
+  scheduling:
+    Step: {description: Runs., asil: QM, cycleTime: 20}
+"""
+
+
+def test_storages_that_have_the_same_key_are_kept_apart(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("storing.yaml").write_text(STORING)
+    Path("storing.h").write_text("extern float g_speed, g_gain_a, g_gain_b;\nvoid Storing_Step(void);\n")
+    Path("storing.c").write_text(
+        '#include "storing.h"\nfloat g_speed, g_gain_a, g_gain_b;\nvoid Storing_Step(void) {}\n'
+    )
+    Path("stored.json").write_text('{"Storing": {"parameters": {"CalA.Gain": 0.25, "CalB.Gain": 0.75}}}')
+    assert main(["simulate", "storing.yaml", "--duration", "0.1", "-o", "out.csv", "--stored", "stored.json"]) == 0
+    assert json.loads(Path("stored.json").read_text())["Storing"]["parameters"] == {
+        "CalA.Gain": 0.25,
+        "CalB.Gain": 0.75,
+    }
+
+
+@pytest.mark.skipif(os.name != "posix", reason="devices of POSIX")
+def test_what_is_kept_is_in_a_regular_file(case):
+    assert case("--stored", "/dev/zero") == (2, ["sigcat: /dev/zero must be a regular file"])
 
 
 @pytest.mark.parametrize("form", ["json", "sarif"])
@@ -230,6 +291,28 @@ def test_what_came_from_another_function_is_told_too(case):
     ]
 
 
+def test_a_process_goes_on_to_its_end(case):
+    """What it leaves for then, such as times in a file that is closed, would be lost otherwise."""
+    includes = (
+        "#include <stdio.h>",
+        "#define _DEFAULT_SOURCE\n#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>",
+    )
+    at_exit = """
+static void left(void)
+{
+    usleep(200000);
+    fclose(fopen("left", "w"));
+}
+
+void filter_init(void)
+{
+    (void)atexit(left);"""
+    source = Path("filter.c")
+    source.write_text(source.read_text().replace(*includes))
+    assert case(filter_c=("\nvoid filter_init(void)\n{", at_exit)) == (0, [])
+    assert Path("left").exists()
+
+
 def test_an_init_that_crashes_is_told(case):
     status, said = case(filter_c=("    filter_out.trend = 8;\n}", "    *(volatile int *)0 = 1;\n}"))
     assert status == 1
@@ -264,6 +347,19 @@ def test_a_trace_of_nothing_has_no_length(case):
     Path("trace.csv").write_text("time,Vehicle.Speed\n")
     assert case() == (2, ["sigcat: there is no row in the trace: say with --duration how long to run"])
     assert case("--duration", "0.1") == (0, [])
+
+
+def test_a_run_of_years_is_refused_where_it_is_asked_for(case):
+    """Mistyped, or in another unit: a thousand million seconds of calls would never come to their end."""
+    trace = Path("trace.csv")
+    rows = trace.read_text().splitlines()
+    trace.write_text("\n".join([*rows, f"1000000000{',' * rows[0].count(',')}", ""]))
+    status, (said, last) = case()
+    assert (status, last) == (1, "sigcat: The run would be too long.")
+    assert said.startswith(f"trace.csv:{len(rows) + 1}:1: error T006 From 0.000000000 s to 1000000000.000000000 s are ")
+    assert case("--duration", "0.04") == (0, [])
+    status, (said,) = case("--duration", "1e9")
+    assert (status, said[-25:]) == (2, ": give a shorter duration")
 
 
 def test_calls_that_trigger_each_other_are_stopped(tmp_path, monkeypatch, capfd):
@@ -316,3 +412,30 @@ def test_the_drive_of_the_examples_goes_as_it_was_recorded(tmp_path, capfd):
     assert steps.count("CoreAcc_Step") == 11780
     assert steps.count("EcoControlMpc_Step") == 1178
     assert capfd.readouterr().err == ""
+
+
+@pytest.mark.skipif(not Path("/proc/self/cmdline").exists(), reason="the list of processes of Linux")
+def test_who_ends_it_ends_the_functions_too(tmp_path):
+    shutil.copytree(CASE, tmp_path, dirs_exist_ok=True)
+    source = next(tmp_path.rglob("filter.c"))
+    source.write_text(source.read_text().replace(LAST, "    for (;;) {}"))
+    environment = {**os.environ, "TMPDIR": str(tmp_path / "temporary")}
+    (tmp_path / "temporary").mkdir()
+    command = [sys.executable, "-m", "sigcat.cli", *RUN, "--step-limit", "1000"]
+    with subprocess.Popen(command, cwd=tmp_path, env=environment, stdout=subprocess.DEVNULL) as process:
+        wait_until(lambda: _runs(tmp_path), "the functions run")
+        process.terminate()
+        assert process.wait(timeout=DEADLINE) == 128 + signal.SIGTERM
+    assert not _runs(tmp_path)
+    assert list((tmp_path / "temporary").iterdir()) == []
+
+
+def _runs(folder):
+    """Whether a program below a folder is running."""
+    return any(str(folder / "temporary").encode() in _first_word(each) for each in Path("/proc").glob("[0-9]*/cmdline"))
+
+
+def _first_word(command_line):
+    with suppress(OSError):  # it has ended
+        return command_line.read_bytes().partition(b"\0")[0]
+    return b""

@@ -11,7 +11,7 @@ from sigcat import limits
 from sigcat.errors import InputRefused
 from sigcat.runs.recording import trace_file
 from sigcat.runs.recording.shapes import SECONDS, Array, Number, Record
-from sigcat.runs.recording.trace_file import Known, Moment, moments, open_trace
+from sigcat.runs.recording.trace_file import Known, moments, open_trace
 
 KNOWN = Known(
     {
@@ -92,7 +92,16 @@ def test_a_cell_holds_a_value_of_its_column(read, column, cell, value):
     ],
 )
 def test_spreadsheets_write_it_in_several_ways(read, data):
-    assert read(data) == ([Moment(0, (("Vehicle.Speed", 1.0),)), Moment(10**9, (("Vehicle.Speed", 2.0),))], [])
+    found, findings = read(data)
+    assert [moment[:2] for moment in found] == [(0, (("Vehicle.Speed", 1.0),)), (10**9, (("Vehicle.Speed", 2.0),))]
+    assert findings == []
+
+
+def test_the_call_of_a_row_is_told_where_there_is_a_column_for_it(read):
+    found, _ = read("time,call,Vehicle.Speed\n0,Demo_Step,1\n1,,2\n")
+    assert [moment.call for moment in found] == ["Demo_Step", ""]
+    (moment,), _ = read("time,Vehicle.Speed\n0,1\n")
+    assert moment.call == ""
 
 
 HEADERS = {

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
+from sigcat.adapter.core.stored_keys import stored_keys
 from sigcat.runs.connections import Member, names_of, shape_of, structs_of
 from sigcat.runs.recording.shapes import Number, Record, Shape
 
@@ -20,7 +21,7 @@ class Kept(NamedTuple):
     member: int
     section: Section
     name: str
-    """Interface name of the error, or key of the parameter."""
+    """Interface name of the error, or key of the parameter: `Gain`, or `Calibration.Gain` if another storage has one too."""
     field: str
     """Its name in the struct in C."""
     shape: Shape
@@ -36,6 +37,7 @@ def _kept(index: int, member: Member) -> Iterator[Kept]:
     yield Kept(index, "ignitionCycle", "", "ignition_cycle", Number("uint32"))
     for error in plan.errors:
         yield Kept(index, "errors", names[error.named.pointer].name, error.named.name, COUNTS)
+    keys = stored_keys(member.function.function, plan)
     for parameter in plan.parameters:
         shape = shape_of(parameter.value.wire, structs)
-        yield Kept(index, "parameters", parameter.key, parameter.named.name, shape)
+        yield Kept(index, "parameters", keys[parameter.variable], parameter.named.name, shape)

@@ -13,6 +13,7 @@ from sigcat.runs.building.build import build
 from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
 from sigcat.runs.kept import Kept
+from sigcat.runs.length import check_length
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.shapes import Value, packing
@@ -36,6 +37,8 @@ class Settings(NamedTuple):
     kept: Mapping[Kept, Value] = {}
     """What the functions kept from before."""
     tells_memory: bool = False
+    gone: Mapping[str, int] = {}
+    """Functions that end without a word, by name, and when, in ns."""
 
 
 class Simulated(NamedTuple):
@@ -57,9 +60,11 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
     """Run the functions. Raises InputRefused if the trace cannot be used, or the code cannot be built."""
     with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
         folder = Path(name)
-        start, end = _times(_write_input(prepared, trace, settings, folder / INPUT), settings)
-        program = build(prepared.connections, prepared.numbers, folder, tools)
         members = prepared.connections.members
+        span = _write_input(prepared, trace, settings, folder / INPUT)
+        start, end = _times(span, settings)
+        check_length(members, start, end, trace, span.line if settings.duration is None else None)
+        program = build(prepared.connections, prepared.numbers, folder, tools)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
         command = Command(program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit)
         return _run(prepared, command, trace)._replace(memory=memory)
@@ -69,7 +74,9 @@ def _write_input(prepared: Prepared, trace: Trace | None, settings: Settings, pa
     connections, numbers = prepared.connections, prepared.numbers
     rows = moments(trace) if trace else iter(())
     with path.open("wb") as file:
-        return write_input(file, settings.kept, rows, targets_of(connections, numbers), connections, numbers)
+        return write_input(
+            file, settings.kept, rows, targets_of(connections, numbers), connections, numbers, settings.gone
+        )
 
 
 def _times(span: Span, settings: Settings) -> tuple[int, int]:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.runs.connections import Member
@@ -11,11 +11,13 @@ from sigcat.runs.recording.cells import Unfit, fitted, json_text
 from sigcat.runs.recording.shapes import Value
 
 Stored = Mapping[Kept, Value]
+_NAMES = 3
+"""Function, section, and the name within it."""
 
 
-def stored_text(stored: Stored, members: Sequence[Member]) -> str:
-    """The file: by function, then by section, then by name."""
-    document: dict[str, Any] = {}
+def stored_text(stored: Stored, members: Sequence[Member], others: Mapping[str, Any]) -> str:
+    """The file: by function, then by section, then by name. `others` is what functions that did not run keep."""
+    document: dict[str, Any] = {**others}
     for each, value in stored.items():
         section = document.setdefault(members[each.member].name, {})
         found = json.loads(json_text(value, each.shape))
@@ -26,13 +28,50 @@ def stored_text(stored: Stored, members: Sequence[Member]) -> str:
     return f"{json.dumps(document, indent=2, ensure_ascii=False)}\n"
 
 
-def read_stored(data: bytes, name: str, kept: Sequence[Kept], members: Sequence[Member]) -> dict[Kept, Value]:
-    """The values of a file. What functions do not keep any more is left out. Raises UsageError."""
+class StoredFile(NamedTuple):
+    """What a file has."""
+
+    values: Stored
+    """Of the functions of the run."""
+    others: Mapping[str, Any]
+    """Of all other functions, as it stands."""
+
+
+EMPTY = StoredFile({}, {})
+"""A file that is not there yet."""
+
+
+def read_stored(data: bytes, name: str, kept: Sequence[Kept], members: Sequence[Member]) -> StoredFile:
+    """The values of a file. Raises UsageError, also for what a function of the run does not keep: it would be lost."""
     try:
         document = json.loads(data)
     except (ValueError, RecursionError):
-        raise UsageError(f"{name} must be JSON, such as a run with --stored writes it") from None
-    return dict(_values(document, name, kept, members))
+        document = None
+    if not isinstance(document, dict):
+        raise UsageError(f"{name} must be a JSON object, such as a run with --stored writes it")
+    running = {member.name for member in members}
+    _refuse_unknown(document, name, kept, members)
+    others = {function: section for function, section in document.items() if function not in running}
+    return StoredFile(dict(_values(document, name, kept, members)), others)
+
+
+def _refuse_unknown(document: Mapping[str, Any], name: str, kept: Sequence[Kept], members: Sequence[Member]) -> None:
+    known = {(members[each.member].name, each.section, *([each.name] if each.name else [])) for each in kept}
+    for member in members:
+        for path in _paths(document.get(member.name, {}), (member.name,)):
+            if path not in known:
+                raise UsageError(
+                    f"{name}: {'/'.join(path)} is not kept by the function. Remove it, or correct its name"
+                )
+
+
+def _paths(value: Any, path: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """The function, the section and, where that has some, the name of everything that is given."""
+    if isinstance(value, Mapping) and len(path) < _NAMES:
+        for key, below in value.items():
+            yield from _paths(below, (*path, key))
+    else:
+        yield path
 
 
 def _values(document: Any, name: str, kept: Sequence[Kept], members: Sequence[Member]) -> Iterator[tuple[Kept, Value]]:

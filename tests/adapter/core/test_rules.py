@@ -6,10 +6,10 @@ from sigcat.adapter.core.derive import derive
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.function.function_file import checked_file
-from sigcat.rules.record import load_rules
+from sigcat.rules.compiled import compiled_rules
 from tests.function.shipped import interfaces
 
-OWN = [rule for rule in load_rules(INTERFACE_RULES) if rule.check == "adapter"]
+OWN = [rule for rule in compiled_rules(INTERFACE_RULES) if rule.check == "adapter"]
 GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
 BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
 

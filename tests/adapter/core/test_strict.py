@@ -15,6 +15,7 @@ from tests.adapter.core.fixed import FIXED
 from tests.adapter.core.judges import STRICT
 from tests.adapter.core.subject import subject
 from tests.adapter.core.test_examples import CORES, ROOT
+from tests.judges import judged_by
 from tests.needs import slow
 
 PAGE = (ROOT / "docs/reference/misra.md").read_text()
@@ -24,11 +25,13 @@ LOOK = ("--std=c11", "--addon=misra", "--enable=style,warning,performance,portab
 HAVING_MUCH = [name for name in FIXED if name != "classes"]
 
 
+@judged_by("cppcheck", "Generated cores have nothing but documented deviations from MISRA C")
 @pytest.mark.parametrize("example", [*list(CORES)[:1], *(pytest.param(each, marks=slow) for each in list(CORES)[1:])])
 def test_cppcheck_finds_documented_deviations_in_examples(example):
     assert undocumented(ROOT / "examples" / CORES[example], ROOT / "examples" / example) == []
 
 
+@judged_by("cppcheck", "Generated cores have nothing but documented deviations from MISRA C")
 @slow
 @pytest.mark.parametrize("name", HAVING_MUCH)
 def test_cppcheck_finds_documented_deviations(name, tmp_path):

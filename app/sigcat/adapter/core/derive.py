@@ -1,7 +1,6 @@
 """From a resolved function to the plan of its core, and what stands in the way."""
 
 from collections.abc import Generator
-from dataclasses import replace
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
@@ -132,7 +131,7 @@ def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
         inputs = yield from inputs_of(each.call, each.at, ports, resets, context)
         outputs = yield from outputs_of(each.call, each.at, taken, context)
         call = yield from planned_call(each, inputs, outputs, graph, ports, context)
-        made.append(replace(call, name=unique(call.name, [other.name for other in made])))
+        made.append(call._replace(name=unique(call.name, [other.name for other in made])))
     return made
 
 

@@ -1,7 +1,6 @@
 """Inputs and outputs of a call (sections 2 to 5)."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import comment, identifier, unique
@@ -44,7 +43,7 @@ def inputs_of(
             continue
         made = yield from _input(item, pointer, ports[port_key(item)], found, context)
         if made is not None:
-            found[made.named.name] = replace(made, is_reset=bool({item.name, item.vss_path} & resets))
+            found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
     return tuple(found.values())
 
 
@@ -133,8 +132,8 @@ def received(calls: Iterable[Call], steps: frozenset[str]) -> tuple[Port, ...]:
         for each in call.inputs:
             port = ports.setdefault(each.port, Port(each.port, each.named.comment, each.value.wire, ()))
             if call.name in steps:
-                ports[each.port] = replace(port, consumers=(*port.consumers, (call.name, each)))
+                ports[each.port] = port._replace(consumers=(*port.consumers, (call.name, each)))
     return tuple(
-        replace(port, triggers=tuple(call.name for call in calls if port.name in call.triggers))
+        port._replace(triggers=tuple(call.name for call in calls if port.name in call.triggers))
         for port in ports.values()
     )

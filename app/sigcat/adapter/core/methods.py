@@ -1,7 +1,6 @@
 """Methods that a function offers or uses (section 12)."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import comment, identifier
@@ -72,9 +71,8 @@ def _arguments(
 
 def _unchecked(value: Value) -> Value:
     """A value whose enumerations pass as the numbers that they are."""
-    return replace(
-        value, leaves=tuple(replace(leaf, element=replace(leaf.element, names=None)) for leaf in value.leaves)
-    )
+    leaves = (leaf._replace(element=leaf.element._replace(names=None)) for leaf in value.leaves)
+    return value._replace(leaves=tuple(leaves))
 
 
 def _as_signal(item: DeclaredArgument) -> Signal:

@@ -3,6 +3,7 @@
 import math
 import struct
 from fractions import Fraction
+from functools import lru_cache
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
@@ -77,6 +78,7 @@ Number = int | float
 """A number of C, as Python has it."""
 
 
+@lru_cache(maxsize=4096)
 def brought_to(number: Fraction, wanted: NumberType) -> Number:
     """A number as a type holds it: rounded once, ties to even, and saturated."""
     if wanted.is_boolean:
@@ -89,7 +91,9 @@ def brought_to(number: Fraction, wanted: NumberType) -> Number:
 
 def nearest_float(number: Fraction) -> float:
     """The nearest number of binary32, ties to even, by way of no other rounding."""
-    near = struct.unpack("f", struct.pack("f", float(number)))[0]
+    near = float(struct.unpack("f", struct.pack("f", float(number)))[0])
+    if near == number:
+        return near
     candidates = [near, *(_next_float(near, step) for step in (-1, 1))]
     return float(min(candidates, key=lambda each: (abs(Fraction(each) - number), _bits(each) & 1)))
 

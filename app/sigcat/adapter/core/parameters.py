@@ -1,7 +1,6 @@
 """Parameters of a function (section 11). One that several calls list is one parameter."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from sigcat import codes
 from sigcat.adapter.core.interfaces import named
@@ -22,7 +21,7 @@ def parameters_of(calls: Sequence[ListedCall], context: Context) -> Planning[tup
     for call, at, item in _listed(calls):
         known = by_variable.get(item.variable or "")
         if known is not None:
-            found[known] = replace(found[known], calls=(*found[known].calls, call))
+            found[known] = found[known]._replace(calls=(*found[known].calls, call))
             continue
         made = yield from _parameter(item, at, call, found, context)
         if made is not None:

@@ -33,6 +33,7 @@ typedef struct {
     uint64_t ends;
     uint32_t call;
     bool is_busy;
+    bool is_gone; /* nothing of it is called any more, not even its end */
 } running;
 
 static FILE *input;
@@ -127,7 +128,10 @@ static void take(void)
 {
     const sigcat_entry *entry = &sigcat_entries[next.entry];
     const sigcat_function *function = sigcat_functions[entry->function];
-    if (entry->kind == SIGCAT_VALUE) {
+    if (entry->kind == SIGCAT_GONE) {
+        running_calls[entry->function].is_gone = true;
+        running_calls[entry->function].is_busy = false;
+    } else if (entry->kind == SIGCAT_VALUE) {
         function->receive(entry->number, next.value, now);
     } else if (entry->kind == SIGCAT_DURATION) {
         (void)memcpy(&durations[entry->number], next.value, sizeof(uint64_t));
@@ -199,7 +203,7 @@ static bool run_calls_once(void)
 {
     bool any = false;
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
-        if (!running_calls[i].is_busy) {
+        if (!running_calls[i].is_busy && !running_calls[i].is_gone) {
             const uint32_t call = sigcat_functions[i]->next_call(now);
             if (call != SIGCAT_NONE) {
                 run_call(i, call);
@@ -222,9 +226,11 @@ static bool run_calls(void)
 static void supervise(void)
 {
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
-        sigcat_functions[i]->supervise(now);
-        sigcat_functions[i]->send();
-        tell_row(SIGCAT_NONE);
+        if (!running_calls[i].is_gone) {
+            sigcat_functions[i]->supervise(now);
+            sigcat_functions[i]->send();
+            tell_row(SIGCAT_NONE);
+        }
     }
 }
 
@@ -240,7 +246,7 @@ static uint64_t next_time(void)
     uint64_t found = next.is_there ? next.time : UINT64_MAX;
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         const uint64_t time = sigcat_functions[i]->next_time();
-        if (time > now) { /* what has passed is asked for again when anything happens */
+        if (time > now && !running_calls[i].is_gone) { /* what has passed is asked for again when anything happens */
             found = earlier(found, time);
         }
         if (running_calls[i].is_busy) {
@@ -287,6 +293,9 @@ static void finish(void)
 {
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         const sigcat_function *function = sigcat_functions[i];
+        if (running_calls[i].is_gone) {
+            continue;
+        }
         tell_call(function->terminate);
         function->terminate_at(now);
         tell('D', function->terminate);

@@ -38,9 +38,9 @@ typedef struct {
 
 /* Where a record of the input goes. */
 typedef struct {
-    enum { SIGCAT_VALUE, SIGCAT_DURATION, SIGCAT_STORED } kind;
+    enum { SIGCAT_VALUE, SIGCAT_DURATION, SIGCAT_STORED, SIGCAT_GONE } kind;
     uint32_t function;
-    uint32_t number; /* of the receiver, the call, or what is stored */
+    uint32_t number; /* of the receiver, the call, what is stored, or the function that is gone */
     uint32_t size;
 } sigcat_entry;
 

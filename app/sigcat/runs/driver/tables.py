@@ -6,9 +6,9 @@ from typing import Literal, NamedTuple
 from sigcat.adapter.files import GeneratedFile
 from sigcat.runs.connections import Connections
 from sigcat.runs.driver.numbering import Numbers
-from sigcat.runs.recording.shapes import SECONDS, Packing, packing
+from sigcat.runs.recording.shapes import SECONDS, Number, Packing, packing
 
-Kind = Literal["VALUE", "DURATION", "STORED"]
+Kind = Literal["VALUE", "DURATION", "STORED", "GONE"]
 
 
 class Target(NamedTuple):
@@ -34,7 +34,11 @@ def targets_of(connections: Connections, numbers: Numbers) -> tuple[Target, ...]
     for each in numbers.kept:
         found.append(Target("STORED", each.member, kept[each.member], packing(each.shape)))
         kept[each.member] += 1
+    found += [Target("GONE", member, member, _YES) for member in range(len(connections.members))]
     return tuple(found)
+
+
+_YES = packing(Number("boolean", ()))
 
 
 def tables_file(connections: Connections, numbers: Numbers) -> GeneratedFile:

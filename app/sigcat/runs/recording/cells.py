@@ -74,6 +74,7 @@ def _text(given: Any) -> str:
     return repr(given) if isinstance(given, int | float) else shown(given)
 
 
+@lru_cache(maxsize=4096)
 def _number(text: str, shape: Number) -> Value:
     if shape.datatype in FLOATING:
         return _floating(text, shape.datatype)

@@ -47,6 +47,9 @@ class Picture(NamedTuple):
     """On the axis of time, in seconds."""
     width: int
     height: int
+    first: float
+    last: float
+    """What the axis of time reaches, in ns."""
 
 
 class _Axis(NamedTuple):
@@ -71,7 +74,7 @@ def picture(
     times = _Axis(first, last) if first < last else _Axis(*(_alone(first) if first <= last else (0, NANOSECONDS)))
     panels = tuple(_panel(index, name, points[name], times, shapes[name], units) for index, name in enumerate(names))
     height = TOP + len(names) * (HEIGHT + GAP) - GAP + _FOOT
-    return Picture(panels, _time_ticks(times), LEFT + WIDTH + RIGHT, height)
+    return Picture(panels, _time_ticks(times), LEFT + WIDTH + RIGHT, height, times.low, times.high)
 
 
 def _alone(time: float) -> tuple[float, float]:
@@ -115,33 +118,33 @@ def _y(value: float, axis: _Axis, top: int) -> float:
 
 
 def _path(points: Sequence[tuple[int, float]], times: _Axis, axis: _Axis, top: int) -> str:
-    """Steps: a value holds until the next one. NaN and infinities leave a gap."""
+    """Steps: a value holds until another one comes. NaN and infinities leave a gap."""
     parts: list[str] = []
-    is_drawing = False
+    before = None
     for x, value in _columns(points, times):
         if not math.isfinite(value):
-            parts += [f"H{x:g}"] if is_drawing else []
-            is_drawing = False
+            parts += [f"H{x:g}"] if before is not None else []
+            before = None
             continue
         y = _y(value, axis, top)
-        parts.append(f"H{x:g}V{y:g}" if is_drawing else f"M{x:g} {y:g}")
-        is_drawing = True
-    return "".join([*parts, f"H{LEFT + WIDTH}" if is_drawing else ""])
+        if y != before:
+            parts.append(f"M{x:g} {y:g}" if before is None else f"H{x:g}V{y:g}")
+        before = y
+    return "".join([*parts, f"H{LEFT + WIDTH}" if before is not None else ""])
 
 
 def _columns(points: Sequence[tuple[int, float]], times: _Axis) -> Iterable[tuple[float, float]]:
     """Values by their columns of pixels: of more than four in one, the first, the extremes and the last."""
-    columns: dict[int, list[float]] = {}
-    exact: dict[int, list[float]] = {}
+    columns: dict[int, list[tuple[float, float]]] = {}
     for time, value in points:
         x = LEFT + WIDTH * times.share(time)
-        columns.setdefault(int(x), []).append(value)
-        exact.setdefault(int(x), []).append(round(x, 2))
-    for x, values in columns.items():
-        if len(values) <= 4:
-            yield from zip(exact[x], values, strict=True)
+        columns.setdefault(int(x), []).append((x, value))
+    for column, placed in columns.items():
+        values = [value for _, value in placed]
+        if len(placed) <= 4:
+            yield from ((round(x, 2), value) for x, value in placed)
         else:
-            yield from ((x, value) for value in (values[0], min(values), max(values), values[-1]))
+            yield from ((column, value) for value in (values[0], min(values), max(values), values[-1]))
 
 
 # -- axes ---------------------------------------------------------------------------------------------------------

@@ -4,11 +4,13 @@ its line and column, and a file of any size is read row by row.
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 from sigcat import codes
 from sigcat.errors import InputRefused
+from sigcat.file_kind import RUN_COLUMNS
 from sigcat.findings import Finding, RuleCode, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
@@ -16,7 +18,7 @@ from sigcat.runs.recording.cells import Unfit, value_of
 from sigcat.runs.recording.shapes import Shape, Value
 from sigcat.runs.recording.times import nanoseconds
 
-TIME, CALL = "time", "call"
+TIME, CALL = RUN_COLUMNS
 """Columns that every recording has: `call` is in what a simulation writes, and says nothing here."""
 
 
@@ -25,8 +27,11 @@ class Known(NamedTuple):
 
     received: Mapping[str, Shape]
     """What is received, by every name that it has."""
-    others: Collection[str]
-    """What there is too, and nobody receives from a trace."""
+    others: Collection[str] | None
+    """What there is too, and nobody receives from a trace; None: whatever else there is, and it needs no word."""
+    ends_rows: bool = False
+    """Whether every row ends with a line break, as in what a run wrote: a row without one was cut, and its last cell
+    may be."""
 
 
 class Moment(NamedTuple):
@@ -35,6 +40,10 @@ class Moment(NamedTuple):
     time: int
     values: tuple[tuple[str, Value], ...]
     """By the names of columns, in their order."""
+    call: str = ""
+    """In what a run wrote: the call that ended then."""
+    line: int = 0
+    """Where it stands in its file."""
 
 
 class Trace(NamedTuple):
@@ -45,6 +54,12 @@ class Trace(NamedTuple):
     shapes: tuple[Shape | None, ...]
     """Of each column; None: it is left out."""
     findings: tuple[Finding, ...]
+    taken: tuple[tuple[int, Shape], ...]
+    """The columns that are not left out, by their indexes."""
+    call: int | None
+    """The index of the column of calls, if there is one."""
+    ends_rows: bool
+    """Whether a row without a line break at its end was cut."""
 
 
 class _Row(NamedTuple):
@@ -56,15 +71,18 @@ class _Row(NamedTuple):
 def open_trace(file: Path, known: Known) -> Trace:
     """A trace by its header. Raises InputRefused if that cannot be used."""
     with file.open("rb") as data:
-        header = next(_rows(data, str(file)), None)
+        header = next(_rows(data, str(file), ends_rows=known.ends_rows), None)
     if isinstance(header, Finding):
         raise _refused(file, (header,))
     row = header or _Row(1, "", ())
     names = tuple(cell.strip() for cell in row.cells)
-    findings = tuple(_Header(str(file), row, names, known).findings())
+    most = TRACE_FINDINGS if known.others is None else None
+    findings = tuple(islice(_Header(str(file), row, names, known).findings(), most))
     if has_errors(findings):
         raise _refused(file, findings)
-    return Trace(file, names, tuple(known.received.get(name) for name in names), findings)
+    shapes = tuple(known.received.get(name) for name in names)
+    taken = tuple((index, shape) for index, shape in enumerate(shapes) if shape is not None)
+    return Trace(file, names, shapes, findings, taken, names.index(CALL) if CALL in names else None, known.ends_rows)
 
 
 def moments(trace: Trace) -> Iterator[Moment]:
@@ -72,7 +90,7 @@ def moments(trace: Trace) -> Iterator[Moment]:
     findings: list[Finding] = []
     last = 0
     with trace.file.open("rb") as data:
-        rows = _rows(data, str(trace.file))
+        rows = _rows(data, str(trace.file), ends_rows=trace.ends_rows)
         next(rows)
         for row in rows:
             found = row if isinstance(row, Finding) else _moment(trace, row, last, findings)
@@ -106,14 +124,16 @@ class _Header(NamedTuple):
             message = f"The first column must be `{TIME}`, not {shown(self.names[0] if self.names else '')}."
             yield self._finding(codes.TRACE_MALFORMED, 0, message, "Give the time of each row in seconds.")
             return
+        seen = {TIME}
         for index, name in enumerate(self.names[1:], 1):
-            yield from self._of_column(index, name)
+            yield from self._of_column(index, name, is_again=name in seen)
+            seen.add(name)
 
-    def _of_column(self, index: int, name: str) -> Iterator[Finding]:
-        if name in self.names[:index]:
+    def _of_column(self, index: int, name: str, *, is_again: bool) -> Iterator[Finding]:
+        if is_again:
             message = f"The column {shown(name)} must stand in the header once."
             yield self._finding(codes.TRACE_MALFORMED, index, message, "Remove one of them.")
-        elif name in self.known.received or name == CALL:
+        elif name in self.known.received or name == CALL or self.known.others is None:
             return
         elif name in self.known.others:
             message = f"{name} is left out: the functions do not receive it, or one of them provides it."
@@ -139,14 +159,14 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
     if time is None or time < last:
         return _unfit_time(trace, row, is_number=time is not None)
     values = []
-    for index, cell in enumerate(row.cells):
-        shape = trace.shapes[index]
-        if cell and shape is not None:
+    for index, shape in trace.taken:
+        cell = row.cells[index]
+        if cell:
             try:
                 values.append((trace.columns[index], value_of(cell, shape)))
             except Unfit as reason:
                 findings.append(_unfit_value(trace, row, index, reason))
-    return Moment(time, tuple(values))
+    return Moment(time, tuple(values), row.cells[trace.call] if trace.call is not None else "", row.line)
 
 
 def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
@@ -163,7 +183,7 @@ def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
     return codes.TRACE_VALUE_UNFIT.finding(f"{name} {reason}.", *place, path=name, fix=reason.fix)
 
 
-def _rows(data: BinaryIO, file: str) -> Iterator[_Row | Finding]:
+def _rows(data: BinaryIO, file: str, *, ends_rows: bool) -> Iterator[_Row | Finding]:
     """The rows that are not empty, or what is wrong with their form; after that, nothing."""
     number = 0
     while line := data.readline(TRACE_ROW_BYTES + 1):
@@ -171,6 +191,10 @@ def _rows(data: BinaryIO, file: str) -> Iterator[_Row | Finding]:
         if len(line) > TRACE_ROW_BYTES:
             message = f"A row must be shorter than {TRACE_ROW_BYTES // 2**20} MiB."
             yield codes.TRACE_MALFORMED.finding(message, file, number, 1)
+            return
+        if ends_rows and not line.endswith(b"\n"):
+            message = "The row must end with a line break: it was cut, perhaps within a number."
+            yield codes.TRACE_MALFORMED.finding(message, file, number, 1, fix="Write the file whole.")
             return
         found = _row(line.removeprefix(b"\xef\xbb\xbf") if number == 1 else line, number, file)
         if found is not None:

@@ -47,6 +47,7 @@ def run(command: Command, exits: Sequence[Packing], kept: Sequence[Packing]) -> 
     """What happens in a run. Raises Stopped if it does not come to its end."""
     begun: Begins | None = None
     time = command.start
+    is_finished = False
     try:
         for event in events(told(command.arguments, command.step_limit), exits, kept):
             if isinstance(event, Begins):
@@ -55,14 +56,20 @@ def run(command: Command, exits: Sequence[Packing], kept: Sequence[Packing]) -> 
                 begun = None
             elif isinstance(event, NoEnd):
                 raise Stopped("no end", None, event.time)
+            elif isinstance(event, Finished):
+                is_finished = True  # the process goes on to its end: it still writes what was measured
             yield event
-            if isinstance(event, Finished):
-                return
-    except Hangs:
-        raise Stopped("hangs", begun, time) from None
-    except Ended as ended:
-        raise Stopped("crashes", begun, time, _in_words(ended.status)) from None
-    raise Stopped("crashes", begun, time, _in_words(0))
+    except (Hangs, Ended) as stopped:
+        if not is_finished:
+            raise _stopped(stopped, begun, time) from None
+    if not is_finished:
+        raise Stopped("crashes", begun, time, _in_words(0))
+
+
+def _stopped(why: Hangs | Ended, begun: Begins | None, time: int) -> Stopped:
+    if isinstance(why, Ended):
+        return Stopped("crashes", begun, time, _in_words(why.status))
+    return Stopped("hangs", begun, time)
 
 
 def _in_words(status: int) -> str:

@@ -12,6 +12,7 @@ from sigcat.runs.recording.shapes import Value
 from sigcat.runs.recording.trace_file import Moment
 
 _HEAD = struct.Struct("=QI")
+_YES = b"\x01"
 
 
 class Span(NamedTuple):
@@ -19,30 +20,43 @@ class Span(NamedTuple):
 
     first: int | None = None
     last: int | None = None
+    line: int = 0
+    """That of the last row."""
 
 
 def write_input(
     file: BinaryIO, kept: Mapping[Kept, Value], rows: Iterable[Moment], targets: Sequence[Target],
-    connections: Connections, numbers: Numbers,
+    connections: Connections, numbers: Numbers, gone: Mapping[str, int] = {},
 ) -> Span:  # fmt: skip
-    """Write what is kept from before, then the trace. Raises InputRefused with what is wrong with the trace."""
+    """Write what is kept from before, then the trace. Raises InputRefused with what is wrong with the trace.
+
+    `gone` says of functions, by name, from when on nothing of them is called.
+    """
     stored = [(number, target) for number, target in enumerate(targets) if target.kind == "STORED"]
     for (number, target), each in zip(stored, numbers.kept, strict=True):
         if each in kept:
             file.write(_HEAD.pack(0, number) + target.packing.pack(kept[each]))
-    return _write_rows(file, rows, _targets_by_column(connections, numbers), targets)
+    indexes = {member.name: index for index, member in enumerate(connections.members)}
+    first = next(number for number, target in enumerate(targets) if target.kind == "GONE")
+    ends = sorted((time, first + indexes[name]) for name, time in gone.items())
+    return _write_rows(file, rows, _targets_by_column(connections, numbers), targets, ends)
 
 
 def _write_rows(
-    file: BinaryIO, rows: Iterable[Moment], by_column: Mapping[str, Sequence[int]], targets: Sequence[Target]
-) -> Span:
-    span = Span()
-    for time, values in rows:
-        span = Span(time if span.first is None else span.first, time)
-        for column, value in values:
+    file: BinaryIO, rows: Iterable[Moment], by_column: Mapping[str, Sequence[int]], targets: Sequence[Target],
+    ends: Sequence[tuple[int, int]],
+) -> Span:  # fmt: skip
+    span, left = Span(), list(ends)
+    for row in rows:
+        time = row.time
+        while left and left[0][0] <= time:
+            file.write(_HEAD.pack(*left.pop(0)) + _YES)
+        span = Span(time if span.first is None else span.first, time, row.line)
+        for column, value in row.values:
             numbers = by_column[column]
             data = targets[numbers[0]].packing.pack(value)
             file.writelines(_HEAD.pack(time, number) + data for number in numbers)
+    file.writelines(_HEAD.pack(*end) + _YES for end in left)
     return span
 
 

@@ -11,20 +11,29 @@ def error_functions(scope: Scope) -> list[Lines]:
     if not scope.plan.errors:
         return []
     return [
-        _fail(scope), _update(scope), *(_evaluate(error, scope) for error in scope.plan.errors if error.call)
+        _next(scope), _update(scope), *(_evaluate(error, scope) for error in scope.plan.errors if error.call)
     ]  # fmt: skip
 
 
-def _fail(scope: Scope) -> Lines:
-    p, failed = scope.prefix, scope.constant("FAILED")
+def _next(scope: Scope) -> Lines:
+    p, c = scope.prefix, scope.constant
     return lines(f"""
-        /* The error has failed: one more occurrence. */
-        static void {p}_Fail({p}_Error *error, {p}_Counts *counts)
+        /* The table of states. may_heal: the reset condition holds. */
+        static {p}_ErrorState {p}_Next(const {p}_Error *error, {p}_Verdict verdict, bool may_heal)
         {{
-            error->state = {failed};
-            if (counts->occurrences < UINT16_MAX) {{
-                counts->occurrences++;
+            const bool has_failed = {p}_HasFailed(error);
+            {p}_ErrorState next = error->state;
+
+            if (verdict == {c("PRESENT")}) {{
+                next = has_failed ? {c("FAILED")} : {c("PREFAILED")};
+            }} else if ((verdict == {c("ABSENT")}) && !has_failed) {{
+                next = {c("PASSED")};
+            }} else if (verdict == {c("ABSENT")}) {{
+                next = may_heal ? {c("HEALING")} : {c("FAILED")};
+            }} else {{
+                /* not evaluated */
             }}
+            return next;
         }}
     """)
 
@@ -32,43 +41,25 @@ def _fail(scope: Scope) -> Lines:
 def _update(scope: Scope) -> Lines:
     p, c = scope.prefix, scope.constant
     return lines(f"""
-        /* The table of states. may_heal: the reset condition holds. */
-        static void {p}_Update({p}_Error *error, {p}_Counts *counts, {p}_Verdict verdict, bool is_dependency_failed,
-            bool may_heal, uint64_t maturation, uint64_t reset, uint64_t t)
+        /* The next state; PREFAILED and HEALING end when their time has passed. */
+        static void {p}_Update({p}_Error *error, {p}_Counts *counts, {p}_ErrorState next, uint64_t maturation,
+            uint64_t reset, uint64_t t)
         {{
-            if (is_dependency_failed) {{
-                if ((error->state != {c("FAILED")}) && (error->state != {c("HEALING")})) {{
-                    {p}_Fail(error, counts);
-                }}
+            const bool had_failed = {p}_HasFailed(error);
+
+            if (next != error->state) {{
+                error->before = error->state;
+                error->state = next;
+                error->since = t;
+            }}
+            if ((error->state == {c("PREFAILED")}) && ((t - error->since) >= maturation)) {{
                 error->state = {c("FAILED")};
-            }} else if (verdict == {c("PRESENT")}) {{
-                if ((error->state == {c("NOT_TESTED")}) || (error->state == {c("PASSED")})) {{
-                    error->before = error->state;
-                    error->state = {c("PREFAILED")};
-                    error->since = t;
-                }}
-                if (error->state == {c("HEALING")}) {{
-                    error->state = {c("FAILED")};
-                }}
-                if ((error->state == {c("PREFAILED")}) && ((t - error->since) >= maturation)) {{
-                    {p}_Fail(error, counts);
-                }}
-            }} else if (verdict == {c("ABSENT")}) {{
-                if ((error->state == {c("NOT_TESTED")}) || (error->state == {c("PREFAILED")})) {{
-                    error->state = {c("PASSED")};
-                }}
-                if ((error->state == {c("FAILED")}) && may_heal) {{
-                    error->state = {c("HEALING")};
-                    error->since = t;
-                }}
-                if ((error->state == {c("HEALING")}) && !may_heal) {{
-                    error->state = {c("FAILED")};
-                }}
-                if ((error->state == {c("HEALING")}) && ((t - error->since) >= reset)) {{
-                    error->state = {c("PASSED")};
-                }}
-            }} else {{
-                /* not evaluated */
+            }}
+            if ((error->state == {c("HEALING")}) && ((t - error->since) >= reset)) {{
+                error->state = {c("PASSED")};
+            }}
+            if ({p}_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {{
+                counts->occurrences++;
             }}
             counts->is_tested = counts->is_tested || (error->state != {c("NOT_TESTED")});
             counts->has_failed = counts->has_failed || {p}_HasFailed(error);
@@ -81,11 +72,13 @@ def _evaluate(error: Error, scope: Scope) -> Lines:
     place, counts = f"self->error.{name}", f"self->stored.{name}"
     heals = "false" if error.waits_for_restart else f"self->{error.reset_input}" if error.reset_input else "true"
     verdicts = [f"self->{cause.place}" for cause in error.causes] + _tested(error, scope)
-    dependencies = _any_failed(error.dependencies, error.foreign, scope) or "false"
+    next_state = f"{p}_Next(&{place}, verdict, {heals})"
+    if dependencies := _any_failed(error.dependencies, error.foreign, scope):
+        next_state = f"({dependencies}) ? {scope.constant('FAILED')} : {next_state}"
     windows = [cause.place.split(".")[0] for cause in error.causes if cause.place.endswith(".alive.verdict")]
     update = (
-        f"{p}_Update(&{place}, &{counts}, verdict, {dependencies}, {heals},\n"
-        f"    {time(error.maturation)}, {time(error.reset)}, t);"
+        f"const {p}_ErrorState next = {next_state};\n\n"
+        f"{p}_Update(&{place}, &{counts}, next, {time(error.maturation)}, {time(error.reset)}, t);"
     )
     body = [
         *(lines(f"{p}_JudgeWindows_{call}(self);") for call in windows),

@@ -31,13 +31,20 @@ def is_timed(port: Port) -> bool:
 
 def holds_init(port: Port) -> bool:
     """Whether the start value can stand among the received ones: the call sees the very same bits."""
+    return received_init(port) is not None
+
+
+def received_init(port: Port) -> str | None:
+    """The number that the conversion makes the start value of, to the bit; None if none is known for certain."""
     items = [item for _, item in port.consumers]
-    return len(items) == 1 and is_direct(items[0]) and _is_same(items[0])
-
-
-def _is_same(item: Input) -> bool:
-    element = item.value.leaves[0].element
-    return item.value.is_bare and element.source == element.target and element.conversion == IDENTITY
+    if len(items) > 1 or not is_direct(items[0]):
+        return None
+    (leaf,) = items[0].value.leaves
+    element, init = leaf.element, leaf.init[0]
+    if element.source == element.target and element.conversion == IDENTITY:
+        return literal(init, element.target)
+    keeps_zero = not element.conversion.offset and element.conversion.factor > 0  # a negative factor makes it -0.0
+    return literal(0, element.source) if init == 0 and keeps_zero else None
 
 
 def is_direct(item: Input) -> bool:

@@ -2,7 +2,6 @@
 
 from sigcat.adapter.core.c import errors, inputs, methods, modes, outputs, parameters, schedule, supervision
 from sigcat.adapter.core.c.lines import Lines, at_now, block, choice, function, joined, lines
-from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.values import needs_index
 from sigcat.adapter.core.plan import GLOBALS, Call, CodeObject, Port
@@ -153,8 +152,7 @@ def _set_all(scope: Scope) -> Lines:
 
 def _received_init(port: Port) -> Lines:
     _, item = port.consumers[0]
-    value = literal(item.value.leaves[0].init[0], item.value.leaves[0].element.target)
-    return lines(f"self->received.{port.name}.value = {value};", item.named.pointer)
+    return lines(f"self->received.{port.name}.value = {inputs.received_init(port)};", item.named.pointer)
 
 
 def _init(scope: Scope) -> Lines:

@@ -1,10 +1,12 @@
 """Numbers as literals of C, and numbers of one type as those of another (section 4)."""
 
 import struct
+from fractions import Fraction
+from functools import lru_cache
 
 from sigcat.adapter.core.numbers import Number, NumberType
 from sigcat.adapter.core.plan import Element
-from sigcat.function.function_json.conversion import IDENTITY
+from sigcat.function.function_json.conversion import IDENTITY, Linear
 
 _SMALLEST = {-(2**31): "INT32_MIN", -(2**63): "INT64_MIN"}
 
@@ -75,10 +77,14 @@ def converted(value: str, element: Element, instead_of_nan: str, prefix: str) ->
 
 def is_beyond_float(element: Element) -> bool:
     """Whether a finite number can become too large for a float."""
-    largest = max(abs(element.source.smallest), element.source.largest)
-    reached = largest * abs(element.conversion.factor) + abs(element.conversion.offset)
-    float_type = element.target.name == "float"
-    return float_type and reached > element.target.largest
+    return element.target.name == "float" and _reached(element.source, element.conversion) > element.target.largest
+
+
+@lru_cache(maxsize=4096)
+def _reached(source: NumberType, conversion: Linear) -> Fraction:
+    """The largest number that a conversion makes of one of a type."""
+    largest = max(abs(source.smallest), source.largest)
+    return largest * abs(conversion.factor) + abs(conversion.offset)
 
 
 def _scaled(value: str, element: Element, prefix: str) -> str:

@@ -119,21 +119,18 @@ def _of_leaf(
 ) -> Iterator[Lines]:
     """A number has its size; an array has as many elements as declared, that of a queue at least as many."""
     if count is not None:
-        yield _array(variable, count, "HAS_ROOM", pointer, scope)
+        yield _check("HAS_ROOM", variable, str(count), pointer, scope)
         variable = f"{variable}[0]"
     if leaf.length is not None:
-        yield _array(f"{variable}{place.partition('[i]')[0]}", leaf.length, "HAS", pointer, scope)
+        yield _check("HAS", f"{variable}{place.partition('[i]')[0]}", str(leaf.length), pointer, scope)
     number = leaf.element.target if macro == PUT else leaf.element.source
     if not leaf.element.is_enumeration and not number.is_boolean:
-        yield _number(f"{variable}{place.replace('[i]', '[0]')}", number.c, macro, pointer, scope)
+        yield _check(macro, f"{variable}{place.replace('[i]', '[0]')}", number.c, pointer, scope)
 
 
-def _array(variable: str, length: int, macro: str, pointer: Pointer, scope: Scope) -> Lines:
-    return (Line(f"{scope.constant(macro)}({_outside(variable, scope)}, {length});", pointer),)
-
-
-def _number(variable: str, c: str, macro: str, pointer: Pointer, scope: Scope) -> Lines:
-    return (Line(f"{scope.constant(macro)}({_outside(variable, scope)}, {c});", pointer),)
+def _check(macro: str, variable: str, declared: str, pointer: Pointer, scope: Scope) -> Lines:
+    """A variable held against its declared type or number of elements."""
+    return (Line(f"{scope.constant(macro)}({_outside(variable, scope)}, {declared});", pointer),)
 
 
 def _outside(variable: str, scope: Scope) -> str:

@@ -74,8 +74,8 @@ def _error(scope: Scope) -> Lines:
     p = scope.prefix
     members = lines(f"""
         {p}_ErrorState state;
-        {p}_ErrorState before; /* that of before PREFAILED */
-        uint64_t since; /* when PREFAILED or HEALING began */
+        {p}_ErrorState before; /* the last one */
+        uint64_t since; /* when it began */
         {p}_Verdict variable; /* what the function says */
         bool is_confirmed; /* for the fault memory */
         bool is_sent;

@@ -1,6 +1,5 @@
 """A call of the function: when it is due, and how it is supervised."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.interface import Input, Output
@@ -37,8 +36,7 @@ class Logical(NamedTuple):
     error: str | None
 
 
-@dataclass(frozen=True)
-class Call:
+class Call(NamedTuple):
     """A step of the function, or its init or terminate (sections 1 and 9)."""
 
     name: str

@@ -1,7 +1,6 @@
 """The whole plan of a core."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.call import Call
@@ -28,8 +27,7 @@ class Extern(NamedTuple):
     is_defined_here: bool
 
 
-@dataclass(frozen=True)
-class Code:
+class Code(NamedTuple):
     """How the code of the function is included and called."""
 
     signature: str
@@ -39,8 +37,7 @@ class Code:
     externs: tuple[Extern, ...] = ()
 
 
-@dataclass(frozen=True)
-class CorePlan:
+class CorePlan(NamedTuple):
     """The core of one function."""
 
     function: str
@@ -63,7 +60,7 @@ class CorePlan:
     due: tuple[Call, ...]
     """The steps in the order in which they run when they are due at the same time."""
     terminates: tuple[Call, ...]
-    sources: Mapping[str, str] = field(default_factory=dict)
+    sources: Mapping[str, str] = {}
     """What the plan was made from, by name and digest."""
 
     @property

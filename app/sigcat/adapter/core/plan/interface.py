@@ -1,6 +1,5 @@
 """What a call takes and gives: inputs, outputs, parameters, methods."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.value import Value, WireType
@@ -39,8 +38,7 @@ class Queue(NamedTuple):
     overflow_error: str | None
 
 
-@dataclass(frozen=True)
-class Input:
+class Input(NamedTuple):
     """A signal that a call consumes."""
 
     named: Named
@@ -60,8 +58,7 @@ class Input:
     """Whether an error is reset by it."""
 
 
-@dataclass(frozen=True)
-class Output:
+class Output(NamedTuple):
     """A signal that a call provides."""
 
     named: Named
@@ -71,8 +68,7 @@ class Output:
     queue: Queue | None = None
 
 
-@dataclass(frozen=True)
-class Port:
+class Port(NamedTuple):
     """A signal that is received, for all calls that consume it."""
 
     name: str
@@ -89,8 +85,7 @@ class Port:
         return any(item.e2e_error for _, item in self.consumers)
 
 
-@dataclass(frozen=True)
-class Parameter:
+class Parameter(NamedTuple):
     """A parameter of one or more calls (section 11)."""
 
     named: Named
@@ -104,8 +99,7 @@ class Parameter:
     range_error: str | None = None
 
 
-@dataclass(frozen=True)
-class Argument:
+class Argument(NamedTuple):
     """An argument or result of a method, in the code's datatype."""
 
     name: str
@@ -113,8 +107,7 @@ class Argument:
     value: Value
 
 
-@dataclass(frozen=True)
-class Method:
+class Method(NamedTuple):
     """A method that the function offers or uses (section 12)."""
 
     named: Named

@@ -1,6 +1,5 @@
 """How the function is: its errors and what makes them present, safety reactions, modes."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.interface import Named
@@ -19,8 +18,7 @@ class Cause(NamedTuple):
     is_supervised: bool = False
 
 
-@dataclass(frozen=True)
-class Error:
+class Error(NamedTuple):
     """An error of the function (section 6)."""
 
     named: Named
@@ -60,8 +58,7 @@ class Error:
         return any(cause.is_supervised for cause in self.causes)
 
 
-@dataclass(frozen=True)
-class ForeignError:
+class ForeignError(NamedTuple):
     """An error of another function, which is received."""
 
     name: str
@@ -69,8 +66,7 @@ class ForeignError:
     wire: WireType
 
 
-@dataclass(frozen=True)
-class Reaction:
+class Reaction(NamedTuple):
     """A safety reaction (section 7)."""
 
     named: Named
@@ -94,8 +90,7 @@ class ModeValue(NamedTuple):
     code: int
 
 
-@dataclass(frozen=True)
-class ModeIn:
+class ModeIn(NamedTuple):
     """The mode that the function has to take (section 8)."""
 
     named: Named
@@ -107,8 +102,7 @@ class ModeIn:
     unknown_error: str | None
 
 
-@dataclass(frozen=True)
-class ModeOut:
+class ModeOut(NamedTuple):
     """The mode that the function is in."""
 
     named: Named

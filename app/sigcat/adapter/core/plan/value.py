@@ -1,14 +1,13 @@
 """A value between the catalogue and the code: where its numbers come from, and what becomes of them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from sigcat.adapter.core.numbers import Number, NumberType
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
 
-@dataclass(frozen=True)
-class Element:
+class Element(NamedTuple):
     """One number on its way from a source to a target: from what is received to a variable, or from a variable to what
     is sent."""
 
@@ -27,8 +26,7 @@ class Element:
     """Whether there is a check of the range, so that NaN and infinities are outside of it."""
 
 
-@dataclass(frozen=True)
-class Leaf:
+class Leaf(NamedTuple):
     """A number, or an array of numbers, within a value. A struct has one for each member."""
 
     source: str
@@ -45,8 +43,7 @@ class Leaf:
     """What stands in for a value out of range; None: the value passes."""
 
 
-@dataclass(frozen=True)
-class WireField:
+class WireField(NamedTuple):
     """A member of a struct, as it is received or sent."""
 
     name: str
@@ -55,8 +52,7 @@ class WireField:
     comment: str
 
 
-@dataclass(frozen=True)
-class WireStruct:
+class WireStruct(NamedTuple):
     """A struct, as it is received or sent."""
 
     name: str
@@ -64,8 +60,7 @@ class WireStruct:
     fields: tuple[WireField, ...]
 
 
-@dataclass(frozen=True)
-class WireType:
+class WireType(NamedTuple):
     """How a value is received or sent: in the catalogue's datatype."""
 
     c: str
@@ -76,8 +71,7 @@ class WireType:
     """Names and numbers of an enumeration."""
 
 
-@dataclass(frozen=True)
-class Value:
+class Value(NamedTuple):
     """A value between the catalogue and the code."""
 
     wire: WireType

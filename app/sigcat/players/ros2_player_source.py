@@ -1,0 +1,316 @@
+"""The player of ROS 2: a program in C++ whose topics are those of an Integration JSON, seen from the other end."""
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CELLS
+from sigcat.adapter.files import GeneratedFile, shipped
+from sigcat.adapter.ros2.cpp.names import header_of
+from sigcat.adapter.ros2.plan import InterfaceType
+
+_OWN = Path(__file__).with_name("ros2_player")
+_SHARED = ("cell.cpp", "cell.h", "trace.cpp", "trace.h")
+"""Files that the player of AUTOSAR has, too: they know of no platform."""
+
+
+class _Field(NamedTuple):
+    """A field of a message, and what it is called in a recording."""
+
+    name: str
+    field: str
+    number_field: str | None = None
+
+
+class _Topic(NamedTuple):
+    """One end of a topic, of a node."""
+
+    name: str
+    message: str
+    node: int
+    role: str
+    fields: tuple[_Field, ...]
+    is_reliable: bool
+    keeps: bool
+
+
+def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
+    """A CMake project `player`."""
+    interfaces = document["InterfacePackageList"][0]["Name"]
+    shared = (GeneratedFile(f"player/{name}", (CELLS / name).read_bytes()) for name in _SHARED)
+    own = [file._replace(name=f"{'' if '/' in file.name else 'player/'}{file.name}") for file in shipped(_OWN)]
+    return (
+        *shared,
+        *own,
+        _file("player/step_service.h", _STEP_SERVICE.format(interfaces=interfaces)),
+        _file("player/topics.cpp", _topics_source(document)),
+        _file("CMakeLists.txt", _CMAKE.format(interfaces=interfaces)),
+    )
+
+
+def _file(name: str, text: str) -> GeneratedFile:
+    return GeneratedFile(name, text.encode())
+
+
+# -- what the document says ---------------------------------------------------------------------------------------
+
+
+def _nodes(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    return [node for package in document["NodePackageList"] for node in package["Nodes"]]
+
+
+def _topics(document: Mapping[str, Any]) -> Iterator[_Topic]:
+    numbers = {node["NodeName"]: number for number, node in enumerate(_nodes(document))}
+    for communication in document["CommunicationList"]:
+        for topic in communication["ROSTopicList"]:
+            fields = [each for data in topic["DataMappingList"] for each in data["FieldList"]]
+            named = tuple(_Field(each["VssPath"], each["Field"], each.get("NumberField")) for each in fields)
+            yield _topic(topic, numbers[topic["NodeName"]], named)
+    for node in _nodes(document):
+        for topic in [*node["ErrorTopics"], *node["SafetyReactionTopics"], *node["ModeTopics"]]:
+            yield _topic(topic, numbers[node["NodeName"]], (_Field(topic["InterfaceName"], topic["Field"]),))
+
+
+def _topic(topic: Mapping[str, Any], node: int, fields: tuple[_Field, ...]) -> _Topic:
+    quality = topic["QualityOfService"]
+    return _Topic(
+        topic["TopicName"], topic["MessageType"], node, topic["Role"], fields,
+        quality["Reliability"] == "reliable", quality["Durability"] == "transient_local",
+    )  # fmt: skip
+
+
+# -- what is written ----------------------------------------------------------------------------------------------
+
+
+def _topics_source(document: Mapping[str, Any]) -> str:
+    topics = list(_topics(document))
+    takers: defaultdict[str, set[int]] = defaultdict(set)
+    for topic in topics:
+        if topic.role == "Subscription":
+            takers[topic.name].add(topic.node)
+    heard = _joined(topic for topic in topics if topic.role == "Publisher")
+    given = _joined(topic for topic in topics if topic.role == "Subscription" and topic.name not in heard)
+    messages = _messages(document)
+    parts = [
+        *(_offered(topic, takers[topic.name], messages) for topic in given.values()),
+        *(_heard(topic, takers[topic.name], messages) for topic in heard.values()),
+    ]
+    types = sorted({topic.message for topic in (*heard.values(), *given.values())})
+    return _TOPICS.format(
+        includes="\n".join(f'#include "{header_of(InterfaceType(*each.split("/")))}"' for each in types),
+        structs="".join(_structs(document)),
+        nodes=", ".join(f'"{node["NodeName"]}"' for node in _nodes(document)),
+        functions=", ".join(f'{{"{node["FunctionName"]}", {n}}}' for n, node in enumerate(_nodes(document))),
+        cycles=", ".join(f"{{{period}U, {offset}U}}" for period, offset in _cycles(document)),
+        events="true" if any(each.get("Topics") for each in _schedules(document)) else "false",
+        connections="\n".join(parts),
+    )
+
+
+def _joined(topics: Iterable[_Topic]) -> Mapping[str, _Topic]:
+    """A topic once, with the fields of all its ends."""
+    found: dict[str, _Topic] = {}
+    for topic in topics:
+        known = found.get(topic.name)
+        fields = tuple(dict.fromkeys((*(known.fields if known else ()), *topic.fields)))
+        found[topic.name] = topic._replace(fields=fields)
+    return found
+
+
+def _messages(document: Mapping[str, Any]) -> Mapping[str, Mapping[str, Any]]:
+    return {
+        f"{package['Name']}/msg/{message['Name']}": message
+        for package in document["InterfacePackageList"]
+        for message in package["Messages"]
+    }
+
+
+def _schedules(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    return [each for node in _nodes(document) for each in node["Schedules"]]
+
+
+def _cycles(document: Mapping[str, Any]) -> list[tuple[int, int]]:
+    return [
+        (round(each["Period"] * 1e6), round((each.get("Offset") or 0) * 1e6))
+        for each in _schedules(document) if each.get("Period")
+    ]  # fmt: skip
+
+
+def _offered(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
+    nodes = ", ".join(map(str, sorted(takers)))
+    quality = f"Quality(true, {_bool(topic.keeps)})"
+    offer = f'auto& out = ports.Offer<{_type(topic.message)}>("{topic.name}", {quality}, {{{nodes}}});'
+    columns = [
+        f'        ports.Column("{each.name}", out, [](auto& message, const Item& item) {{ {_filled(each, messages[topic.message])} }});'
+        for each in topic.fields
+    ]
+    return "\n".join(["    {", f"        {offer}", *columns, "    }"])
+
+
+def _filled(field: _Field, message: Mapping[str, Any]) -> str:
+    place, symbols = f"message.{field.field}", _symbols(message)
+    if not symbols or _is_array(field.field, message):
+        return f"{place} = Read<std::decay_t<decltype({place})>>(item);"
+    if _is_text(field.field, message):
+        number = f"message.{field.number_field}"
+        told = (
+            f" {number} = static_cast<std::decay_t<decltype({number})>>(NumberOf(item.text, {symbols}));"
+            if field.number_field
+            else ""
+        )
+        return f"{place} = item.text;{told}"
+    return f"{place} = static_cast<std::decay_t<decltype({place})>>(NumberOf(item.text, {symbols}));"
+
+
+def _heard(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
+    nodes = ", ".join(map(str, sorted(takers)))
+    values = ", ".join(f'{{"{each.name}", {_told(each, messages[topic.message])}}}' for each in topic.fields)
+    quality = f"Quality({_bool(topic.is_reliable)}, {_bool(topic.keeps)})"
+    return (
+        f'    ports.Hear<{_type(topic.message)}>("{topic.name}", {quality}, {topic.node}, {{{nodes}}}, '
+        f"[](const auto& message) {{\n        return Values{{{values}}};\n    }});"
+    )
+
+
+def _told(field: _Field, message: Mapping[str, Any]) -> str:
+    place, symbols = f"message.{field.field}", _symbols(message)
+    if symbols and not _is_text(field.field, message) and not _is_array(field.field, message):
+        return f"SymbolOf({place}, {symbols})"
+    return f"Text({place})"
+
+
+def _symbols(message: Mapping[str, Any]) -> str:
+    names = [f'{{"{each["Name"]}", {each["Value"]}}}' for each in message.get("Constants") or ()]
+    return f"{{{', '.join(names)}}}" if names else ""
+
+
+def _datatype(field: str, message: Mapping[str, Any]) -> str:
+    return str(next(each["DataType"] for each in message["Fields"] if each["Name"] == field))
+
+
+def _is_text(field: str, message: Mapping[str, Any]) -> bool:
+    return _datatype(field, message).startswith("string")
+
+
+def _is_array(field: str, message: Mapping[str, Any]) -> bool:
+    return _datatype(field, message).endswith("]")
+
+
+def _structs(document: Mapping[str, Any]) -> Iterator[str]:
+    """Cells of messages that are members of others, inner ones first."""
+    messages = _messages(document)
+    for name in _nested(document, messages):
+        members = [each["Name"] for each in messages[name]["Fields"]]
+        texts = " + ".join(
+            f'"{", " if number else ""}\\"{each}\\": " + player::Text(value.{each})'
+            for number, each in enumerate(members)
+        )
+        reads = "".join(
+            f'        value.{each} = player::Read<std::decay_t<decltype(value.{each})>>(item.At("{each}"));\n'
+            for each in members
+        )
+        yield _STRUCT.format(type=_type(name), reads=reads, texts=texts)
+
+
+def _nested(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> list[str]:
+    found: dict[str, None] = {}
+
+    def visit(name: str) -> None:
+        for each in messages[name]["Fields"]:
+            inner = _message_of(each["DataType"], document)
+            if inner in messages and inner not in found:
+                visit(inner)
+                found[inner] = None
+
+    for name in messages:
+        visit(name)
+    return list(found)
+
+
+def _message_of(datatype: str, document: Mapping[str, Any]) -> str:
+    package, _, name = re.sub(r"\[.*\]$", "", datatype).rpartition("/")
+    return f"{package.removesuffix('/msg') or document['InterfacePackageList'][0]['Name']}/msg/{name}"
+
+
+def _type(message: str) -> str:
+    return message.replace("/", "::")
+
+
+def _bool(value: bool) -> str:
+    return "true" if value else "false"
+
+
+_TOPICS = """// Topics of the player. Generated by sigcat.
+
+#include "player/ports.h"
+
+{includes}
+
+namespace player {{
+
+using Values = std::vector<std::pair<const char*, std::string>>;
+
+{structs}const std::vector<std::string>& Nodes() {{
+    static const std::vector<std::string> names{{{nodes}}};
+    return names;
+}}
+
+const std::map<std::string, std::size_t>& Functions() {{
+    static const std::map<std::string, std::size_t> numbers{{{functions}}};
+    return numbers;
+}}
+
+const std::vector<std::pair<std::uint64_t, std::uint64_t>>& Cycles() {{
+    static const std::vector<std::pair<std::uint64_t, std::uint64_t>> cycles{{{cycles}}};
+    return cycles;
+}}
+
+bool HasEvents() {{ return {events}; }}
+
+void Connect(Ports& ports) {{
+{connections}
+}}
+
+}}  // namespace player
+"""
+_STRUCT = """template <>
+struct Cell<{type}, void> final {{
+    static {type} Read(const Item& item) {{
+        {type} value;
+{reads}        return value;
+    }}
+    static std::string Text(const {type}& value) {{ return "{{" + {texts} + "}}"; }}
+}};
+
+"""
+_STEP_SERVICE = """#ifndef PLAYER_STEP_SERVICE_H
+#define PLAYER_STEP_SERVICE_H
+
+#include "{interfaces}/srv/step.hpp"
+
+namespace player {{
+
+using StepService = {interfaces}::srv::Step;
+
+}}  // namespace player
+
+#endif  // PLAYER_STEP_SERVICE_H
+"""
+_CMAKE = """cmake_minimum_required(VERSION 3.16)
+project(player LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+find_package(ament_cmake REQUIRED)
+find_package(lifecycle_msgs REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package({interfaces} REQUIRED)
+find_package(Threads REQUIRED)
+add_executable(player player/cell.cpp player/main.cpp player/ports.cpp player/steps.cpp player/topics.cpp player/trace.cpp)
+set_target_properties(player PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
+target_compile_options(player PRIVATE -O1)
+target_include_directories(player PRIVATE "${{CMAKE_CURRENT_SOURCE_DIR}}")
+target_link_libraries(player PRIVATE ${{{interfaces}_TARGETS}} ${{lifecycle_msgs_TARGETS}} rclcpp::rclcpp Threads::Threads)
+install(TARGETS player DESTINATION lib/player)
+"""

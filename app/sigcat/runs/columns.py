@@ -1,0 +1,82 @@
+"""What of a run is of one function: the columns that it sends and receives, and its calls."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.runs.connections import Connections, Entry, Exit, Member, connect
+from sigcat.runs.recording.shapes import Shape
+
+Kind = Literal["signal", "error", "safety reaction", "mode"]
+
+
+class Column(NamedTuple):
+    """A column that has to do with the function."""
+
+    name: str
+    kind: Kind
+    shape: Shape
+    unit: str
+    is_sent: bool
+    """Whether the function sends it; if not, another function of the run does, and this one receives it."""
+    is_shared: bool
+    """Whether only one function sends it. A safety reaction is decided by each function for itself."""
+    good: int | None
+    """The number that says that all is well, of an error and of a safety reaction."""
+
+
+class FunctionColumns(NamedTuple):
+    """All of them."""
+
+    columns: Mapping[str, Column]
+    """By name, what is sent first."""
+    calls: tuple[str, ...]
+
+
+def columns_of(function: ResolvedFunction) -> FunctionColumns:
+    """The columns of a function. Raises InputRefused if it has no core, and so no run."""
+    (planned,) = plans((function,))
+    plan = planned.plan
+    connections = connect((Member(function, plan, Path()),))
+    kinds, good = _kinds(plan), _good(plan)
+    found = [
+        *(_sent(each, kinds, good) for each in connections.exits),
+        *(_received(each, kinds, good) for each in _entries(connections)),
+    ]
+    columns = {each.name: each for each in reversed(found)}
+    ordered = {each.name: columns[each.name] for each in found}
+    return FunctionColumns(ordered, tuple(dict.fromkeys(call.interface for call in plan.calls)))
+
+
+def _entries(connections: Connections) -> Iterator[Entry]:
+    return (each for each in connections.entries if not each.is_answer)
+
+
+def _sent(each: Exit, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Column:
+    kind = kinds.get(each.field, "signal")
+    return Column(each.name, kind, each.shape, each.unit, True, each.is_shared, good.get(each.field))
+
+
+def _received(each: Entry, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Column:
+    kind = kinds.get(each.receiver, "signal")
+    return Column(each.names[0], kind, each.shape, each.unit, False, True, good.get(each.receiver))
+
+
+def _kinds(plan: CorePlan) -> dict[str, Kind]:
+    """What is no signal, by its name in the context."""
+    kinds: dict[str, Kind] = {each.name: "error" for each in plan.foreign_errors}
+    kinds |= {each.named.name: "error" for each in plan.errors}
+    kinds |= {each.named.name: "safety reaction" for each in plan.reactions}
+    kinds |= {each.named.name: "mode" for each in (plan.mode_in, plan.mode_out) if each}
+    return kinds
+
+
+def _good(plan: CorePlan) -> dict[str, int]:
+    """The numbers that say that all is well, by names in the context."""
+    passed = {each.named.name: each.passed for each in plan.errors}
+    inactive = {each.named.name: each.inactive for each in plan.reactions}
+    foreign = {each.name: dict(each.wire.symbols).get("PASSED", 0) for each in plan.foreign_errors}
+    return {**foreign, **passed, **inactive}

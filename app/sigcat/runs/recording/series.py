@@ -1,0 +1,104 @@
+"""Values of one column in order of time, thinned while they come: it stays small whatever is recorded.
+
+A value holds until another one comes, so that only changes are kept; of many in a short time the first, the smallest, the
+largest and the last, and one that is no number: what a picture can show of them. What came in all is counted.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from sigcat.limits import RUN_CHANGES
+
+_SPANS = 2_000
+"""Parts of the whole time that are told apart; a picture has fewer columns of pixels."""
+_MOST = 6 * _SPANS
+
+Point = tuple[int, float]
+"""A time in ns, and a value."""
+
+
+class Series(NamedTuple):
+    """What came."""
+
+    points: tuple[Point, ...]
+    """Changes, the first value among them."""
+    total: int
+    """Values in all."""
+    least: float
+    greatest: float
+    """Of finite values; NaN if there is none."""
+    changes: tuple[Point, ...]
+    """The first ones, none left out."""
+    change_total: int
+
+    @property
+    def first(self) -> float:
+        """The first value."""
+        return self.points[0][1]
+
+    @property
+    def last(self) -> float:
+        """The last value."""
+        return self.points[-1][1]
+
+
+class SeriesCollector:
+    """Takes values as they come, in order of time."""
+
+    def __init__(self) -> None:
+        self._points: list[Point] = []
+        self._total = 0
+        self._least, self._greatest = math.inf, -math.inf
+        self._changes: list[Point] = []
+        self._change_total = 0
+        self._last: float | None = None
+
+    def add(self, time: int, value: float) -> None:
+        """One value."""
+        self._total += 1
+        if value == self._last or (value != value and self._last != self._last):  # noqa: PLR0124 - NaN
+            return
+        self._last = value
+        self._change_total += 1
+        self._points.append((time, value))
+        if len(self._changes) < RUN_CHANGES:
+            self._changes.append((time, value))
+        if math.isfinite(value):
+            self._least, self._greatest = min(self._least, value), max(self._greatest, value)
+        if len(self._points) > _MOST:
+            self._points = list(thinned(self._points))
+
+    @property
+    def series(self) -> Series:
+        """What came until now."""
+        has_numbers = self._least <= self._greatest
+        least, greatest = (self._least, self._greatest) if has_numbers else (math.nan, math.nan)
+        return Series(tuple(self._points), self._total, least, greatest, tuple(self._changes), self._change_total)
+
+
+def thinned(points: Sequence[Point]) -> Iterator[Point]:
+    """The values that say the most, of each short span of time."""
+    (start, _), (end, _) = points[0], points[-1]
+    width = (end - start) // _SPANS + 1
+    span: list[Point] = []
+    until = start + width
+    for point in points:
+        if point[0] >= until:
+            yield from _telling(span)
+            span = []
+            until = point[0] - (point[0] - start) % width + width
+        span.append(point)
+    yield from _telling(span)
+
+
+def _telling(span: Sequence[Point]) -> Iterable[Point]:
+    if len(span) <= 5:
+        return span
+    finite = [index for index, (_, value) in enumerate(span) if math.isfinite(value)]
+    kept = {0, len(span) - 1}
+    if finite:
+        kept |= {min(finite, key=lambda index: span[index][1]), max(finite, key=lambda index: span[index][1])}
+    if len(finite) < len(span):
+        kept.add(next(index for index, (_, value) in enumerate(span) if not math.isfinite(value)))
+    return [span[index] for index in sorted(kept)]

@@ -1,0 +1,48 @@
+"""Projects of CMake are built, and not built again for nothing."""
+
+import shutil
+
+import pytest
+
+from sigcat.players.cmake import build
+from sigcat.players.commands import BuildFails
+from tests import needs
+
+pytestmark = needs.cmake
+PROJECT = "cmake_minimum_required(VERSION 3.16)\nproject(one LANGUAGES C)\nadd_executable(one one.c)\n"
+
+
+@pytest.fixture
+def project(tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(PROJECT)
+    (tmp_path / "one.c").write_text("int main(void) { return 0; }\n")
+    build(tmp_path, tmp_path / "build", {"A": 1})
+    return tmp_path
+
+
+def built_at(project):
+    return [(project / "build" / name).stat().st_mtime_ns for name in ("one", "CMakeCache.txt")]
+
+
+def test_what_did_not_change_is_neither_configured_nor_built_again(project):
+    before = built_at(project)
+    build(project, project / "build", {"A": 1})
+    assert built_at(project) == before
+
+
+def test_other_settings_configure_it_anew(project):
+    build(project, project / "build", {"A": 2})
+    assert "A:UNINITIALIZED=2" in (project / "build/CMakeCache.txt").read_text()
+
+
+def test_a_copy_of_a_folder_is_built_where_it_is(project, tmp_path_factory):
+    copy = tmp_path_factory.mktemp("copy") / "project"
+    shutil.copytree(project, copy)
+    build(copy, copy / "build", {"A": 1})
+    assert str(copy) in (copy / "build/CMakeCache.txt").read_text()
+
+
+def test_what_the_compiler_says_is_told(project):
+    (project / "one.c").write_text("int main(void) { return nothing; }\n")
+    with pytest.raises(BuildFails, match="nothing"):
+        build(project, project / "build", {"A": 1})
