@@ -23,6 +23,13 @@ class ServiceNames(NamedTuple):
     stem: str
     """Upper camel case of the short name."""
     namespace: tuple[str, ...]
+    folders: tuple[str, ...]
+    """Of its headers."""
+
+    @property
+    def variable(self) -> str:
+        """The stem in lower camel case."""
+        return f"{self.stem[:1].lower()}{self.stem[1:]}"
 
     @property
     def common_header(self) -> str:
@@ -64,12 +71,18 @@ class ServiceNames(NamedTuple):
         return "::".join((*self.namespace, side, kind, member_name(name)))
 
     def _header(self, kind: str) -> str:
-        return "/".join((*self.namespace, f"{self.stem.lower()}_{kind}.h"))
+        return "/".join((*self.folders, f"{self.stem.lower()}_{kind}.h"))
 
 
-def service_names(service: Whole) -> ServiceNames:
+def service_names(service: Whole, model: IntegrationModel) -> ServiceNames:
     """The names of a service; its namespace may be its own."""
-    return ServiceNames(member_name(service.name), tuple(parts(service.namespace)) if service.namespace else ())
+    namespace = tuple(parts(service.namespace)) if service.namespace else ()
+    return ServiceNames(member_name(service.name), namespace, _folders(namespace, model))
+
+
+def _folders(namespace: tuple[str, ...], model: IntegrationModel) -> tuple[str, ...]:
+    assert model.deployment is not None
+    return namespace if model.deployment.header_folders == "namespaces" else ()
 
 
 def member_name(short_name: str) -> str:
@@ -84,10 +97,12 @@ class TypeNames(NamedTuple):
     """Where the implementation datatypes of a document are."""
 
     namespace: tuple[str, ...]
+    folders: tuple[str, ...]
+    """Of the headers."""
 
     def header(self, word: str) -> str:
         """Header of a datatype of the document, as it is included; of `string` too."""
-        return "/".join((*self.namespace, f"impl_type_{self.name(word).lower()}.h"))
+        return "/".join((*self.folders, f"impl_type_{self.name(word).lower()}.h"))
 
     def name(self, word: str) -> str:
         """Name of a datatype within its namespace."""
@@ -109,7 +124,8 @@ def type_names(model: IntegrationModel) -> TypeNames:
     """The names of the datatypes of a document."""
     assert model.deployment is not None
     chosen = model.deployment.type_namespace or model.deployment.namespace
-    return TypeNames(tuple(parts(chosen)) if chosen else ())
+    namespace = tuple(parts(chosen)) if chosen else ()
+    return TypeNames(namespace, _folders(namespace, model))
 
 
 def instance_specifier(component: Component, interface: ServiceInterface) -> str:

@@ -32,9 +32,15 @@ def ecocontrol():
 
 
 @cache
+def full_integration():
+    """The Integration JSON of the function that uses everything."""
+    return integration(_built(FULL / "function.yaml"))
+
+
+@cache
 def full():
     """The files of the function that uses everything, with the bench, by name."""
-    return files(integration(_built(FULL / "function.yaml")), bench=True)
+    return files(full_integration(), bench=True)
 
 
 @cache

@@ -8,6 +8,7 @@ import time
 import pytest
 
 from scripts import run_autosar
+from sigcat.comparison.running import processes
 from tests.adapter.autosar_adaptive.application.generated import FULL, full, write
 from tests.needs import cmake, own_network, slow
 
@@ -25,7 +26,7 @@ def executable(tmp_path_factory):
 def started(executable, storage, **environment):
     storage.mkdir(exist_ok=True)
     return subprocess.Popen(
-        [*(run_autosar.own_network() or ()), "sh", "-c", 'ip link set lo up; exec "$0"', executable],
+        [*(processes.own_network() or ()), "sh", "-c", 'ip link set lo up; exec "$0"', executable],
         env={**os.environ, "BENCH_STORAGE": str(storage), **environment},
     )
 

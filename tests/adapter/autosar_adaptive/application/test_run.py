@@ -3,12 +3,14 @@
 import pytest
 
 from scripts import run_autosar
+from scripts.recordings import WHOLE_DRIVE
 from tests.adapter.autosar_adaptive.application.test_generate import STRICT
-from tests.needs import IS_SLOW_RUN, cmake, own_network
+from tests.adapter.autosar_adaptive.bench.building import THREADS
+from tests.needs import IS_SLOW_RUN, cmake, own_network, slow
 
 pytestmark = [cmake, own_network]
 
-SECONDS = run_autosar.WHOLE_DRIVE if IS_SLOW_RUN else 60
+SECONDS = WHOLE_DRIVE if IS_SLOW_RUN else 60
 """The whole drive has 11,780 steps of CoreAcc."""
 
 
@@ -39,3 +41,16 @@ def test_one_other_bit_is_noticed(sent):
     (time, value), *others = recorded[name]
     changed = {**recorded, name: [(time, f"{float(value) + 1e-6}"), *others]}
     assert len(run_autosar.differences(changed, expected)) == 1
+
+
+@slow
+def test_threads_of_the_applications_are_in_order(tmp_path, monkeypatch):
+    """ThreadSanitizer is quiet in all three processes, and what they send is the same."""
+    flags = " ".join(THREADS)
+    reports = tmp_path / "reports"
+    monkeypatch.setenv("TSAN_OPTIONS", f"log_path={reports}:exitcode=0")
+    run_autosar.generate_into(tmp_path)
+    run_autosar.build(tmp_path, f"-O1 -g {flags}", f"-DCMAKE_C_FLAGS=-O1 -g {flags}", "-DCMAKE_BUILD_TYPE=None")
+    recorded = run_autosar.run(tmp_path, 30)
+    assert [file.read_text() for file in tmp_path.glob("reports.*")] == []
+    assert run_autosar.differences(recorded, run_autosar.simulated(tmp_path, 30)) == []

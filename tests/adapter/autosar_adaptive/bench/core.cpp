@@ -5,12 +5,15 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <type_traits>
+#include <utility>
 
 #include "ara/com/com_error_domain.h"
 #include "ara/core/core_error_domain.h"
 #include "ara/core/initialization.h"
 #include "ara/core/instance_specifier.h"
 #include "ara/core/promise.h"
+#include "ara/per/key_value_storage.h"
 #include "bench/proxy_base.h"
 #include "bench/proxy_field.h"
 #include "bench/skeleton_base.h"
@@ -33,6 +36,16 @@ void Check(bool holds, int line) {
     }
 }
 #define CHECK(condition) Check(condition, __LINE__)
+
+/// What does not compile on a platform of R23-11 must not compile here either.
+void ConstantHandles() {
+    using ara::per::KeyValueStorage;
+    using Handle = ara::per::SharedHandle<KeyValueStorage>;
+    static_assert(std::is_same_v<decltype(std::declval<const Handle&>().operator->()), const KeyValueStorage*>);
+    static_assert(std::is_same_v<decltype(*std::declval<const Handle&>()), const KeyValueStorage&>);
+    static_assert(std::is_same_v<decltype(std::declval<Handle&>().operator->()), KeyValueStorage*>);
+    static_assert(!std::is_convertible_v<std::shared_ptr<KeyValueStorage>, Handle>);
+}
 
 void Results() {
     const Result<int> value{3};
@@ -212,6 +225,7 @@ void Samples() {
 }  // namespace
 
 int main() {
+    ConstantHandles();
     Results();
     Futures();
     Continuations();

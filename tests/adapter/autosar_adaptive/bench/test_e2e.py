@@ -9,6 +9,7 @@ from e2e import p04, p05, p06, p07
 
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.toolchain import toolchain
+from tests.judges import judged_by
 from tests.needs import c_compiler
 
 pytestmark = c_compiler
@@ -60,6 +61,9 @@ def judged(profile, number, counter, header, values):
     return bytes(message)
 
 
+@judged_by(
+    "autosar-e2e", "Messages are protected with the same bytes by profiles 4 to 7, and the same ones are rejected"
+)
 @pytest.mark.parametrize("profile", JUDGES)
 def test_a_sender_adds_what_the_other_implementation_adds(profile, program):
     random = Random(profile)
@@ -80,6 +84,9 @@ def check(profile, number, most, message):
     return f"check {profile} {number} {most} {message[:OFFSET].hex()} .{message[OFFSET:].hex()}"
 
 
+@judged_by(
+    "autosar-e2e", "Messages are protected with the same bytes by profiles 4 to 7, and the same ones are rejected"
+)
 @pytest.mark.parametrize("profile", JUDGES)
 def test_a_receiver_accepts_what_the_other_implementation_accepts_and_nothing_else(profile, program):
     random, number = Random(profile), 0x1234

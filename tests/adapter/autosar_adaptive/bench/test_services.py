@@ -1,5 +1,8 @@
 """Two processes, one of which offers what the other one uses: events, fields, methods, over SOME/IP on loopback."""
 
+import signal
+import sys
+import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -17,10 +20,11 @@ def pair(net: Network, built: Mapping[str, Path], *mode: str) -> tuple[Program, 
 
 
 def subscribed(receiver: Program) -> Program:
-    """The receiver, when all its subscriptions are confirmed."""
+    """The receiver, when all its subscriptions are confirmed, in whichever order."""
     receiver.do("subscribe")
-    for name in ("Speed", "Track", "Image", "Mode"):
-        receiver.tells(f"{name} is subscribed")
+    awaited = {f"{name} is subscribed" for name in ("Speed", "Track", "Image", "Mode")}
+    while awaited:
+        awaited.discard(receiver.next_line())
     return receiver
 
 
@@ -104,6 +108,18 @@ def test_what_is_no_longer_offered_is_lost_at_once_and_found_again(net: Network,
     receiver.tells("speed 7")
 
 
+def test_the_last_event_before_the_end_of_an_offer_arrives(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    subscribed(receiver)
+    receiver.process.send_signal(signal.SIGSTOP)
+    time.sleep(0.2)  # it has stopped, and finds both at once when it goes on
+    sender.do("speed 8", "stop").tells("done speed", "done stop")
+    time.sleep(0.2)
+    receiver.process.send_signal(signal.SIGCONT)
+    receiver.tells("speed 8")
+    receiver.tells("found 0")
+
+
 def test_after_unsubscribing_nothing_arrives(net: Network, built: Mapping[str, Path]) -> None:
     sender, receiver = pair(net, built)
     subscribed(receiver).do("unsubscribe").tells("done unsubscribe")
@@ -120,3 +136,21 @@ def test_an_address_that_is_in_use_is_refused(net: Network, built: Mapping[str, 
     net.start([built["sender"]], SIGCAT_BENCH_ADDRESS="127.0.0.9").tells("ready")
     net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS="127.0.0.9").tells("The network cannot be used.")
     net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS="192.0.2.1").tells("The network cannot be used.")
+
+
+_ON_ALL_ADDRESSES = """
+import socket
+receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+receiver.bind(("0.0.0.0", 30490))
+print("ready", flush=True)
+receiver.recv(1)
+"""
+"""As vsomeip receives service discovery."""
+
+
+def test_another_implementation_may_receive_the_group_on_all_addresses(net: Network, built: Mapping[str, Path]) -> None:
+    sender = net.start([built["sender"]]).tells("ready")
+    net.start([sys.executable, "-c", _ON_ALL_ADDRESSES]).tells("ready")
+    sender.do("mode 0", "offer").tells("done offer")
+    net.start([built["receiver"]]).tells("ready", "found 1")

@@ -6,6 +6,7 @@ from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadl
 from sigcat.adapter.autosar_adaptive.application.calls import call_functions
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
 from sigcat.adapter.autosar_adaptive.application.names import (
+    LOCK,
     braces,
     commented,
     cpp_type,
@@ -26,8 +27,6 @@ from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import Port
-
-_LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
@@ -93,7 +92,9 @@ def _start(component: ComponentPlan) -> Lines:
     stored = "&stored" if component.storages else "nullptr"
     loaded = f"const {core}_Stored stored = Load();\n" if component.storages else ""
     cycle = "stored.ignition_cycle + 1U" if component.storages else "1U"
-    watch = "\nis_watched_ = true;\nwatching_ = std::thread{[this] { Watch(); }};" if has_deadline(component) else ""
+    watch = (
+        "watch_ = std::make_unique<application::Watch>([this] { Supervise(); });\n" if has_deadline(component) else ""
+    )
     found = "\n".join(f"{each.variable}.Find();" for each in component.required)
     body = lines(
         f"""
@@ -104,10 +105,10 @@ def _start(component: ComponentPlan) -> Lines:
 Offer();
 {found}
 {{
-    const std::lock_guard<std::mutex> lock{{core_mutex_}};
+    {LOCK}
     {core}_Start(&core_, clock_->Now());
 }}
-thread_ = std::thread{{[this] {{ Run(); }}}};{watch}
+{watch}thread_ = std::thread{{[this] {{ Run(); }}}};
 return true;
 """.replace("\n\n", "\n")
     )
@@ -122,14 +123,7 @@ def _stop(component: ComponentPlan) -> Lines:
     call = "const std::lock_guard<std::mutex> call{call_mutex_};" if has_offered(component) else ""
     left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
     monitors = "\n".join(f"{monitor_name(each.error)}.StopOffer();" for each in component.monitors)
-    watch = """
-{
-    const std::lock_guard<std::mutex> lock{running_mutex_};
-    is_watched_ = false;
-}
-running_changed_.notify_all();
-watching_.join();
-""" if has_deadline(component) else ""  # fmt: skip
+    watch = "watch_.reset();" if has_deadline(component) else ""
     stored = "Store();" if writes(component) else ""
     body = f"""
 clock_->Stop();
@@ -139,7 +133,7 @@ thread_.join();
 {answering}
 {{
     {call}
-    const std::lock_guard<std::mutex> lock{{core_mutex_}};
+    {LOCK}
     {core}_Terminate(&core_, clock_->Now());
 }}
 Publish();
@@ -192,13 +186,13 @@ def _publish(component: ComponentPlan) -> Lines:
     uses_out = bool(sent or reactions)
     told = lines(f"{core}_Published(&core_);")
     if not (uses_out or asked):
-        return block(f"void {component.type}::Publish()", [lines(_LOCK), told])
+        return block(f"void {component.type}::Publish()", [lines(LOCK), told])
     return block(f"void {component.type}::Publish()", [
         lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};"),
         lines("decltype(core_.out) out{};") if uses_out else (),
         lines("decltype(core_.publish) publish{};"),
         braces([
-            lines(_LOCK),
+            lines(LOCK),
             lines("out = core_.out;") if uses_out else (),
             lines("publish = core_.publish;"),
             told,
@@ -230,7 +224,7 @@ def _taken_back(port: Port, value: str, core: str) -> Lines:
     argument = f"&{value}" if port.wire.is_struct and port.wire.length is None else value
     take = lines(f"{core}_Receive_{port.name}(&core_, {argument}, clock_->Now());")
     wake = lines("clock_->Wake();") if port.triggers else ()
-    return joined([braces([lines(_LOCK), take]), wake])
+    return joined([braces([lines(LOCK), take]), wake])
 
 
 def _told(monitor: Monitor) -> Lines:
@@ -278,7 +272,7 @@ def _rejected(receiver: Receiver, core: str) -> Lines:
     return joined([
         lines("},"),
         block("[this]", [
-            lines(_LOCK),
+            lines(LOCK),
             lines(f"{core}_Reject_{receiver.function}(&core_, clock_->Now());"),
         ], "});"),
     ])  # fmt: skip
@@ -296,6 +290,6 @@ def _taken(receiver: Receiver, core: str, *, wakes: bool) -> Lines:
         argument = f"static_cast<{wire.c}>(value)"
     take = lines(f"{core}_Receive_{receiver.function}(&core_, {argument}, clock_->Now());")
     if not wakes:
-        return joined([declared, lines(_LOCK), take])
-    lock = lines(_LOCK)
+        return joined([declared, lines(LOCK), take])
+    lock = lines(LOCK)
     return joined([declared, braces([lock, take]), lines("clock_->Wake();")])

@@ -1,13 +1,11 @@
 """What runs the calls of a component: when they are due, under supervision, with overruns told."""
 
-from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
-from sigcat.adapter.autosar_adaptive.application.names import braces, checkpoint, commented
+from sigcat.adapter.autosar_adaptive.application.adapter_header import has_offered
+from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, checkpoint, commented, locked
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.core.c.lines import Lines, block, indented, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call
-
-_LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"
 
 
 def call_functions(component: ComponentPlan) -> list[Lines]:
@@ -16,7 +14,6 @@ def call_functions(component: ComponentPlan) -> list[Lines]:
         _run(component),
         _run_due(component),
         *(_run_call(step, component) for step in component.core.steps),
-        *([_watch(component)] if has_deadline(component) else []),
         _supervise(component),
     ]
 
@@ -27,7 +24,7 @@ def _run(component: ComponentPlan) -> Lines:
         lines("std::uint64_t next = 0;"),
         block("while (clock_->WaitUntil(next))", [
             lines("RunDueCalls();\nSupervise();"),
-            lines(f"{_LOCK}\nnext = {core}_NextTime(&core_);"),
+            lines(f"{LOCK}\nnext = {core}_NextTime(&core_);"),
         ]),
     ])  # fmt: skip
 
@@ -45,14 +42,10 @@ def _run_due(component: ComponentPlan) -> Lines:
             lines("const std::lock_guard<std::mutex> call{call_mutex_};") if has_offered(component) else (),
             *polls,
             lines(f"{core}_Call due = {scope.constant('NO_CALL')};"),
-            _locked(f"due = {core}_NextCall(&core_, clock_->Now());"),
+            locked(f"due = {core}_NextCall(&core_, clock_->Now());"),
             block("switch (due)", [*cases, none]),
         ]),
     ])  # fmt: skip
-
-
-def _locked(text: str) -> Lines:
-    return braces([lines(f"{_LOCK}\n{text}")])
 
 
 def _run_call(call: Call, component: ComponentPlan) -> Lines:
@@ -68,7 +61,7 @@ def _run_call(call: Call, component: ComponentPlan) -> Lines:
         commented(f"{call.interface}: {call.description}" if call.description else call.interface),
         block(f"void {component.type}::Run{name}()", [
             braces([
-                lines(_LOCK),
+                lines(LOCK),
                 lines(f"{core}_SetInput_{name}(&core_, clock_->Now());\n{core}_Begin_{name}(&core_, clock_->Now());"),
                 overrun,
             ]),
@@ -76,7 +69,7 @@ def _run_call(call: Call, component: ComponentPlan) -> Lines:
             begins,
             lines(f"{core}_Run_{name}(&core_);"),
             ends,
-            _locked(f"{core}_GetOutput_{name}(&core_, clock_->Now());"),
+            locked(f"{core}_GetOutput_{name}(&core_, clock_->Now());"),
             _reported(call, component),
             lines("Publish();"),
         ]),
@@ -93,47 +86,13 @@ def _reported(call: Call, component: ComponentPlan) -> Lines:
 def _watched(call: Call) -> tuple[Lines, Lines]:
     if call.deadline is None:
         return (), ()
-    begins = lines(f"""
-        {{
-            const std::lock_guard<std::mutex> lock{{running_mutex_}};
-            is_running_ = true;
-            longest_ = {call.deadline.most}U;
-        }}
-        running_changed_.notify_all();
-    """)
-    ends = lines("""
-        {
-            const std::lock_guard<std::mutex> lock{running_mutex_};
-            is_running_ = false;
-        }
-        running_changed_.notify_all();
-    """)
-    return begins, ends
-
-
-def _watch(component: ComponentPlan) -> Lines:
-    """Supervises a call that runs for longer than its deadline, until it has ended."""
-    return joined([
-        lines("// A call that does not end in time is found while it runs."),
-        block(f"void {component.type}::Watch()", [lines("""
-            std::unique_lock<std::mutex> lock{running_mutex_};
-            while (is_watched_) {
-                running_changed_.wait(lock, [this] { return is_running_ || !is_watched_; });
-                const std::chrono::nanoseconds longest{static_cast<std::int64_t>(longest_)};
-                const auto has_ended = [this] { return !is_running_ || !is_watched_; };
-                while (!running_changed_.wait_for(lock, longest + std::chrono::milliseconds{1}, has_ended)) {
-                    lock.unlock();
-                    Supervise();
-                    lock.lock();
-                }
-            }
-        """)]),
-    ])  # fmt: skip
+    begins = lines(f"watch_->Begin(std::chrono::nanoseconds{{{call.deadline.most}}});")
+    return begins, lines("watch_->End();")
 
 
 def _supervise(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     return block(f"void {component.type}::Supervise()", [
-        _locked(f"{core}_Supervise(&core_, clock_->Now());"),
+        locked(f"{core}_Supervise(&core_, clock_->Now());"),
         lines("Publish();"),
     ])  # fmt: skip

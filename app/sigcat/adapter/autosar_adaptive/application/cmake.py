@@ -1,5 +1,6 @@
 """CMake files of the applications."""
 
+from collections.abc import Iterable
 from textwrap import indent
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
@@ -13,14 +14,21 @@ def code_setting(component: ComponentPlan) -> str:
 
 
 def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:
-    """CMakeLists.txt of all. Without `bench` it does not know of any, whatever else is in its folder."""
+    """CMakeLists.txt of all."""
+    return project_cmake(application.namespace[-1], application.components, application.executables, bench=bench)
+
+
+def project_cmake(
+    name: str, components: Iterable[ComponentPlan], executables: Iterable[ExecutablePlan], *, bench: bool
+) -> str:
+    """CMakeLists.txt of some of it. Without `bench` it does not know of any, whatever else is in its folder."""
     settings = "".join(
         f'set({code_setting(component)} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
-        for component in application.components
+        for component in components
     )
-    folders = "".join(f"add_subdirectory({executable.name})\n" for executable in application.executables)
+    folders = "".join(f"add_subdirectory({executable.name})\n" for executable in executables)
     return f"""cmake_minimum_required(VERSION 3.16)
-project({application.namespace[-1]} LANGUAGES C CXX)
+project({name} LANGUAGES C CXX)
 
 set(CMAKE_C_STANDARD 99)
 set(CMAKE_CXX_STANDARD 17 CACHE STRING "14 or later")
@@ -37,7 +45,7 @@ set(PLATFORM_TARGETS "" CACHE STRING "Targets of the vendor, and of what is gene
 
 find_package(Threads REQUIRED)
 {_PLATFORM_OR_BENCH if bench else _PLATFORM}
-add_library(application STATIC application/clock.cpp)
+add_library(application STATIC application/clock.cpp application/watch.cpp)
 target_include_directories(application PUBLIC "${{CMAKE_CURRENT_SOURCE_DIR}}")
 target_link_libraries(application PUBLIC ${{PLATFORM_TARGETS}} Threads::Threads)
 

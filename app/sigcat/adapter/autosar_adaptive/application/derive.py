@@ -22,7 +22,7 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
     storage_ports,
 )
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
-from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames, service_names, type_names
+from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, service_names, type_names
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
@@ -32,6 +32,10 @@ from sigcat.integration.autosar_adaptive.model import Component, IntegrationMode
 from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
 from sigcat.integration.autosar_adaptive.storages import StoredParameter, stored_parameters
 from sigcat.names import snake_case
+
+_TAKEN = {"all", "application", "arxml", "bench", "clean", "core", "edit_cache", "generated", "help", "install", "package",
+          "player", "player_messages", "rebuild_cache", "test"}  # fmt: skip
+"""Folders of an application, and targets that CMake has: no executable can be called so."""
 
 
 class SourceCore(NamedTuple):
@@ -45,8 +49,9 @@ def derive(model: IntegrationModel, cores: Sequence[SourceCore]) -> ApplicationP
     """The plan of the applications. Raises InputRefused if a component has no function of its own."""
     assert model.deployment is not None
     by_function = {core.function.name: core for core in cores}
-    _refuse_shared(model.components, by_function)
-    names = {service.name: service_names(service) for service in wholes(model)}
+    if found := list(_shared(model.components, by_function)) or list(_unusable(model.components, by_function)):
+        raise InputRefused("The integration cannot become an application.", tuple(found))
+    names = {service.name: service_names(service, model) for service in wholes(model)}
     types = type_names(model)
     components = [
         (component.executable, _component(model, component, by_function[component.function or ""], types, names))
@@ -62,9 +67,8 @@ def derive(model: IntegrationModel, cores: Sequence[SourceCore]) -> ApplicationP
     )
 
 
-def _refuse_shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> None:
+def _shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
     """A core is one object, which only one process can hold."""
-    found: list[Finding] = []
     seen: dict[str, str] = {}
     for index, component in enumerate(components):
         function = component.function or ""
@@ -73,14 +77,30 @@ def _refuse_shared(components: Iterable[Component], known: Mapping[str, SourceCo
             message = (
                 f"The function of {component.name} must be in `SourceFunctionList`, and {function or 'none'} is not."
             )
-            found.append(codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix="Integrate it anew."))
+            yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix="Integrate it anew.")
         elif function in seen:
             message = f"{function} must have one component to become an application, not {seen[function]} and {component.name}."
             fix = "Join the components of the function."
-            found.append(codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix=fix))
+            yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix=fix)
         seen.setdefault(function, component.name)
-    if found:
-        raise InputRefused("The integration cannot become an application.", tuple(found))
+
+
+def _unusable(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
+    """What an edited document has that no application can be made of."""
+    for index, component in enumerate(components):
+        at = f"/ComponentList/{index}"
+        if component.executable.lower() in _TAKEN:
+            message = f"No executable must be called {component.executable}: the folder or the target of that name is another one."
+            yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=f"{at}/ExecutableName", fix="Rename it.")
+        core = known.get(component.function or "")
+        listed = {each.parameter.variable for each in stored_parameters(component)}
+        for parameter in core.plan.parameters if core else ():
+            if parameter.variable not in listed:
+                message = (
+                    f"{component.name} must list the parameter in {parameter.variable} of its function, and does not."
+                )
+                fix = "Integrate it anew."
+                yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=f"{at}/ParameterList", fix=fix)
 
 
 def _component(
@@ -88,10 +108,10 @@ def _component(
     component: Component,
     core: SourceCore,
     types: TypeNames,
-    names: Mapping[str, object],
+    names: Mapping[str, ServiceNames],
 ) -> ComponentPlan:
     function = core.function.function
-    context = ComponentContext(component, function, core.plan, types, names)  # type: ignore[arg-type]
+    context = ComponentContext(component, function, core.plan, types, names)
     structs = struct_pairs(core.plan, model, function, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"

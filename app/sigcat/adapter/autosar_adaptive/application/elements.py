@@ -14,12 +14,11 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 )
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, instance_specifier, member_name
 from sigcat.adapter.core.identifiers import identifier
-from sigcat.adapter.core.plan import CorePlan, Error, Named, Output, Port, WireType
+from sigcat.adapter.core.places import CorePlaces
+from sigcat.adapter.core.plan import CorePlan, WireType
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import data, parts
 from sigcat.integration.autosar_adaptive.model import Component, Event, MethodArgument, ServiceField, ServiceInterface
-from sigcat.integration.autosar_adaptive.model import Method as ServiceMethod
 
 T = TypeVar("T")
 SAMPLES = 16
@@ -35,7 +34,7 @@ class Taken(NamedTuple):
     comment: str
 
 
-class ComponentContext:
+class ComponentContext(CorePlaces):
     """A component of an integration, beside the core of its function."""
 
     def __init__(
@@ -46,31 +45,10 @@ class ComponentContext:
         types: TypeNames,
         names: Mapping[str, ServiceNames],
     ) -> None:
+        super().__init__(function, core)
         self.component = component
-        self.function = function
-        self.core = core
         self.types = types
         self.names = names
-
-    @cached_property
-    def data_pointers(self) -> Mapping[tuple[str, str], Pointer]:
-        """Where the data interfaces of the function stand, by call and name."""
-        return {(at.runnable.name, item.name): pointer for pointer, at, item in data(self.function)}
-
-    @cached_property
-    def ports(self) -> Mapping[Pointer, Port]:
-        """Places that take signals, by where these stand."""
-        return {item.named.pointer: port for port in self.core.ports for _, item in port.consumers}
-
-    @cached_property
-    def outputs(self) -> Mapping[Pointer, Output]:
-        """What is sent, by where it stands."""
-        return {output.named.pointer: output for step in self.core.steps for output in step.outputs}
-
-    @cached_property
-    def interface_names(self) -> Mapping[Pointer, str]:
-        """Names of all interfaces, by where they stand."""
-        return {pointer: str(item.name) for pointer, item in parts(self.function) if hasattr(item, "name")}
 
     @cached_property
     def status(self) -> Mapping[str, Taken]:
@@ -80,15 +58,6 @@ class ComponentContext:
         for each in (*core.reactions, *([core.mode_in] if core.mode_in else ())):
             found[self.name_of(each.named)] = Taken(each.named.name, each.wire, SAMPLES, each.named.comment)
         return found
-
-    @cached_property
-    def errors(self) -> Mapping[str, Error]:
-        """Errors of the function, by the name of the interface."""
-        return {self.name_of(error.named): error for error in self.core.errors}
-
-    def name_of(self, named: Named) -> str:
-        """Name of the interface that a part of the core was made from."""
-        return self.interface_names[named.pointer]
 
 
 def required_services(context: ComponentContext) -> tuple[Required, ...]:
@@ -133,7 +102,7 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
         for field in services.fields:
             taken = context.status.get(_status_name(field)) or context.status.get(identifier(_status_name(field)))
             if taken is not None:
-                type_ = context.types.type(field.datatype or "uint8_t")
+                type_ = context.types.type(field.word)
                 yield Receiver(
                     member_name(field.name), taken.function, type_, taken.wire, taken.capacity, taken.comment
                 )
@@ -159,7 +128,7 @@ def _sent_fields(interface: ServiceInterface, context: ComponentContext) -> Iter
     mode = context.core.mode_out
     for services in interface.services:
         for field in services.fields:
-            name, type_ = _status_name(field), context.types.type(field.datatype or "uint8_t")
+            name, type_ = _status_name(field), context.types.type(field.word)
             error = context.errors.get(name)
             if error is not None:
                 named = error.named
@@ -181,11 +150,7 @@ def _methods(interface: ServiceInterface, context: ComponentContext) -> Iterator
             used = next((known[use.method.name] for use in method.uses or () if use.method.name in known), None)
             if used is not None:
                 arguments, results = _typed(method.inputs, context), _typed(method.outputs, context)
-                yield CalledMethod(_method_name(method), used, arguments, results)
-
-
-def _method_name(method: ServiceMethod) -> str:
-    return member_name(method.name)
+                yield CalledMethod(member_name(method.name), used, arguments, results)
 
 
 def _typed(arguments: tuple[MethodArgument, ...] | None, context: ComponentContext) -> tuple[tuple[str, str], ...]:

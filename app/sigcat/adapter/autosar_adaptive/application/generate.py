@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application import cmake, player_source
 from sigcat.adapter.autosar_adaptive.application.adapter_header import adapter_header
 from sigcat.adapter.autosar_adaptive.application.adapter_source import adapter_source
@@ -10,7 +11,6 @@ from sigcat.adapter.autosar_adaptive.application.derive import SourceCore, deriv
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
 from sigcat.adapter.autosar_adaptive.application.readme import readme
-from sigcat.adapter.autosar_adaptive.application.sources import source_functions
 from sigcat.adapter.autosar_adaptive.application.structs_header import structs_header
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
@@ -18,7 +18,8 @@ from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.core.c.lines import Lines, wrapped
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.generate import core_files
-from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
@@ -38,14 +39,15 @@ def generate(
     """
     model = read_integration(data, name, limits)
     arxml = generate_arxml(model, release)
-    functions = source_functions(model, data, name, limits)
+    rule = codes.NOT_WRITABLE_AS_ARXML
+    functions = source_functions(model.functions, data, name, limits, rule, "autosar-adaptive")
     planned = plans(functions)
     cores = [SourceCore(function, each.plan) for function, each in zip(functions, planned, strict=True)]
     application = derive(model, cores)
     return (
-        *(GeneratedFile(f"arxml/{file.name}", file.data) for file in arxml),
-        *(GeneratedFile(f"core/{file.name}", file.data) for each in planned for file in core_files(each.plan).files),
-        *shipped(CPP, "application"),
+        *within("arxml", arxml),
+        *(file for each in planned for file in within("core", core_files(each.plan).files)),
+        *within("application", shipped(CPP)),
         _file("CMakeLists.txt", cmake.root_cmake(application, bench=bench)),
         _file("README.md", readme(application)),
         *(file for executable in application.executables for file in _executable(executable, application)),
@@ -53,22 +55,23 @@ def generate(
     )
 
 
+@collector_paused()
+def generate_player(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...]:
+    """The player alone, as a CMake project. Raises InputRefused if the document cannot be used."""
+    return (
+        *within("application", shipped(CPP)),
+        _file("CMakeLists.txt", cmake.project_cmake("player", (), (), bench=True)),
+        *_bench(read_integration(data, name, limits)),
+    )
+
+
 def _bench(model: IntegrationModel) -> Iterable[GeneratedFile]:
     """The runtime, what a vendor's generator would make of the ARXML, and the player."""
-    yield from (file._replace(name=f"bench/{file.name}") for file in runtime_files())
-    yield from (file._replace(name=f"generated/{file.name}") for file in generate_services(model))
-    yield from shipped(player_source.CPP, "player")
+    yield from within("bench", runtime_files())
+    yield from within("generated", generate_services(model))
+    yield from within("player", shipped(player_source.CPP))
     yield _file("player/CMakeLists.txt", player_source.CMAKE)
     yield _file("player/ports.cpp", _text(player_source.ports_source(model)))
-
-
-def shipped(folder: Path, name: str) -> Iterable[GeneratedFile]:
-    """Files of a folder, as they are."""
-    return (
-        GeneratedFile(f"{name}/{path.relative_to(folder).as_posix()}", path.read_bytes())
-        for path in sorted(folder.rglob("*"))
-        if path.is_file()
-    )
 
 
 def _executable(executable: ExecutablePlan, application: ApplicationPlan) -> Iterable[GeneratedFile]:

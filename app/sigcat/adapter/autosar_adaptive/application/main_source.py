@@ -1,7 +1,7 @@
 """The main function of an executable."""
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
-from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
+from sigcat.adapter.core.c.lines import Lines, block, lines, spaced
 
 
 def main_source(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:
@@ -53,11 +53,11 @@ def _run(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:
 
 
 def _main() -> Lines:
-    return joined([block("int main()", [lines("""
+    return block("int main()", [lines("""
         if (!ara::core::Initialize().HasValue()) {
             return EXIT_FAILURE;
         }
         const bool is_good = RunApplication();
         const bool is_ended = ara::core::Deinitialize().HasValue();
         return is_good && is_ended ? EXIT_SUCCESS : EXIT_FAILURE;
-    """)])])  # fmt: skip
+    """)])  # fmt: skip

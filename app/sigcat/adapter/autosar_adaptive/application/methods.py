@@ -1,7 +1,7 @@
 """Methods that the function uses or offers."""
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type, parameter_name
-from sigcat.adapter.autosar_adaptive.application.names import braces, cpp_type
+from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, cpp_type, locked
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.scope import Scope
@@ -31,10 +31,10 @@ def _request(method: CalledMethod, service: Required, component: ComponentPlan) 
     declared = f"const {core}_{name}_Results results{{}};\n" if method.results else ""
     return block(f"void {component.type}::Request{method.member}()", [
         lines(f"decltype(core_.method.{name}) asked{{}};"),
-        braces([lines(f"const std::lock_guard<std::mutex> lock{{core_mutex_}};\nasked = core_.method.{name};")]),
+        locked(f"asked = core_.method.{name};"),
         lines(f"{pending}.number = asked.number;\nconst auto service = {service.variable}.Get();"),
         block("if (service == nullptr)", [lines(
-            f"{declared}const std::lock_guard<std::mutex> lock{{core_mutex_}};\n"
+            f"{declared}{LOCK}\n"
             f"{core}_Answer_{name}(&core_, asked.number, false{results}, clock_->Now());\nreturn;")]),
         *converted,
         lines(f"{pending}.answer = service->{method.member}({arguments});"),
@@ -55,7 +55,7 @@ def _poll(method: CalledMethod, component: ComponentPlan) -> Lines:
         lines(f"const auto answer = {pending}.answer.GetResult();"),
         lines(f"{core}_{name}_Results results{{}};") if method.results else (),
         block("if (answer.HasValue())", taken) if method.results else (),
-        lines("const std::lock_guard<std::mutex> lock{core_mutex_};"),
+        lines(LOCK),
         lines(f"{core}_Answer_{name}(&core_, {pending}.number, answer.HasValue(){results}, clock_->Now());"),
     ])  # fmt: skip
 

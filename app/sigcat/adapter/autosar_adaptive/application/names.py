@@ -9,10 +9,13 @@ from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import GLOBALS, Error
 from sigcat.names import screaming_snake_case
 
+LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"
+"""For what calls the core, until the end of the scope."""
 
-def constant_guard(application: ApplicationPlan, component: ComponentPlan) -> str:
-    """The include guard, unlike that of the core."""
-    return f"{screaming_snake_case('_'.join((*application.namespace, component.stem)))}_COMPONENT_H"
+
+def include_guard(application: ApplicationPlan, component: ComponentPlan, header: str) -> str:
+    """The include guard of a header, unlike that of the core."""
+    return f"{screaming_snake_case('_'.join((*application.namespace, component.stem, header)))}_H"
 
 
 def in_namespace(application: ApplicationPlan, parts: Iterable[Lines]) -> Lines:
@@ -43,6 +46,11 @@ def monitor_name(error: Error) -> str:
 def braces(parts: Iterable[Lines]) -> Lines:
     """Statements in a scope of their own."""
     return (Line("{"), *indented(joined(parts)), Line("}"))
+
+
+def locked(text: str) -> Lines:
+    """Statements under the lock of the core."""
+    return braces([lines(f"{LOCK}\n{text}")])
 
 
 def checkpoint(call: str) -> str:

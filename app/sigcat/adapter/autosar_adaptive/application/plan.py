@@ -58,6 +58,21 @@ class CalledMethod(NamedTuple):
     results: tuple[tuple[str, str], ...]
 
 
+_OWN_MEMBERS = {
+    f"{name}_"
+    for name in (
+        "call_mutex", "clock", "core", "core_mutex", "logger", "publishing_mutex", "supervision", "thread", "watch",
+    )
+}  # fmt: skip
+_OWN_PREFIXES = ("missed_", "monitor_", "pending_", "service_", "storage_")
+
+
+def _member(names: ServiceNames) -> str:
+    """The member for a service: unlike those that every adapter has, whatever the service is called."""
+    name = f"{names.variable}_"
+    return f"service_{name}" if name in _OWN_MEMBERS or name.startswith(_OWN_PREFIXES) else name
+
+
 @dataclass(frozen=True)
 class Required:
     """A service that a component uses."""
@@ -72,7 +87,7 @@ class Required:
     @property
     def variable(self) -> str:
         """The member of the adapter."""
-        return f"{self.names.stem[:1].lower()}{self.names.stem[1:]}_"
+        return _member(self.names)
 
 
 @dataclass(frozen=True)
@@ -89,7 +104,7 @@ class Provided:
     @property
     def variable(self) -> str:
         """The member of the adapter."""
-        return f"{self.names.stem[:1].lower()}{self.names.stem[1:]}_"
+        return _member(self.names)
 
     @property
     def type(self) -> str:

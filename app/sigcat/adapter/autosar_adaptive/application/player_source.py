@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.names import commented, cpp_type, without_indent
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
+from sigcat.adapter.autosar_adaptive.bench.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import string
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
-from sigcat.integration.autosar_names import short_name
 
 CPP = Path(__file__).parent / "player_cpp"
 """Files that are the same in every player."""
@@ -41,21 +41,26 @@ class _Port(NamedTuple):
     path: str
     elements: tuple[_Element, ...]
     methods: tuple[_Method, ...]
+    key: str
+    """Its ids, for the runtime."""
+    listeners: int
+    """Processes that subscribe to it."""
+
+    @property
+    def variable(self) -> str:
+        """Like no keyword, and not like the logger beside it."""
+        return f"{self.names.variable}_"
 
     @property
     def type(self) -> str:
         return f"Answering{self.names.stem}" if self.methods else f"::{self.names.skeleton}"
-
-    @property
-    def variable(self) -> str:
-        return f"{self.names.stem[:1].lower()}{self.names.stem[1:]}"
 
 
 def ports_source(model: IntegrationModel) -> Lines:
     """The source of its services."""
     types = type_names(model)
     provided = {each.name for part in model.components for each in part.services if each.role == "Provider"}
-    services = [_port(whole, types, is_offered=whole.name not in provided) for whole in wholes(model)]
+    services = [_port(whole, model, types) for whole in wholes(model)]
     offered = [port for port in services if port.service not in provided]
     used = [port for port in services if port.service in provided]
     entries = list(model.datatypes or ())
@@ -70,6 +75,7 @@ def ports_source(model: IntegrationModel) -> Lines:
         _constructor(offered),
         lines("Ports::~Ports() = default;"),
         _send(),
+        _are_heard(offered),
         _offer(offered),
         _each("Find", [f"{port.variable}.Find();" for port in used]),
         _each("Leave", [*(f"{port.variable}.Leave();" for port in used),
@@ -79,12 +85,11 @@ def ports_source(model: IntegrationModel) -> Lines:
     ])  # fmt: skip
 
 
-def _port(whole: Whole, types: TypeNames, *, is_offered: bool) -> _Port:
-    port = short_name(f"{whole.name}_{'P' if is_offered else 'R'}Port")
+def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:
     elements = (
         *(_Element(each.vss_path or each.name, member_name(each.name), types.type(each.datatype), is_field=False)
           for each in whole.events),
-        *(_Element(each.name, member_name(each.name), types.type(each.datatype or "uint8_t"), is_field=True)
+        *(_Element(each.name, member_name(each.name), types.type(each.word), is_field=True)
           for each in whole.fields),
     )  # fmt: skip
     methods = tuple(
@@ -95,13 +100,24 @@ def _port(whole: Whole, types: TypeNames, *, is_offered: bool) -> _Port:
         )
         for each in whole.methods
     )
-    return _Port(whole.name, service_names(whole), f"Player/Player_Root/{port}", elements, methods)
+    listeners = {
+        part.executable
+        for part in model.components
+        for each in part.services
+        if (each.name, each.role) == (whole.name, "Consumer")
+        and any(used.events or used.fields for used in each.services)
+    }
+    key = f"{whole.service_id:#06x}, {whole.instance_id:#06x}"
+    return _Port(
+        whole.name, service_names(whole, model), player_port(whole.name, model), elements, methods, key, len(listeners)
+    )
 
 
 def _includes(offered: Iterable[_Port], used: Iterable[_Port], entries: list[TypeEntry], types: TypeNames) -> Lines:
     headers = [port.names.skeleton_header for port in offered] + [port.names.proxy_header for port in used]
     headers += types.headers(entry.name for entry in entries)
     headers += ["application/communication.h", "application/required_service.h", "ara/core/instance_specifier.h"]
+    headers += ["bench/counters.h"] if any(port.listeners for port in offered) else []
     headers += ["ara/core/promise.h"] if any(port.methods for port in offered) else []
     rows = "\n".join(f'#include "{name}"' for name in sorted(set(headers)))
     return lines(f'#include "player/ports.h"\n\n#include <stdexcept>\n\n{rows}')
@@ -222,6 +238,12 @@ def _send() -> Lines:
         sender->second(Parsed(cell));
         return true;
     """)])  # fmt: skip
+
+
+def _are_heard(offered: Iterable[_Port]) -> Lines:
+    tests = [f"bench::Subscribers({port.key}) >= {port.listeners}" for port in offered if port.listeners]
+    rows = [f"{'return ' if number == 0 else '       '}{test}" for number, test in enumerate(tests)] or ["return true"]
+    return block("bool Ports::AreHeard() const", [lines(" &&\n".join(rows) + ";")])
 
 
 def _offer(offered: Iterable[_Port]) -> Lines:

@@ -4,6 +4,8 @@ from collections.abc import Iterator
 
 from sigcat.adapter.autosar_adaptive.arxml.components import checkpoints
 from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
+from sigcat.adapter.autosar_adaptive.arxml.health import alive_supervisions
+from sigcat.adapter.core.calls import short_name
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
 from sigcat.integration.report import Entry
@@ -14,8 +16,10 @@ _SUPERVISION = (
     "for the error to mature"
 )
 _REPORTED = (
-    "each end of the call is a checkpoint; the integrator gives the alive supervision its limits, which admin data has"
+    "each end of the call is a checkpoint; ara::phm has no limits for it, as its verdict is at once and final, and the "
+    "error matures or heals: admin data has them"
 )
+_LIMITED = "each end of the call is a checkpoint, and deployment.arxml has the ALIVE-SUPERVISION with the same limits"
 _REACTION = "received over its field; what the core decides is logged, as no service of the function sends it"
 _ERROR = "Update of its field, and ara::diag::Monitor is told kPassed and kFailed, debounced by the core"
 _CYCLE = "the thread of the adapter runs it at the core's NextTime"
@@ -38,13 +42,20 @@ def _of_component(component: Component) -> Iterator[Entry]:
 
 
 def _of_call(function: str, component: Component, call: Call) -> Iterator[Entry]:
-    target = f"{component.executable}: Run{call.name.rpartition('_')[2]}"
+    target = f"{component.executable}: Run{short_name(call.name, function)}"
     if call.cycle_time is not None:
         yield Entry(function, call.name, "call", "CycleTime", target, _CYCLE)
     for kind in call.supervision_types or ():
-        is_reported = kind == "Alive" and call.name in checkpoints(component)
-        place, note = ("core and ara::phm::SupervisedEntity", _REPORTED) if is_reported else ("core", _SUPERVISION)
+        place, note = _supervised(component, call, kind)
         yield Entry(function, call.name, "call", f"SupervisionType {kind}", place, note)
+
+
+def _supervised(component: Component, call: Call, kind: str) -> tuple[str, str]:
+    """Who supervises a call, and what is to be known of it."""
+    if kind != "Alive" or call.name not in checkpoints(component):
+        return "core", _SUPERVISION
+    is_limited = call.name in (each.call for each in alive_supervisions(component))
+    return "core and ara::phm::SupervisedEntity", _LIMITED if is_limited else _REPORTED
 
 
 def _of_field(function: str, component: Component, field: ServiceField, *, is_provided: bool) -> Iterator[Entry]:

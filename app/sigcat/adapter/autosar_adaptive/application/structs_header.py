@@ -1,13 +1,13 @@
 """Structs of the platform and of the core, copied member by member."""
 
-from sigcat.adapter.autosar_adaptive.application.names import constant_guard
+from sigcat.adapter.autosar_adaptive.application.names import include_guard
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, StructPair
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
 
 
 def structs_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:
     """The whole header."""
-    guard = constant_guard(application, component).replace("_COMPONENT_H", "_STRUCTS_H")
+    guard = include_guard(application, component, "structs")
     headers = [f'"{name}"' for name in (*component.type_headers, f"core/{component.core.function}_adapter.h")]
     return spaced([
         lines(f"// Structs that {component.name} takes and gives, between the platform and the core."),

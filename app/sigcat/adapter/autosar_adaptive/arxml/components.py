@@ -4,6 +4,8 @@ from collections.abc import Iterable
 
 from pydantic import BaseModel
 
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.paths import (
     COMPONENTS,
     EXECUTABLES,
@@ -13,14 +15,12 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     STORAGES,
     SUPERVISIONS,
     TYPE,
-    Paths,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ServiceInterface, Use
-from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storages
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storage_name, storages
 from sigcat.integration.autosar_names import distinct, short_name
 
 COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
@@ -50,11 +50,6 @@ def packages(components: Iterable[Component], known: Library, release: Release) 
 def port_name(interface: ServiceInterface) -> str:
     """Name of the port of a service."""
     return short_name(f"{interface.name}_{'P' if interface.role == 'Provider' else 'R'}Port")
-
-
-def storage_name(component: Component, storage: str) -> str:
-    """Name of the interface over which a component reads and writes a storage."""
-    return short_name(f"{component.name}_{storage}")
 
 
 def root_name(component: Component) -> str:
@@ -177,7 +172,7 @@ def monitor_port(error: str) -> str:
 
 def _monitor_port(error: str, known: Library) -> Tag:
     path = known.paths.of(MONITORS, MONITOR_NAME)
-    return tag("P-PORT-PROTOTYPE", reference("PROVIDED-INTERFACE-TREF", path, MONITOR), name=monitor_port(error))
+    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, MONITOR), name=monitor_port(error))
 
 
 def checkpoints(component: Component) -> tuple[str, ...]:

@@ -2,7 +2,9 @@
 
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.autosar_adaptive.arxml import e2e, someip
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, seconds, tag
+from sigcat.adapter.autosar_adaptive.arxml import e2e, health, someip
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     design_name,
     executables,
@@ -22,11 +24,9 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     PROCESS_DESIGNS,
     PROCESSES,
     STARTUP,
-    Paths,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_names import short_name
@@ -50,6 +50,7 @@ def packages(model: IntegrationModel, services: Sequence[Whole], release: Releas
         Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
         *someip.packages(model.deployment, services, release, paths),
         e2e.package(model),
+        health.package(components, _states(components, function_group, paths), release, paths),
         Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
         Package(MAPPINGS, tuple(_mapping(*pair, components, release, paths) for pair in pairs)),
     ]
@@ -137,6 +138,10 @@ def _process(component: Component, components: Iterable[Component], group: str, 
         tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
         name=process_names(components)[component.name],
     )
+
+
+def _states(components: Iterable[Component], group: str, paths: Paths) -> dict[str, Tag]:
+    return {mode: _state(mode, group, paths) for component in components for mode in component.modes}
 
 
 def _state(mode: str, group: str, paths: Paths) -> Tag:

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.autosar_adaptive.arxml.paths import E2E, Paths
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.adapter.autosar_adaptive.arxml.paths import E2E
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, tag
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_names import short_name

@@ -1,12 +1,9 @@
 """For every field of an Integration JSON: where it stands in the ARXML."""
 
-from collections.abc import Iterator, Mapping
-
-from pydantic import BaseModel
-
+from sigcat.adapter.arxml.document_report import Tables, document_report
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
-from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.integration.report import Entry, FieldTarget
 
 _SHORT_NAME = "SHORT-NAME"
 _DESCRIPTION = "DESC"
@@ -16,6 +13,7 @@ _CALL = FieldTarget("components.arxml: admin data of the component", "the manife
 _PARAMETER = FieldTarget("components.arxml: admin data of the PERSISTENCY-DATA-ELEMENT")
 _TRACED = FieldTarget("components.arxml: admin data of the outermost package")
 _GENERATED = FieldTarget("none", "the components say it all; adapters are generated from the functions")
+_HEADERS = FieldTarget("none", "a vendor's generator lays out its headers, and adapters include them where they are")
 _VALUE = "PERSISTENCY-DATA-ELEMENT"
 _PRESENTED = "SW-DATA-DEF-PROPS: {}"
 _COMPONENT = "components.arxml: ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE, "
@@ -28,9 +26,7 @@ _SOMEIP = "deployment.arxml: SOMEIP-"
 _TYPE = "types.arxml: STD-CPP-IMPLEMENTATION-DATA-TYPE, "
 _SETTING = "deployment.arxml"
 
-Targets = Mapping[str, FieldTarget | str]
-
-TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
+TABLES: Tables = {
     model.MetaInformation: ("document", dict.fromkeys(("Authority", "Author", "Date", "Version"), _TRACED)),
     model.FunctionInformation: (
         "document", dict.fromkeys(("FunctionName", "Responsible", "Description", "Functions"), _TRACED),
@@ -41,6 +37,7 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
         "Release": "the schema of each file", "Namespace": _INTERFACE + "NAMESPACES",
         "TypeNamespace": _TYPE + "NAMESPACES", "Transformation": _SETTING + ": transformation properties",
         "ServiceDiscovery": _SETTING + ": timing of service discovery", "Units": "types.arxml: UNIT",
+        "HeaderFolders": _HEADERS,
     }),
     model.Component: ("component", {
         "Name": _COMPONENT + _SHORT_NAME, "ExecutableName": "components.arxml: EXECUTABLE, " + _SHORT_NAME,
@@ -123,32 +120,8 @@ TABLES: Mapping[type[BaseModel], tuple[str, Targets]] = {
     }),
     model.Symbol: ("value", dict.fromkeys(("Symbol", "Value"), "types.arxml: COMPU-SCALE of the COMPU-METHOD")),
 }  # fmt: skip
-"""Kind and targets of each part of the document, without the fields that hold other parts."""
 
 
 def field_targets(document: model.IntegrationModel) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the document."""
-    return tuple(_of_part(document, "", ""))
-
-
-def _of_part(part: BaseModel, function: str, above: str) -> Iterator[Entry]:
-    kind, table = TABLES[type(part)]
-    function = getattr(part, "function", None) or function
-    name = str(getattr(part, "name", None) or getattr(part, "call", None) or "")
-    where = "/".join(filter(None, (above, name)))
-    inner: list[BaseModel] = []
-    targets = dict(table)
-    for field, info in type(part).model_fields.items():
-        found = _parts(getattr(part, field))
-        if found and info.alias not in table:
-            inner.extend(found)
-            targets[info.alias or field] = FieldTarget("", "")
-    yield from (entry for entry in entries(function, where, kind, part, targets) if entry.target)
-    for each in inner:
-        yield from _of_part(each, function, where)
-
-
-def _parts(value: object) -> list[BaseModel]:
-    """The parts of a document that a field holds."""
-    listed = value if isinstance(value, tuple) else (value,)
-    return [each for each in listed if isinstance(each, BaseModel) and type(each) in TABLES]
+    return document_report(document, TABLES)

@@ -4,10 +4,10 @@ from collections.abc import Iterable
 
 from autosar_data import AutosarDataError
 
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import trace, written
 from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, types
-from sigcat.adapter.autosar_adaptive.arxml.paths import Paths
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
-from sigcat.adapter.autosar_adaptive.arxml.tree import trace, written
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
@@ -60,6 +60,6 @@ def _words(model: IntegrationModel) -> Iterable[str]:
         for interface in component.services:
             for services in interface.services:
                 yield from (event.datatype for event in services.events)
-                yield from (field.datatype or "uint8_t" for field in services.fields)
+                yield from (field.word for field in services.fields)
                 for method in services.methods:
                     yield from (argument.datatype for argument in (*(method.inputs or ()), *(method.outputs or ())))

@@ -3,8 +3,7 @@
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
-from sigcat.adapter.autosar_adaptive.arxml.tree import (
+from sigcat.adapter.arxml.tree import (
     Package,
     Tag,
     description,
@@ -14,6 +13,7 @@ from sigcat.adapter.autosar_adaptive.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.model import (
     Event,
@@ -123,7 +123,7 @@ def _field(field: ServiceField, known: Library) -> Tag:
         "FIELD",
         description(field.description),
         trace([("VssPath", field.vss_path), *_status(field)]),
-        reference("TYPE-TREF", known.type_path(field.datatype or "uint8_t"), TYPE),
+        reference("TYPE-TREF", known.type_path(field.word), TYPE),
         tag("HAS-GETTER", text="true"),
         tag("HAS-NOTIFIER", text="true"),
         tag("HAS-SETTER", text="false"),

@@ -1,27 +1,11 @@
-"""Where each element stands in the packages."""
-
-from typing import NamedTuple
-
-
-class Paths(NamedTuple):
-    """Paths below the outermost package."""
-
-    root: str
-
-    def of(self, package: str, *names: str) -> str:
-        """Path of an element, or of one inside it."""
-        return "/" + "/".join((self.root, package, *names))
-
+"""Where the elements of AUTOSAR adaptive stand in the packages."""
 
 DATATYPES = "DataTypes"
-COMPU_METHODS = "CompuMethods"
-UNITS = "Units"
-DIMENSIONS = "PhysicalDimensions"
-CONSTRAINTS = "DataConstraints"
 INTERFACES = "ServiceInterfaces"
 STORAGES = "PersistencyInterfaces"
 MONITORS = "DiagnosticInterfaces"
 SUPERVISIONS = "HealthManagementInterfaces"
+HEALTH = "HealthManagement"
 COMPONENTS = "Components"
 EXECUTABLES = "Executables"
 PROCESS_DESIGNS = "ProcessDesigns"

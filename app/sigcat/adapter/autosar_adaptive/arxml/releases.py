@@ -16,6 +16,8 @@ class Release(NamedTuple):
     """Start-up configurations stand in a set, as the mappings of transformation properties do."""
     has_one_executable: bool
     """A process refers to its executable, not to a list of them."""
+    has_local_supervisions: bool
+    """Supervisions stand in local ones, and not in states of function groups."""
     has_root_of_port: bool
     """The mapping of a service instance names the root component of the executable, above the port."""
 
@@ -25,6 +27,7 @@ def _release(name: ReleaseName, number: int) -> Release:
         name,
         f"AUTOSAR_{number:05d}",
         has_sets=name < "R21-11",
+        has_local_supervisions=name < "R21-11",
         has_one_executable=name < "R22-11",
         has_root_of_port=name != "R22-11",
     )

@@ -2,10 +2,11 @@
 
 from collections.abc import Iterable, Sequence
 
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
-from sigcat.adapter.autosar_adaptive.arxml.paths import DISCOVERY, INTERFACES, TRANSFORMATION, Paths
+from sigcat.adapter.autosar_adaptive.arxml.paths import DISCOVERY, INTERFACES, TRANSFORMATION
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, listed, reference, seconds, tag
 from sigcat.integration.autosar_adaptive.model import ArxmlDeployment
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name

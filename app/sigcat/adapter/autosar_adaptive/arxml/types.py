@@ -4,9 +4,9 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple, TypeVar
 
-from sigcat.adapter.autosar_adaptive.arxml import units
-from sigcat.adapter.autosar_adaptive.arxml.paths import COMPU_METHODS, CONSTRAINTS, DATATYPES, TYPE, UNITS, Paths
-from sigcat.adapter.autosar_adaptive.arxml.tree import (
+from sigcat.adapter.arxml import units
+from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
+from sigcat.adapter.arxml.tree import (
     Package,
     Tag,
     description,
@@ -16,11 +16,12 @@ from sigcat.adapter.autosar_adaptive.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_adaptive.arxml.paths import DATATYPES, TYPE
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
 from sigcat.integration.autosar_adaptive.namespaces import parts
-from sigcat.integration.autosar_adaptive.si_units import UnitSettings
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_si_units import UnitSettings
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 K = TypeVar("K")

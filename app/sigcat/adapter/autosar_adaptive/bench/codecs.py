@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sigcat.adapter.autosar_adaptive.bench.datatypes import alias_of
+from sigcat.adapter.autosar_adaptive.bench.datatypes import alias_of, array_of
 from sigcat.adapter.autosar_adaptive.bench.services import Service
 from sigcat.adapter.autosar_adaptive.bench.text import source
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
@@ -60,7 +60,5 @@ def _resolved(word: str, entries: Mapping[str, TypeEntry], names: TypeNames) -> 
     if word in BY_ADAPTIVE or entry is None or entry.kind == "structure":
         return names.type(word)
     if entry.kind == "array":
-        element = _resolved(entry.element, entries, names)
-        kind = f"Vector<{element}>" if entry.is_open else f"Array<{element}, {entry.dimension}>"
-        return f"ara::core::{kind}"
+        return array_of(_resolved(entry.element, entries, names), entry)
     return names.type(word) if entry.symbols else _resolved(alias_of(entry), entries, names)

@@ -26,6 +26,11 @@ def alias_of(entry: TypeEntry) -> str:
     return entry.storage or entry.c_definition or "uint8_t"
 
 
+def array_of(element: str, entry: TypeEntry) -> str:
+    """The type of an array, of an element's in C++."""
+    return f"ara::core::Vector<{element}>" if entry.is_open else f"ara::core::Array<{element}, {entry.dimension}>"
+
+
 def _header(entry: TypeEntry, names: TypeNames) -> str:
     path, words = names.header(entry.name), used_words(entry)
     about = sentence(entry.description, f"VSS: {entry.vss_datatype}" if entry.vss_datatype else None)
@@ -52,9 +57,7 @@ def _definition(entry: TypeEntry, names: TypeNames) -> str:
         members = "\n".join(_member(field, names) for field in entry.fields or ())
         return f"struct {entry.name} {{\n{members}\n}};"
     if entry.kind == "array":
-        element = names.type(entry.element)
-        kind = f"Vector<{element}>" if entry.is_open else f"Array<{element}, {entry.dimension}>"
-        return f"using {entry.name} = ara::core::{kind};"
+        return f"using {entry.name} = {array_of(names.type(entry.element), entry)};"
     if entry.symbols:
         values = "\n".join(f"    {item.symbol} = {item.value}," for item in entry.symbols)
         return f"enum class {entry.name} : {names.type(alias_of(entry))} {{\n{values}\n}};"

@@ -2,7 +2,7 @@
 
 from sigcat.adapter.autosar_adaptive.bench.common import signature
 from sigcat.adapter.autosar_adaptive.bench.elements import about_event, about_field, about_method
-from sigcat.adapter.autosar_adaptive.bench.services import Service, constant, field_type, members
+from sigcat.adapter.autosar_adaptive.bench.services import Service, connected, members
 from sigcat.adapter.autosar_adaptive.bench.text import comment, header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
 from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
@@ -23,13 +23,9 @@ def proxy_header(service: Service) -> str:
 
 def proxy_source(service: Service) -> str:
     """The constructor, which connects the elements: apart, so that including the header costs little."""
-    name, tables = service.names.proxy_class, service.tables[-1]
+    name = service.names.proxy_class
     parts = [
-        *(f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}}}" for each in service.whole.events),
-        *(
-            f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}, 0x{each.getter_id or 0:04X}}}"
-            for each in service.whole.fields
-        ),
+        *connected(service),
         *(f"{member_name(each.name)}{{connection_, 0x{each.method_id or 0:04X}}}" for each in service.whole.methods),
     ]
     made = "".join(f",\n      {member}" for member in parts)
@@ -44,7 +40,7 @@ def _event(event: Event, service: Service) -> str:
 
 
 def _field(field: ServiceField, service: Service) -> str:
-    base = f"bench::ProxyField<{service.types.type(field_type(field))}>"
+    base = f"bench::ProxyField<{service.types.type(field.word)}>"
     return _element(about_field(field), member_name(field.name), base)
 
 

@@ -7,9 +7,6 @@ from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, Method, ServiceField
 
-FIELD_TYPE = "uint8_t"
-"""Of a field that states none, as in the ARXML."""
-
 
 class Service(NamedTuple):
     """A service and its names in C++."""
@@ -33,10 +30,6 @@ class Service(NamedTuple):
         """Everything that is sent: events and notifiers of fields, in the order of the table."""
         return (*self.whole.events, *self.whole.fields)
 
-    def table(self, name: str) -> str:
-        """A table of it with its namespaces."""
-        return "::".join((*self.tables, name))
-
     def words(self) -> set[str]:
         """Datatypes of everything that it has."""
         arguments = (
@@ -44,7 +37,7 @@ class Service(NamedTuple):
         )
         return {
             *(event.datatype for event in self.whole.events),
-            *map(field_type, self.whole.fields),
+            *(field.word for field in self.whole.fields),
             *(argument.datatype for argument in arguments),
         }
 
@@ -67,15 +60,23 @@ def members(kinds: Mapping[str, Sequence[Event | ServiceField | Method]]) -> lis
     ]
 
 
+def connected(service: Service) -> list[str]:
+    """What the constructor of a proxy or a skeleton makes of its events and fields."""
+    tables = service.tables[-1]
+    events = (
+        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}}}" for each in service.whole.events
+    )
+    fields = (
+        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}, 0x{each.getter_id or 0:04X}}}"
+        for each in service.whole.fields
+    )
+    return [*events, *fields]
+
+
 def services(model: IntegrationModel) -> tuple[Service, ...]:
     """The services of a model, by name."""
     types = type_names(model)
-    return tuple(Service(whole, service_names(whole), types) for whole in wholes(model))
-
-
-def field_type(field: ServiceField) -> str:
-    """Word or name of the datatype of a field."""
-    return field.datatype or FIELD_TYPE
+    return tuple(Service(whole, service_names(whole, model), types) for whole in wholes(model))
 
 
 def output_name(method: Method) -> str:

@@ -2,7 +2,7 @@
 
 from sigcat.adapter.autosar_adaptive.bench.common import arguments
 from sigcat.adapter.autosar_adaptive.bench.elements import about_event, about_field, about_method
-from sigcat.adapter.autosar_adaptive.bench.services import Service, constant, field_type, members, output_name
+from sigcat.adapter.autosar_adaptive.bench.services import Service, connected, members, output_name
 from sigcat.adapter.autosar_adaptive.bench.text import comment, header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
 from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
@@ -41,7 +41,7 @@ def _event(event: Event, service: Service) -> str:
 
 
 def _field(field: ServiceField, service: Service) -> str:
-    base = f"SkeletonField<{service.types.type(field_type(field))}>"
+    base = f"SkeletonField<{service.types.type(field.word)}>"
     return _element(about_field(field), member_name(field.name), base)
 
 
@@ -97,15 +97,8 @@ def _methods(service: Service) -> list[str]:
 
 
 def _constructor(service: Service, instance: str) -> str:
-    name, tables = service.names.skeleton_class, service.tables[-1]
-    held = [
-        *(f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}}}" for each in service.whole.events),
-        *(
-            f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}, 0x{each.getter_id or 0:04X}}}"
-            for each in service.whole.fields
-        ),
-    ]
-    made = "".join(f",\n      {member}" for member in held)
+    name = service.names.skeleton_class
+    made = "".join(f",\n      {member}" for member in connected(service))
     body = "{\n    SetMethods();\n}" if service.whole.methods else "{}"
     return f"{name}::{name}(const {instance}& instance, {_MODE})\n    : SkeletonBase{{instance, mode}}{made} {body}"
 

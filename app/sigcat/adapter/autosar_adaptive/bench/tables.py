@@ -59,7 +59,7 @@ def _instances(service: Service, model: IntegrationModel) -> list[str]:
     ]
     rows.append(f'    {{"{player_port(service.whole.name, model)}", {_hex(service.whole.instance_id)}}},')
     head = f"static constexpr bench::InstanceDescription kInstances[{len(rows)}] = {{"
-    return ["\n".join(["// port, instance", head, *rows, "};"])] if rows else []
+    return ["\n".join(["// port, instance", head, *rows, "};"])]
 
 
 def player_port(service: str, model: IntegrationModel) -> str:

@@ -48,13 +48,14 @@ void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take 
 /// Sends a value of the core as an event.
 template <typename Event, typename Value>
 void Send(ara::log::Logger& logger, Event& event, const Value& value) {
-    auto sample = event.Allocate();
-    if (!sample.HasValue()) {
-        logger.LogError() << "There is no room to send an event: " << sample.Error().Message();
+    auto allocated = event.Allocate();
+    if (!allocated.HasValue()) {
+        logger.LogError() << "There is no room to send an event: " << allocated.Error().Message();
         return;
     }
-    Assign(value, *sample.Value());
-    const auto sent = event.Send(std::move(sample).Value());
+    auto sample = std::move(allocated).Value();
+    Assign(value, *sample);
+    const auto sent = event.Send(std::move(sample));
     if (!sent.HasValue()) {
         logger.LogError() << "An event cannot be sent: " << sent.Error().Message();
     }

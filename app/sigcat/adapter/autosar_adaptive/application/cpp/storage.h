@@ -4,10 +4,12 @@
 #define APPLICATION_STORAGE_H
 
 #include <cstddef>
+#include <utility>
 
 #include "application/values.h"
 #include "ara/core/array.h"
 #include "ara/core/instance_specifier.h"
+#include "ara/core/optional.h"
 #include "ara/core/result.h"
 #include "ara/core/string.h"
 #include "ara/core/string_view.h"
@@ -18,10 +20,12 @@ namespace application {
 
 class Storage final {
 public:
-    Storage(const char* port, ara::log::Logger& logger)
-        : port_{port}, logger_(logger), storage_{ara::per::OpenKeyValueStorage(ara::core::InstanceSpecifier{port})} {
-        if (!storage_.HasValue()) {
-            logger_.LogError() << port << " cannot be opened: " << storage_.Error().Message();
+    Storage(const char* port, ara::log::Logger& logger) : port_{port}, logger_(logger) {
+        auto opened = ara::per::OpenKeyValueStorage(ara::core::InstanceSpecifier{port});
+        if (opened.HasValue()) {
+            storage_.emplace(std::move(opened).Value());
+        } else {
+            logger_.LogError() << port << " cannot be opened: " << opened.Error().Message();
         }
     }
 
@@ -29,10 +33,10 @@ public:
     template <typename Value>
     bool Read(ara::core::StringView key, Value& value) const {
         using Stored = typename As<Value>::Type;
-        if (!storage_.HasValue()) {
+        if (!storage_.has_value()) {
             return false;
         }
-        const auto stored = storage_.Value()->template GetValue<Stored>(key);
+        const auto stored = (*storage_)->template GetValue<Stored>(key);
         if (stored.HasValue()) {
             Assign(stored.Value(), value);
         }
@@ -41,10 +45,10 @@ public:
 
     template <typename Value>
     void Write(ara::core::StringView key, const Value& value) {
-        if (storage_.HasValue()) {
+        if (storage_.has_value()) {
             typename As<Value>::Type stored{};
             Assign(value, stored);
-            Check(storage_.Value()->SetValue(key, stored));
+            Check((*storage_)->SetValue(key, stored));
         }
     }
 
@@ -69,8 +73,8 @@ public:
 
     /// Makes what was written permanent, all of it or nothing.
     void Save() {
-        if (storage_.HasValue()) {
-            Check(storage_.Value()->SyncToStorage());
+        if (storage_.has_value()) {
+            Check((*storage_)->SyncToStorage());
         }
     }
 
@@ -93,7 +97,7 @@ private:
 
     const char* port_;
     ara::log::Logger& logger_;
-    ara::core::Result<ara::per::SharedHandle<ara::per::KeyValueStorage>> storage_;
+    ara::core::Optional<ara::per::SharedHandle<ara::per::KeyValueStorage>> storage_;
 };
 
 }  // namespace application

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kAgain = 500;  // ms until a command that is not answered is sent again
 constexpr int kTimes = 20;
+constexpr int kQuiet = 4;
 constexpr std::chrono::seconds kPatience{10};
 
 using Steady = std::chrono::steady_clock;
@@ -87,18 +88,39 @@ void LockStep::AwaitConnections() {
     }
 }
 
-bool LockStep::IsAtRest() {
+LockStep::Sums LockStep::Count() {
     const auto own = bench::Count();
-    std::uint64_t sent = own.sent;
-    std::uint64_t received = own.received;
-    std::uint64_t running = own.running;
+    Sums sums{own.sent, own.received, own.running};
     for (auto& peer : peers_) {
         Ask(peer, "ask");
-        sent += peer.progress.counters.sent;
-        received += peer.progress.counters.received;
-        running += peer.progress.counters.running;
+        sums.sent += peer.progress.counters.sent;
+        sums.received += peer.progress.counters.received;
+        sums.running += peer.progress.counters.running;
     }
-    return sent == received && running == 0;
+    return sums;
+}
+
+void LockStep::Forget(const std::string& component) {
+    peers_.erase(
+        std::remove_if(peers_.begin(), peers_.end(), [&component](const Peer& peer) { return peer.name == component; }),
+        peers_.end());
+    is_complete_ = false;
+}
+
+// What is sent to a component that is gone is never received: then it is at rest if nothing more comes for a while.
+bool LockStep::IsAtRest() {
+    Sums sums = Count();
+    if (is_complete_) {
+        return sums.sent == sums.received && sums.running == 0;
+    }
+    for (int times = 0; times < kQuiet; ++times) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{2});
+        const Sums now = Count();
+        if (!(now == sums) || now.running != 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 void LockStep::AwaitRest() {

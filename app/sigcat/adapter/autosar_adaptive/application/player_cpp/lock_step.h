@@ -22,6 +22,9 @@ public:
     /// Waits until every component is connected with all services that it uses.
     void AwaitConnections();
 
+    /// A component is gone, and is not asked any more. What is sent to it comes nowhere.
+    void Forget(const std::string& component);
+
     /// Waits until all that was sent has come. Throws std::runtime_error if something is lost.
     void AwaitRest();
 
@@ -38,12 +41,23 @@ private:
         Progress progress;
     };
 
+    struct Sums final {
+        std::uint64_t sent{0};
+        std::uint64_t received{0};
+        std::uint64_t running{0};
+        bool operator==(const Sums& other) const {
+            return sent == other.sent && received == other.received && running == other.running;
+        }
+    };
+
     void Ask(Peer& peer, const std::string& what);
+    Sums Count();
     bool IsAtRest();
 
     Socket socket_;
     std::vector<Peer> peers_;
     std::uint64_t number_{0};
+    bool is_complete_{true};
 };
 
 }  // namespace player

@@ -3,6 +3,7 @@
 #ifndef PLAYER_PORTS_H
 #define PLAYER_PORTS_H
 
+#include <chrono>
 #include <cstdint>
 #include <fstream>
 #include <functional>
@@ -19,15 +20,21 @@ namespace player {
 /// Writes what comes: a line of time, name and value.
 class Recorder final {
 public:
-    explicit Recorder(const std::string& file);
+    /// `is_read` by another program while it is written: each line is there at once.
+    Recorder(const std::string& file, bool is_read);
     void Begin(std::uint64_t time);  // what came before is left out
+    void BeginNow();                 // and times are those of the clock from then on
     void SetTime(std::uint64_t time);
     void Take(const char* name, const std::string& value);
+    void Say(const std::string& line);  // to the program that reads
 
 private:
     std::mutex mutex_;
     std::ofstream out_;
+    bool is_read_;
     std::uint64_t time_{0};
+    std::chrono::steady_clock::time_point start_{};
+    bool is_live_{false};
     bool has_begun_{false};
 };
 
@@ -40,6 +47,12 @@ public:
 
     /// Gives a signal, or a field, a value. False if nobody of these functions receives one of this name.
     bool Send(const std::string& name, const std::string& cell);
+
+    /// Whether anybody of these functions receives what has this name.
+    bool Has(const std::string& name) const { return senders_.count(name) != 0; }
+
+    /// Whether each process has subscribed to what it uses of this one.
+    bool AreHeard() const;
 
     void Offer();
     void Find();

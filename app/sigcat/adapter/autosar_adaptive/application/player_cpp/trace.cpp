@@ -36,20 +36,39 @@ std::uint64_t Nanoseconds(const std::string& seconds) {
 
 }  // namespace
 
+RowStream::RowStream(std::istream& in) : in_{in} {
+    std::string line;
+    if (!std::getline(in_, line)) {
+        throw std::runtime_error{"There are no columns."};
+    }
+    columns_ = Split(line);
+    columns_.erase(columns_.begin());
+}
+
+std::uint64_t RowStream::Time() {
+    std::string line;
+    if (!has_row_ && end_ == kNever) {
+        if (std::getline(in_, line)) {
+            row_.cells = Split(line);
+            row_.time = Nanoseconds(row_.cells.front());
+            row_.cells.erase(row_.cells.begin());
+            has_row_ = true;
+        } else {
+            end_ = row_.time;
+        }
+    }
+    return has_row_ ? row_.time : kNever;
+}
+
 Trace ReadTrace(const std::string& file) {
     std::ifstream in{file};
-    Trace trace;
-    std::string line;
-    if (!std::getline(in, line)) {
+    if (!in.good() || in.peek() == std::ifstream::traits_type::eof()) {
         throw std::runtime_error{file + " cannot be read."};
     }
-    trace.columns = Split(line);
-    trace.columns.erase(trace.columns.begin());
-    while (std::getline(in, line)) {
-        auto cells = Split(line);
-        const std::uint64_t time = Nanoseconds(cells.front());
-        cells.erase(cells.begin());
-        trace.rows.push_back({time, std::move(cells)});
+    RowStream rows{in};
+    Trace trace{rows.Columns(), {}};
+    for (; rows.Time() != kNever; rows.Advance()) {
+        trace.rows.push_back(rows.Row());
     }
     return trace;
 }

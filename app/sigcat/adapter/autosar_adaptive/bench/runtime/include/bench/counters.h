@@ -2,6 +2,7 @@
 #ifndef BENCH_COUNTERS_H_
 #define BENCH_COUNTERS_H_
 
+#include <cstddef>
 #include <cstdint>
 
 namespace bench {
@@ -14,6 +15,9 @@ struct Counters {
 };
 
 Counters Count();
+
+// Processes that have subscribed to an instance that this one offers.
+std::size_t Subscribers(std::uint16_t service, std::uint16_t instance);
 
 }  // namespace bench
 

@@ -39,9 +39,12 @@ bool Binds(int descriptor, const Endpoint& endpoint) {
 
 }  // namespace
 
-std::optional<UdpSocket> UdpSocket::Bound(const Endpoint& endpoint) {
+std::optional<UdpSocket> UdpSocket::Bound(const Endpoint& endpoint, Port port) {
     UdpSocket made{socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-    if (made.descriptor_ < 0 || !endpoint.IsLoopback() || !Binds(made.descriptor_, endpoint)) {
+    const bool is_ready = made.descriptor_ >= 0 && endpoint.IsLoopback() &&
+                          (port == Port::kOwn || Sets(made.descriptor_, SOL_SOCKET, SO_REUSEADDR, 1)) &&
+                          Binds(made.descriptor_, endpoint);
+    if (!is_ready) {
         return std::nullopt;
     }
     Sets(made.descriptor_, SOL_SOCKET, SO_RCVBUF, kReceiveBuffer);

@@ -189,7 +189,7 @@ ara::core::Result<SharedHandle<KeyValueStorage>> OpenKeyValueStorage(const ara::
     if (!read) {
         return ara::core::Result<SharedHandle<KeyValueStorage>>{read.Error()};
     }
-    return storage;
+    return SharedHandle<KeyValueStorage>{std::move(storage)};
 }
 
 }  // namespace ara::per

@@ -11,4 +11,10 @@ Counters Count() {
             runtime.Sought().Missing() + runtime.Used().Missing()};
 }
 
+std::size_t Subscribers(std::uint16_t service, std::uint16_t instance) {
+    Runtime& runtime = Runtime::Get();
+    const auto lock = runtime.Locked();
+    return runtime.Offered().Subscribers({service, instance});
+}
+
 }  // namespace bench

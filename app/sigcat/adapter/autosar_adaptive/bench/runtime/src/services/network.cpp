@@ -15,13 +15,14 @@ constexpr std::uint32_t kFirst = 0x7F000002;
 constexpr std::uint32_t kLast = 0x7F0000FE;
 
 std::unique_ptr<Network> OpenOn(std::uint32_t address) {
-    auto discovery = UdpSocket::Bound({address, kDiscoveryGroup.port});
-    if (!discovery.has_value() || !discovery->SendGroupsFrom(address)) {
-        return nullptr;
+    auto services = UdpSocket::Bound({address, kServicePort}, UdpSocket::Port::kOwn);
+    if (!services.has_value()) {
+        return nullptr;  // another process has the address
     }
+    // Shared: other implementations receive the group on all addresses of this port.
+    auto discovery = UdpSocket::Bound({address, kDiscoveryGroup.port}, UdpSocket::Port::kShared);
     auto group = UdpSocket::OfGroup(kDiscoveryGroup, address);
-    auto services = UdpSocket::Bound({address, kServicePort});
-    if (!group.has_value() || !services.has_value()) {
+    if (!discovery.has_value() || !discovery->SendGroupsFrom(address) || !group.has_value()) {
         return nullptr;
     }
     return std::make_unique<Network>(Network{address, std::move(*discovery), std::move(*group), std::move(*services)});

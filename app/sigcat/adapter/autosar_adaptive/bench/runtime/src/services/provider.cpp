@@ -1,6 +1,7 @@
 #include "services/provider.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "ara/com/com_error_domain.h"
@@ -93,6 +94,17 @@ void Provider::Send(ProvidedInstance& instance, const EventDescription& event, B
             runtime_.Send(header, payload, subscriber.endpoint);
         }
     }
+}
+
+std::size_t Provider::Subscribers(const InstanceKey& key) const {
+    std::set<Endpoint> found;
+    const auto instance = offered_.find(key);
+    if (instance != offered_.end()) {
+        for (const auto& each : instance->second->subscribers) {
+            found.insert(each.endpoint);
+        }
+    }
+    return found.size();
 }
 
 void Provider::Reply(const Caller& caller, ReturnCode code, ByteView values) {

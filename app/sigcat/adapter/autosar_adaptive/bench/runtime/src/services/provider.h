@@ -21,6 +21,7 @@ public:
     void StopOffer(ProvidedInstance& instance);
     void StopAll();
     void Send(ProvidedInstance& instance, const EventDescription& event, ByteView value);
+    std::size_t Subscribers(const InstanceKey& key) const;  // processes
     void Reply(const Caller& caller, ReturnCode code, ByteView values);
 
     // From the network.

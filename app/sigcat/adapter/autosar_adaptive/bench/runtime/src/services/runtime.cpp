@@ -107,14 +107,15 @@ void Runtime::AwaitDatagrams(Clock::time_point until, bool has_until) {
         std::uint64_t count = 0;
         static_cast<void>(read(wake_, &count, sizeof count));
     }
-    if (waited[1].revents != 0) {
-        ReceiveAll(network_->group, &Runtime::TakeGroupDiscovery);
-    }
+    // An acknowledgement comes before the values that it announces, and the end of an offer after the last of them.
     if (waited[0].revents != 0) {
         ReceiveAll(network_->discovery, &Runtime::TakeDiscovery);
     }
     if (waited[2].revents != 0) {
         ReceiveAll(network_->services, &Runtime::TakeMessages);
+    }
+    if (waited[1].revents != 0) {
+        ReceiveAll(network_->group, &Runtime::TakeGroupDiscovery);
     }
 }
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Mapping
 
-from sigcat.adapter.autosar_adaptive.arxml.paths import DIMENSIONS, UNITS, Paths
-from sigcat.adapter.autosar_adaptive.arxml.tree import Package, Tag, reference, tag
-from sigcat.integration.autosar_adaptive.si_units import Dimension, SiUnit, UnitSettings, si_unit
+from sigcat.adapter.arxml.paths import DIMENSIONS, UNITS, Paths
+from sigcat.adapter.arxml.tree import Package, Tag, reference, tag
+from sigcat.integration.autosar_si_units import Dimension, SiUnit, UnitSettings, si_unit
 from sigcat.names import camel_case
 
 DIMENSIONLESS = "Dimensionless"
