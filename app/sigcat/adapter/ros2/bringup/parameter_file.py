@@ -1,0 +1,77 @@
+"""Parameter files: every parameter of a node with its default, and what a reader should know of it."""
+
+import json
+import textwrap
+from collections.abc import Iterator
+from typing import Any
+
+from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+
+_WIDEST = 100
+
+
+def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
+    """The text of `config/NODE.yaml`. It is given to its node alone, so that any name and namespace will do."""
+    parts = [*map(_parameter, node.parameters), *_own(node, workspace)]
+    body = "\n".join(textwrap.indent(part, "    ") for part in parts)
+    head = _comment(f"Parameters of {node.name}: what it has without this file.")
+    return f"{head}/**:\n  ros__parameters:\n{body}"
+
+
+def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
+    """What every node has, whatever its function is."""
+    if node.priority is not None:
+        about = f"Policy of the thread that makes the calls: other, fifo or rr, these with priority {node.priority}."
+        yield _comment(about) + "scheduling_policy: other\n"
+    if node.monitors or node.learned:
+        about = "Folder of what the node keeps from one run to the next"
+        yield (
+            _comment(f"{about}; if empty $ROS_HOME/{workspace.name}, or else ~/.ros/{workspace.name}.")
+            + 'storage_folder: ""\n'
+        )
+
+
+def _parameter(parameter: NodeParameter) -> str:
+    about = _comment(parameter.description) + _comment(
+        "; ".join((parameter.parameter.named.comment, *_limits(parameter)))
+    )
+    value = _value(parameter.default, parameter.type.removesuffix("_array"))
+    if value == "[]":  # a file of parameters has no lists without elements
+        return f"{about}# {parameter.name}: []\n"
+    return f"{about}{parameter.name}: {value}\n"
+
+
+def _limits(parameter: NodeParameter) -> Iterator[str]:
+    if parameter.low is not None:
+        yield f"at least {json.dumps(parameter.low)}"
+    if parameter.high is not None:
+        yield f"at most {json.dumps(parameter.high)}"
+    if parameter.constraints:
+        yield parameter.constraints
+    if parameter.is_learned:
+        yield "the function learns it; this is what it starts from"
+    elif parameter.is_read_only:
+        yield "only read when the node starts"
+
+
+def _value(value: Any, element: str) -> str:
+    if isinstance(value, list | tuple):
+        listed = ", ".join(_value(each, element) for each in value)
+        return f"[{listed}]"
+    if element == "double":
+        return _double(float(value))
+    text = json.dumps(value, ensure_ascii=False)
+    return "".join(each if each.isprintable() else f"\\U{ord(each):08X}" for each in text)
+
+
+def _double(value: float) -> str:
+    """With a point, by which a file of parameters tells it from an integer."""
+    digits, mark, exponent = repr(value).partition("e")
+    return f"{digits}{'' if '.' in digits else '.0'}{mark}{exponent}"
+
+
+def _comment(text: str) -> str:
+    words = " ".join("".join(each if each.isprintable() else " " for each in text).split())
+    return "".join(
+        f"# {row}\n" for row in textwrap.wrap(words, _WIDEST, break_long_words=False, break_on_hyphens=False)
+    )

@@ -1,0 +1,138 @@
+"""CMakeLists.txt of the package."""
+
+from collections.abc import Sequence
+
+from sigcat.adapter.ros2.cpp.names import bridge_source, core_source
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.names import snake_case
+
+
+def cmake(workspace: WorkspacePlan, support: Sequence[str]) -> str:
+    """CMakeLists.txt. `support` are sources that all nodes share."""
+    sources = "".join(f"\n  src/{name}" for name in support)
+    parts = [_HEAD.format(name=workspace.name, interfaces=workspace.interfaces, sources=sources)]
+    parts += [_node(node, workspace) for node in workspace.nodes]
+    return "\n".join([*parts, _TAIL.format(tests=_tests(workspace, support))])
+
+
+_HEAD = """cmake_minimum_required(VERSION 3.16)
+project({name} LANGUAGES C CXX)
+
+if(NOT CMAKE_C_STANDARD)
+  set(CMAKE_C_STANDARD 99)
+endif()
+if(NOT CMAKE_CXX_STANDARD)
+  set(CMAKE_CXX_STANDARD 17)
+endif()
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_package(ament_cmake REQUIRED)
+find_package(builtin_interfaces REQUIRED)
+find_package(diagnostic_msgs REQUIRED)
+find_package({interfaces} REQUIRED)
+find_package(rcl_interfaces REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package(rclcpp_components REQUIRED)
+find_package(rclcpp_lifecycle REQUIRED)
+find_package(Threads REQUIRED)
+
+# What all nodes share: clocks, topics that are counted, diagnostics, storage.
+add_library({name}_support STATIC{sources}
+)
+set_target_properties({name}_support PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_include_directories({name}_support PUBLIC
+  "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/include>")
+target_compile_options({name}_support PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+target_link_libraries({name}_support PUBLIC
+  ${{builtin_interfaces_TARGETS}}
+  ${{diagnostic_msgs_TARGETS}}
+  ${{{interfaces}_TARGETS}}
+  ${{rcl_interfaces_TARGETS}}
+  rclcpp::rclcpp
+  rclcpp_components::component
+  rclcpp_lifecycle::rclcpp_lifecycle
+  Threads::Threads
+)
+"""
+
+
+def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
+    folder = snake_case(node.core.function)
+    core = [f"core/{name}" for name in (core_source(node), bridge_source(node))]
+    code = "".join(f'\n  "${{{node.code_setting}}}/{source}"' for source in node.sources)
+    own = "".join(f"\n  {name}" for name in core)
+    return _NODE.format(
+        function=node.core.function, setting=node.code_setting, package=workspace.name, name=node.name, stem=node.stem,
+        type=node.type, executable=node.executable, sources=" ".join(node.sources), files=own + code, folder=folder,
+    )  # fmt: skip
+
+
+_NODE = """# {function}: the core with the code of the function, the node, and an executable of its own.
+set({setting} "${{CMAKE_CURRENT_SOURCE_DIR}}/code/{folder}"
+  CACHE PATH "Folder of the code of {function}")
+foreach(source {sources})
+  if(NOT EXISTS "${{{setting}}}/${{source}}")
+    message(FATAL_ERROR
+      "The code of {function} is not found: ${{{setting}}}/${{source}}. "
+      "Put it into {package}/code/{folder}, or set {setting} to its folder.")
+  endif()
+endforeach()
+add_library({name}_core SHARED{files}
+)
+target_include_directories({name}_core PUBLIC
+  "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/core>"
+  "$<BUILD_INTERFACE:${{{setting}}}>")
+# Results are those of every other platform: no multiplication is joined with an addition.
+target_compile_options({name}_core PRIVATE -ffp-contract=off)
+# What the code lacks is told when it is linked.
+target_link_options({name}_core PRIVATE "LINKER:-z,defs")
+target_link_libraries({name}_core PRIVATE m)
+
+add_library({stem}_component SHARED src/{stem}.cpp)
+target_compile_options({stem}_component PRIVATE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
+target_link_libraries({stem}_component PUBLIC {package}_support PRIVATE {name}_core)
+rclcpp_components_register_nodes({stem}_component "{package}::{type}")
+
+add_executable({executable} src/{name}_main.cpp)
+target_link_libraries({executable} PRIVATE {stem}_component)
+
+install(TARGETS {name}_core {stem}_component
+  ARCHIVE DESTINATION lib
+  LIBRARY DESTINATION lib
+  RUNTIME DESTINATION bin
+)
+install(TARGETS {executable} RUNTIME DESTINATION lib/${{PROJECT_NAME}})
+"""
+
+
+def _tests(workspace: WorkspacePlan, support: Sequence[str]) -> str:
+    nodes = "".join(
+        f"""
+  ament_add_ros_isolated_gtest(test_{node.stem} test/test_{node.stem}.cpp)
+  target_link_libraries(test_{node.stem} {node.stem}_component ${{lifecycle_msgs_TARGETS}})"""
+        for node in workspace.nodes
+    )
+    return nodes + (_STORAGE_TEST if "storage.cpp" in support else "")
+
+
+_STORAGE_TEST = """
+  ament_add_gtest(test_storage test/test_storage.cpp)
+  target_link_libraries(test_storage ${PROJECT_NAME}_support)"""
+
+
+_TAIL = """install(DIRECTORY launch config DESTINATION share/${{PROJECT_NAME}})
+
+if(BUILD_TESTING)
+  find_package(ament_cmake_gtest REQUIRED)
+  find_package(ament_cmake_ros REQUIRED)
+  find_package(launch_testing_ament_cmake REQUIRED)
+  find_package(lifecycle_msgs REQUIRED){tests}
+  add_launch_test(test/test_launch.py)
+endif()
+
+ament_package()
+"""

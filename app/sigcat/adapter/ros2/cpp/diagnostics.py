@@ -1,0 +1,60 @@
+"""What a node tells people."""
+
+from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.core.plan import Call
+from sigcat.adapter.ros2.cpp.layout import call, function, indented, literal, scope
+from sigcat.adapter.ros2.cpp.names import LOCK, report_name, times_name
+from sigcat.adapter.ros2.plan import Monitor, NodePlan
+
+
+def tell_function(node: NodePlan) -> str:
+    """A status of each error, call and topic. Under the lock of the core it only copies: its calls wait for that."""
+    return function(f"void {node.type}::tell()", [
+        "decltype(diagnostics_) publisher;",
+        "decltype(core_->adapter.error) error{};\ndecltype(core_->adapter.stored) stored{};" if node.monitors else "",
+        *(f"CallReport {report_name(node, step)};" for step in node.steps),
+        "std::string scheduling_problem;" if node.priority is not None else "",
+        scope("", [
+            LOCK,
+            "publisher = diagnostics_;",
+            "error = core_->adapter.error;\nstored = core_->adapter.stored;" if node.monitors else "",
+            *(_reported(step, node) for step in node.steps),
+            "scheduling_problem = scheduling_problem_;" if node.priority is not None else "",
+        ]),
+        "if (publisher == nullptr || publisher->get_subscription_count() == 0U) {\n  return;\n}",
+        "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();\nconst std::string node = get_name();",
+        *(_error(each) for each in node.monitors),
+        *(call("told.status.push_back", [call("call_status", ["node", string(step.interface), report_name(node, step)], ")", 3)])
+          for step in node.steps),
+        _scheduling() if node.priority is not None else "",
+        "topics_.tell(node, told.status);\npublisher->publish(told);",
+    ], "// For people and aggregators; what others act on has topics of its own.")  # fmt: skip
+
+
+def _reported(step: Call, node: NodePlan) -> str:
+    place = f"core_->adapter.{step.name}"
+    missed = f"{place}.missed" if step.cycle is not None else "0"
+    return call(f"{report_name(node, step)} = {times_name(node, step)}.report", [missed, f"{place}.dropped"], levels=2)
+
+
+def _error(monitor: Monitor) -> str:
+    name, diagnostic = monitor.error.named.name, monitor.diagnostic
+    error, counts = f"error.{name}", f"stored.{name}"
+    members = [
+        string(monitor.interface),
+        literal(diagnostic.message, 4),
+        f"DiagnosticStatus::{diagnostic.level}",
+        f"static_cast<ErrorState>({error}.state)",
+        f"{error}.is_confirmed",
+        f"{counts}.occurrences",
+        f"{counts}.ignition_cycles",
+    ]
+    rows = indented(",\n".join(members), 2)
+    return f"told.status.push_back(\n  error_status(\n    node, {{\n{rows}}}));"
+
+
+def _scheduling() -> str:
+    return """told.status.push_back(
+  made_status(
+    scheduling_problem.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, node,
+    "scheduling", scheduling_problem));"""

@@ -1,0 +1,73 @@
+"""The files of the package of nodes in C++."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.ros2.cpp.cmake import cmake
+from sigcat.adapter.ros2.cpp.layout import fitted
+from sigcat.adapter.ros2.cpp.main_source import main_source
+from sigcat.adapter.ros2.cpp.names import copyright_line
+from sigcat.adapter.ros2.cpp.node_header import has_deadline, is_stored, node_header
+from sigcat.adapter.ros2.cpp.node_source import node_source
+from sigcat.adapter.ros2.cpp.structs import structs_header
+from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
+from sigcat.adapter.ros2.package_xml import package_xml
+from sigcat.adapter.ros2.plan import WorkspacePlan
+
+_DEPENDS = (
+    "builtin_interfaces",
+    "diagnostic_msgs",
+    "rcl_interfaces",
+    "rclcpp",
+    "rclcpp_components",
+    "rclcpp_lifecycle",
+)
+_TEST_DEPENDS = (
+    "ament_cmake_gtest", "ament_cmake_ros", "launch_testing_ament_cmake", "launch_testing_ros", "lifecycle_msgs",
+)  # fmt: skip
+SUPPORT = Path(__file__).parent / "support"
+"""What all nodes share, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""
+
+
+def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
+    """All files but the cores and their bridges to Python, by their names in the package."""
+    support = tuple(_support(workspace))
+    sources = [Path(file.name).name for file in support if file.name.startswith("src/")]
+    own = {
+        "CMakeLists.txt": cmake(workspace, sources),
+        "package.xml": package_xml(workspace.package, workspace.name, _dependencies(workspace), "ament_cmake"),
+    }
+    own["test/test_launch.py"] = launch_test(workspace)
+    for node in workspace.nodes:
+        own[f"test/test_{node.stem}.cpp"] = fitted(node_test(node, workspace))
+        own[f"include/{workspace.name}/{node.stem}.hpp"] = fitted(node_header(node, workspace))
+        own[f"src/{node.stem}.cpp"] = fitted(node_source(node, workspace))
+        own[f"src/{node.name}_main.cpp"] = fitted(main_source(node, workspace))
+        if node.structs:
+            own[f"include/{workspace.name}/{node.name}_structs.hpp"] = fitted(structs_header(node, workspace))
+    made = (GeneratedFile(name, text.encode()) for name, text in own.items())
+    yield from (*made, *support)
+
+
+def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
+    """Those that a node of the set uses."""
+    unused = {
+        *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
+        *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
+        *(() if any(is_stored(node) for node in workspace.nodes) else ("storage",)),
+    }
+    for path in sorted(SUPPORT.rglob("*.?pp")):
+        if path.stem.removeprefix("test_") in unused:
+            continue
+        text = path.read_text(encoding="utf-8").replace("PACKAGE_GUARD", workspace.name.upper())
+        text = f"{copyright_line(workspace)}\n\n{text.replace('PACKAGE_NAME', workspace.name)}"
+        folder = f"include/{workspace.name}" if path.suffix == ".hpp" else path.parent.name
+        yield GeneratedFile(f"{folder}/{path.name}", text.encode())
+
+
+def _dependencies(workspace: WorkspacePlan) -> Iterator[tuple[str, str]]:
+    yield "buildtool_depend", "ament_cmake"
+    yield from (("depend", name) for name in sorted([*_DEPENDS, workspace.interfaces]))
+    yield from (("exec_depend", name) for name in ("launch", "launch_ros", "lifecycle_msgs"))
+    yield from (("test_depend", name) for name in _TEST_DEPENDS)

@@ -1,0 +1,106 @@
+"""How C++ is laid out in ROS: two spaces, braces of functions on lines of their own, at most 100 columns."""
+
+import textwrap
+from collections.abc import Iterable, Sequence
+
+from sigcat.adapter.core.identifiers import string
+
+WIDEST = 100
+_STEP = "  "
+
+
+def text(parts: Iterable[str]) -> str:
+    """Parts, one after the other; those that are empty are left out."""
+    return "\n".join(part for part in parts if part)
+
+
+def spaced(parts: Iterable[str]) -> str:
+    """Parts with an empty line between them."""
+    return "\n\n".join(part.strip("\n") for part in parts if part.strip("\n"))
+
+
+def indented(part: str, levels: int = 1) -> str:
+    """Lines, further in."""
+    return textwrap.indent(part, _STEP * levels)
+
+
+def function(head: str, body: Iterable[str], comment: str = "") -> str:
+    """A function: its brace has a line of its own."""
+    return text([comment, head, "{", indented(text(body)), "}"])
+
+
+def scope(head: str, body: Iterable[str], end: str = "}") -> str:
+    """Statements behind a condition, a loop or nothing."""
+    return text([f"{head} {{" if head else "{", indented(text(body)), end])
+
+
+def comment(words: str, mark: str = "//", levels: int = 0) -> str:
+    """A comment, on as many lines as it needs."""
+    width = WIDEST - len(mark) - 1 - levels * len(_STEP)
+    return "\n".join(f"{mark} {row}" for row in textwrap.wrap(words, width)) if words else ""
+
+
+def call(head: str, arguments: Sequence[str], end: str = ");", levels: int = 1) -> str:
+    """A call on one line, or with its arguments on the next lines."""
+    line = f"{head}({', '.join(arguments)}{end}"
+    if len(line) + levels * len(_STEP) <= WIDEST and "\n" not in line:
+        return line
+    return f"{head}(\n{indented(_filled(arguments, levels + 1))}{end}"
+
+
+def _filled(arguments: Sequence[str], levels: int) -> str:
+    """Arguments on as few lines as hold them."""
+    rows: list[str] = []
+    for number, argument in enumerate(arguments):
+        piece = argument if number == len(arguments) - 1 else f"{argument},"
+        fits = rows and "\n" not in rows[-1] + piece and len(rows[-1]) + len(piece) + 1 + levels * 2 <= WIDEST - 3
+        rows = [*rows[:-1], f"{rows[-1]} {piece}"] if fits else [*rows, piece]
+    return "\n".join(rows)
+
+
+def any_of(conditions: Sequence[str], head: str = "if (", end: str = ") {", levels: int = 1) -> str:
+    """A condition of several, on as many lines as it needs."""
+    line = f"{head}{' || '.join(conditions)}{end}"
+    if len(line) + levels * len(_STEP) <= WIDEST:
+        return line
+    return f"{head}\n{_STEP}" + f" ||\n{_STEP}".join(conditions) + end.removesuffix(" {") + "\n{"
+
+
+def literal(words: str, levels: int = 3) -> str:
+    """A text as a literal, on as many lines as it needs, where it stands so many levels in."""
+    room = WIDEST - levels * len(_STEP) - 4
+    rows = (
+        textwrap.wrap(words, room - 4, drop_whitespace=False, break_on_hyphens=False)
+        if len(string(words)) > room
+        else []
+    )
+    return "\n".join(string(row) for row in rows or [words])
+
+
+_BREAKS = ("(", ", ", " = ")
+
+
+def fitted(whole: str) -> str:
+    """A text whose long lines are broken where they can be: behind a parenthesis, a comma or an assignment."""
+    return "\n".join(row for line in whole.split("\n") for row in _fitted(line))
+
+
+def _fitted(line: str) -> list[str]:
+    code = line.lstrip()
+    indent = len(line) - len(code)
+    if len(line) <= WIDEST or code.startswith(("//", "#", '"')):
+        return [line]
+    for sign in _BREAKS:
+        at = _break(line, sign, indent)
+        if at > indent + 8:
+            rest = " " * (indent + len(_STEP)) + line[at:].lstrip()
+            return [line[:at].rstrip(), *_fitted(rest)]
+    return [line]
+
+
+def _break(line: str, sign: str, indent: int) -> int:
+    """Where to break behind a sign that is no part of a text."""
+    at = line.rfind(sign, indent, WIDEST - 1)
+    while at > 0 and line[:at].count('"') % 2:
+        at = line.rfind(sign, indent, at)
+    return at + len(sign.rstrip()) if at > 0 and line[at + 1 : at + 2] != ")" else -1

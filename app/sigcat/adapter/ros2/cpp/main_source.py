@@ -1,0 +1,35 @@
+"""The main function of a node's own executable."""
+
+from sigcat.adapter.ros2.cpp.names import copyright_line
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+
+
+def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
+    """The whole source. Three threads: one receives, one answers, one changes the state."""
+    return f"""{copyright_line(workspace)}
+
+#include <cstdlib>
+#include <exception>
+#include <memory>
+
+#include "{workspace.name}/{node.stem}.hpp"
+#include "rclcpp/rclcpp.hpp"
+
+int main(int argc, char * argv[])
+{{
+  rclcpp::init(argc, argv);
+  int result = EXIT_SUCCESS;
+  try {{
+    const auto node = std::make_shared<{workspace.name}::{node.type}>(rclcpp::NodeOptions());
+    // One thread receives, one answers, one changes the state.
+    rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
+    executor.add_node(node->get_node_base_interface());
+    executor.spin();
+  }} catch (const std::exception & error) {{
+    RCLCPP_FATAL(rclcpp::get_logger("{node.name}"), "%s", error.what());
+    result = EXIT_FAILURE;
+  }}
+  rclcpp::shutdown();
+  return result;
+}}
+"""

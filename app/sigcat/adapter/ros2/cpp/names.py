@@ -1,0 +1,103 @@
+"""Names and forms in the generated C++."""
+
+import re
+
+from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.plan import CLASS, Call, WireType
+from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
+from sigcat.names import snake_case
+
+LOCK = "const std::lock_guard<std::mutex> lock(core_mutex_);"
+"""For what calls the core, until the end of the scope."""
+CORE = "&core_->adapter"
+"""The core, as its functions take it."""
+
+
+def guard(workspace: WorkspacePlan, stem: str) -> str:
+    """The include guard of a header of the package."""
+    return f"{workspace.name.upper()}__{stem.upper()}_HPP_"
+
+
+def copyright_line(workspace: WorkspacePlan) -> str:
+    """Whose code it is, as the package says."""
+    return f"// Copyright {workspace.maintainer}. License: {workspace.license}."
+
+
+def header_of(interface: InterfaceType) -> str:
+    """The header that rosidl makes of a message: `ADASMap` → `pkg/msg/adas_map.hpp`, by its own rule."""
+    spread = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", interface.name)
+    spread = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", spread)
+    return f"{interface.package}/{interface.kind}/{spread.lower()}.hpp"
+
+
+def short(interface: InterfaceType) -> str:
+    """The class of a message in the namespace of the package: `msg::Speed`."""
+    return f"{interface.kind}::{interface.name}"
+
+
+def core_header(node: NodePlan) -> str:
+    """The header of the core."""
+    return f"{node.core.function}_adapter.h"
+
+
+def core_source(node: NodePlan) -> str:
+    """The source of the core."""
+    return f"{node.core.function}_adapter.{'cpp' if node.core.code.signature == CLASS else 'c'}"
+
+
+def bridge_source(node: NodePlan) -> str:
+    """What the core has for Python."""
+    return f"{node.core.function}_bridge.{'cpp' if node.core.code.signature == CLASS else 'c'}"
+
+
+def core_function(node: NodePlan, name: str) -> str:
+    """A function of the core: `CoreAcc_Adapter_Start`."""
+    return f"{node.core.type_name}_{name}"
+
+
+def scope_of(node: NodePlan) -> Scope:
+    """The names of constants of the core."""
+    return Scope(node.core)
+
+
+def _call_name(node: NodePlan, call: Call) -> str:
+    """A call in snake_case, unless another one has the same."""
+    names = [snake_case(step.name) for step in node.steps]
+    name = snake_case(call.name)
+    return name if name and names.count(name) == 1 else call.name
+
+
+def run_name(node: NodePlan, call: Call) -> str:
+    """The member function that runs a call: `run_step`."""
+    return f"run_{_call_name(node, call)}"
+
+
+def times_name(node: NodePlan, call: Call) -> str:
+    """The member that has its times: `step_times_`."""
+    return f"{_call_name(node, call)}_times_"
+
+
+def table(place: str) -> str:
+    """The table of texts of an enumeration: `kSpdLimUnitSymbols`."""
+    return f"k{place[:1].upper()}{place[1:]}Symbols"
+
+
+def declared(wire: WireType, name: str) -> str:
+    """A variable of the core's datatype."""
+    return f"{wire.c} {name}{f'[{wire.length}]' if wire.length is not None else ''}{{}};"
+
+
+def is_plain(wire: WireType) -> bool:
+    """Whether it is one number."""
+    return not wire.is_struct and wire.length is None
+
+
+def unknown_number(wire: WireType) -> int:
+    """A number that no value of an enumeration has."""
+    known = {number for _, number in wire.symbols}
+    return next(number for number in range(127, -129, -1) if number not in known and (number >= 0 or wire.c[0] == "i"))
+
+
+def report_name(node: NodePlan, call: Call) -> str:
+    """The local variable that has what is told of a call."""
+    return f"{_call_name(node, call)}_report"

@@ -1,0 +1,40 @@
+"""Structs of messages and of the core, copied member by member."""
+
+from sigcat.adapter.ros2.cpp.layout import WIDEST, function, indented, spaced, text
+from sigcat.adapter.ros2.cpp.names import copyright_line, core_header, guard, header_of
+from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
+
+
+def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
+    """The whole header."""
+    name = guard(workspace, f"{node.name}_structs")
+    headers = sorted(
+        [core_header(node), f"{workspace.name}/values.hpp", *(header_of(pair.message) for pair in node.structs)]
+    )
+    return spaced([
+        f"{copyright_line(workspace)}\n//\n// Structs that {node.name} takes and gives, between messages and the core.",
+        f"#ifndef {name}\n#define {name}",
+        "\n".join(f'#include "{each}"' for each in headers),
+        f"namespace {workspace.name}\n{{",
+        *(part for pair in node.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
+        f"}}  // namespace {workspace.name}",
+        f"#endif  // {name}",
+    ]) + "\n"  # fmt: skip
+
+
+def _copy(pair: StructPair, *, gives: bool) -> str:
+    message, core = pair.message.cpp, f"::{pair.struct.name}"
+    source, target = (core, message) if gives else (message, core)
+    names = [(field.name, member) for field, member in zip(pair.struct.fields, pair.members, strict=True)]
+    rows = [
+        f"assign(from.{ours}, to.{theirs});" if gives else f"assign(from.{theirs}, to.{ours});"
+        for ours, theirs in names
+    ]
+    head = f"struct Copy<{source}, {target}>"
+    if len(head) > WIDEST:
+        head = f"struct Copy<{source},\n  {target}>"
+    return text([
+        f"template<>\n{head}\n{{",
+        indented(function(f"static void run(\n  const {source} & from, {target} & to)", rows)),
+        "};",
+    ])  # fmt: skip

@@ -1,0 +1,53 @@
+// Finds a call that runs for longer than it may, while it runs.
+
+#ifndef PACKAGE_GUARD__WATCH_HPP_
+#define PACKAGE_GUARD__WATCH_HPP_
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace PACKAGE_NAME
+{
+
+/// Its thread looks once for each call, when that has ended if all is well: calls that come
+/// regularly do not have to wake it.
+class Watch
+{
+public:
+  /// Calls `supervise` in a thread of its own, again and again until a late call has ended.
+  explicit Watch(std::function<void()> supervise);
+  ~Watch();
+  Watch(const Watch &) = delete;
+  Watch & operator=(const Watch &) = delete;
+
+  /// A call begins.
+  void begin(std::chrono::nanoseconds longest);
+
+  /// It has ended.
+  void end();
+
+private:
+  using Time = std::chrono::steady_clock::time_point;
+
+  void run();
+  Time next_look(Time now) const;
+
+  std::function<void()> supervise_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::chrono::nanoseconds longest_{0};
+  std::chrono::nanoseconds interval_{0};
+  Time began_;
+  Time late_;
+  Time look_;
+  bool is_running_ = false;
+  bool is_stopped_ = false;
+  std::thread thread_;
+};
+
+}  // namespace PACKAGE_NAME
+
+#endif  // PACKAGE_GUARD__WATCH_HPP_

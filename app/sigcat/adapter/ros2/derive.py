@@ -1,0 +1,153 @@
+"""From an integration and the plans of its cores to the plan of the packages."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.core.stored_keys import stored_keys
+from sigcat.adapter.ros2.node_context import NodeContext
+from sigcat.adapter.ros2.node_ends import mixed_queues, publishers, services, subscriptions
+from sigcat.adapter.ros2.node_parameters import monitors, node_parameters
+from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.structs import struct_pairs
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.ros2.model import NodePackage, Ros2Integration, RosNode
+from sigcat.integration.ros2.services import CLIENT, SERVER
+
+
+class SourceCore(NamedTuple):
+    """A function of the document, and the plan of its core."""
+
+    function: ResolvedFunction
+    plan: CorePlan
+
+
+def derive(model: Ros2Integration, cores: Sequence[SourceCore], release: str) -> WorkspacePlan:
+    """The plan of the packages. Raises InputRefused if a node has no function of its own, or cannot be written."""
+    by_function = {core.function.name: core for core in cores}
+    packages = model.node_packages or ()
+    if not packages or not model.interface_packages:
+        raise _refused([_problem("`NodePackageList` must have a package of nodes.", "/NodePackageList")])
+    package = packages[0]
+    _refuse_shared(package, by_function)
+    interfaces = model.interface_packages[0].name
+    contexts = [_context(node, by_function[node.function], model) for node in package.nodes]
+    _refuse_disagreements(contexts)
+    _refuse_mixed_queues(contexts)
+    return WorkspacePlan(
+        application=model.info.function_name,
+        name=package.name,
+        interfaces=interfaces,
+        version=package.version,
+        description=package.description,
+        maintainer=package.maintainer,
+        email=package.email,
+        license=package.license,
+        namespace=package.nodes[0].namespace,
+        release=release,
+        nodes=tuple(_node(context, package.name, interfaces) for context in contexts),
+        package=package,
+    )
+
+
+def _context(node: RosNode, core: SourceCore, model: Ros2Integration) -> NodeContext:
+    messages = {message.name: message for each in model.interface_packages or () for message in each.messages}
+    return NodeContext(node, core.function.function, core.plan, model.communications, messages)
+
+
+def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
+    """What a document says of a node is what its function has."""
+    found = [
+        _problem(
+            f"{message} of {context.node.name}, as its function has it.", f"/NodePackageList/0/Nodes/{index}{below}"
+        )
+        for index, context in enumerate(contexts)
+        for message, below in _disagreements(context)
+    ]
+    if found:
+        raise _refused(found)
+
+
+def _disagreements(context: NodeContext) -> Iterator[tuple[str, str]]:
+    told = {diagnostic.error for diagnostic in context.node.diagnostics}
+    for error in context.errors:
+        if error not in told:
+            yield f"`Diagnostics` must have the error {error}", "/Diagnostics"
+    methods = {context.name_of(method.named): method for method in context.core.methods}
+    for service in (service for role in (SERVER, CLIENT) for service in context.services(role)):
+        method = methods.get(service.method)
+        counts = (len(service.request), len(service.response))
+        if method is None:
+            yield f"The service {service.name} must be a method", ""
+        elif counts != (len(method.arguments), len(method.results)):
+            yield f"The service {service.name} must have the arguments and results", ""
+
+
+def _refuse_mixed_queues(contexts: Iterable[NodeContext]) -> None:
+    """A queue sends as many messages as it has values, the signals beside it one."""
+    found = [
+        _problem(
+            f"The queue {mixed.signal} must travel alone, and shares the topic {mixed.topic}.",
+            f"/NodePackageList/0/Nodes/{index}",
+            "Set `topics` to `cycle` or `signal` in the deployment file.",
+        )
+        for index, context in enumerate(contexts)
+        for mixed in mixed_queues(context)
+    ]
+    if found:
+        raise _refused(found)
+
+
+def _refuse_shared(package: NodePackage, known: Mapping[str, SourceCore]) -> None:
+    """A core is one object, which only one node can hold."""
+    found: list[Finding] = []
+    seen: dict[str, str] = {}
+    for index, node in enumerate(package.nodes):
+        at = f"/NodePackageList/0/Nodes/{index}/FunctionName"
+        if node.function not in known:
+            found.append(_problem(f"The function {node.function} of {node.name} must be in `SourceFunctionList`.", at))
+        elif node.function in seen:
+            message = (
+                f"{node.function} must have one component to become a node, not {seen[node.function]} and {node.name}."
+            )
+            found.append(_problem(message, at, "Join the components of the function."))
+        seen.setdefault(node.function, node.name)
+    if found:
+        raise _refused(found)
+
+
+def _problem(message: str, pointer: str, fix: str = "Integrate it anew with `sigcat integrate ros2`.") -> Finding:
+    return codes.NOT_WRITABLE_AS_ROS2.finding(message, pointer=pointer, fix=fix)
+
+
+def _refused(findings: Iterable[Finding]) -> InputRefused:
+    return InputRefused("The integration cannot become ROS 2 packages.", tuple(findings))
+
+
+def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
+    node, function = context.node, context.function
+    code = function.code
+    priorities = [schedule.thread_priority for schedule in node.schedules if schedule.thread_priority is not None]
+    return NodePlan(
+        name=node.name,
+        package=package,
+        core=context.core,
+        executable=node.executable,
+        sources=tuple(code.sources or ()) if code else (),
+        headers=tuple(code.headers or ()) if code else (),
+        priority=max(priorities, default=None),
+        subscriptions=subscriptions(context),
+        publishers=publishers(context),
+        offered=services(context, "Server"),
+        used=services(context, "Client"),
+        parameters=tuple(node_parameters(context)),
+        monitors=tuple(monitors(context)),
+        stored_keys=stored_keys(function, context.core),
+        structs=struct_pairs(context, interfaces),
+        step_service=InterfaceType(interfaces, "srv", "Step"),
+        error_status=InterfaceType(interfaces, "msg", "ErrorStatus"),
+        safety_reaction=InterfaceType(interfaces, "msg", "SafetyReaction"),
+    )

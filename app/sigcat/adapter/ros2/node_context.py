@@ -1,0 +1,48 @@
+"""A node of an integration beside the core of its function: which interface is which place of the core."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from sigcat.adapter.core.places import CorePlaces
+from sigcat.adapter.core.plan import CorePlan, Output, Port
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.ros2.model import Communication, FieldMapping, Message, RosNode, RosService, RosTopic
+
+
+class NodeContext(CorePlaces):
+    """A node of an integration, beside the core of its function."""
+
+    def __init__(
+        self,
+        node: RosNode,
+        function: FunctionJson,
+        core: CorePlan,
+        communications: Sequence[Communication],
+        messages: Mapping[str, Message],
+    ) -> None:
+        super().__init__(function, core)
+        self.node = node
+        self.communications = communications
+        self.messages = messages
+        """Those of the interface package, by name."""
+
+    def topics(self, role: str) -> Iterator[tuple[str, RosTopic]]:
+        """Topics of data that the node publishes or subscribes to, with the calls that do."""
+        for communication in self.communications:
+            for topic in communication.topics:
+                if topic.node == self.node.name and topic.role == role:
+                    yield communication.runnable, topic
+
+    def services(self, role: str) -> Iterator[RosService]:
+        """Services that the node offers or uses."""
+        for communication in self.communications:
+            for service in communication.services or ():
+                if service.node == self.node.name and service.role == role:
+                    yield service
+
+    def port(self, call: str, mapping: FieldMapping) -> Port | None:
+        """The place that takes a field, if a step has one."""
+        return self.ports.get(self.data_pointers.get((call, mapping.signal), ()))
+
+    def output(self, call: str, mapping: FieldMapping) -> Output | None:
+        """The place that a field is filled from."""
+        return self.outputs.get(self.data_pointers.get((call, mapping.signal), ()))

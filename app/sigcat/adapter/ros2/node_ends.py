@@ -1,0 +1,238 @@
+"""Topics and services of a node, and what its core has for each of their fields."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sigcat.adapter.core.identifiers import identifier, unique
+from sigcat.adapter.core.plan import Method, Output, Port, WireType
+from sigcat.adapter.ros2.node_context import NodeContext
+from sigcat.adapter.ros2.plan import (
+    ArgumentField,
+    Given,
+    InterfaceType,
+    MethodService,
+    Publisher,
+    Subscription,
+    Symbol,
+    Taken,
+)
+from sigcat.integration.ros2.model import ArgumentMap, FieldMapping, QualityOfService, RosTopic, StatusTopic
+from sigcat.integration.ros2.services import CLIENT, SERVER
+from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
+
+PASSED, FAILED = 0, 1
+"""Constants of ErrorStatus."""
+INACTIVE, ACTIVE = 0, 1
+"""Constants of SafetyReaction."""
+
+
+def interface_type(text: str) -> InterfaceType:
+    """`eco_control_interfaces/msg/Speed`, taken apart."""
+    package, kind, name = text.split("/")
+    return InterfaceType(package, kind, name)
+
+
+def _member(topic: str, taken: dict[str, str]) -> str:
+    """A name for a topic, unique in the node."""
+    taken[topic] = unique(identifier(topic.strip("/").replace("/", "_")), taken.values())
+    return taken[topic]
+
+
+def _status_topics(context: NodeContext, role: str) -> Iterator[StatusTopic]:
+    node = context.node
+    return (topic for topic in (*node.error_topics, *node.reaction_topics, *node.modes) if topic.role == role)
+
+
+def _text_symbols(mapping: FieldMapping, wire: WireType) -> tuple[Symbol, ...]:
+    """Texts of an enumeration, if its field is text."""
+    is_text = mapping.field_type.startswith("string")
+    return tuple(Symbol(text, number) for text, number in wire.symbols) if is_text else ()
+
+
+# -- subscriptions ------------------------------------------------------------------------------------------------
+
+
+def subscriptions(context: NodeContext) -> tuple[Subscription, ...]:
+    """The topics that the node takes, each once. What the function itself publishes needs no message."""
+    own = {topic.name for _, topic in context.topics(PUBLISHER)}
+    found: dict[str, list[tuple[str, RosTopic]]] = {}
+    for call, topic in context.topics(SUBSCRIPTION):
+        if topic.name not in own:
+            found.setdefault(topic.name, []).append((call, topic))
+    names: dict[str, str] = {}
+    made = [_subscription(name, ends, names, context) for name, ends in found.items()]
+    made += [_status_subscription(topic, taken, names)
+             for topic in _status_topics(context, SUBSCRIPTION)
+             if (taken := _status_taken(topic, context)) is not None]  # fmt: skip
+    return tuple(each for each in made if each.takes)
+
+
+def _subscription(
+    name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str], context: NodeContext
+) -> Subscription:
+    takes: dict[str, Taken] = {}
+    for call, topic in ends:
+        for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+            port = context.port(call, mapping)
+            if port is not None:
+                takes[port.name] = _taken(mapping, port)
+    first = ends[0][1]
+    assert first.message is not None
+    quality = _together([topic.quality for _, topic in ends if topic.quality is not None])
+    return Subscription(name, interface_type(first.message), _member(name, names), quality, tuple(takes.values()))
+
+
+def _taken(mapping: FieldMapping, port: Port) -> Taken:
+    symbols = () if mapping.number_field else _text_symbols(mapping, port.wire)
+    field = mapping.number_field or mapping.field
+    return Taken(port.name, field, port.wire, port.comment, symbols, wakes=bool(port.triggers))
+
+
+def _together(qualities: list[QualityOfService]) -> QualityOfService:
+    """One subscription for all calls: the deepest, with the shortest deadline."""
+    deadlines = [each.deadline for each in qualities if each.deadline is not None]
+    depth = max(each.depth for each in qualities)
+    return qualities[0].model_copy(update={"depth": depth, "deadline": min(deadlines, default=None)})
+
+
+def _status_subscription(topic: StatusTopic, taken: Taken, names: dict[str, str]) -> Subscription:
+    member = _member(topic.topic, names)
+    return Subscription(topic.topic, interface_type(topic.message), member, topic.quality, (taken,))
+
+
+def _status_taken(topic: StatusTopic, context: NodeContext) -> Taken | None:
+    """What takes an error of others, a safety reaction or the mode."""
+    core = context.core
+    for error in core.foreign_errors:
+        if error.name == identifier(topic.interface):
+            return Taken(error.name, topic.field, error.wire, error.comment)
+    for reaction in core.reactions:
+        if context.name_of(reaction.named) == topic.interface:
+            numbers = _differing(((INACTIVE, reaction.inactive), (ACTIVE, reaction.active)))
+            return Taken(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
+    mode = core.mode_in
+    if mode is not None and context.name_of(mode.named) == topic.interface:
+        return Taken(mode.named.name, topic.field, mode.wire, mode.named.comment)
+    return None
+
+
+def _differing(numbers: tuple[tuple[int, int], ...]) -> tuple[tuple[int, int], ...]:
+    return () if all(one == other for one, other in numbers) else numbers
+
+
+# -- publishers ---------------------------------------------------------------------------------------------------
+
+
+def publishers(context: NodeContext) -> tuple[Publisher, ...]:
+    """The topics that the node gives, each once: data, then errors, safety reactions and the mode."""
+    found: dict[str, list[tuple[str, RosTopic]]] = {}
+    for call, topic in context.topics(PUBLISHER):
+        found.setdefault(topic.name, []).append((call, topic))
+    names: dict[str, str] = {}
+    made = [_publisher(name, ends, names, context) for name, ends in found.items()]
+    made += [Publisher(topic.topic, interface_type(topic.message), _member(topic.topic, names), topic.quality, (given,),
+                       is_status=True)
+             for topic in _status_topics(context, PUBLISHER)
+             if (given := _status_given(topic, context)) is not None]  # fmt: skip
+    return tuple(each for each in made if each.gives)
+
+
+def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str], context: NodeContext) -> Publisher:
+    gives: dict[str, Given] = {}
+    for call, topic in ends:
+        for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+            output = context.output(call, mapping)
+            if output is not None:
+                gives[output.named.name] = _given(mapping, output, context)
+    first = ends[0][1]
+    assert first.message is not None
+    assert first.quality is not None
+    return Publisher(name, interface_type(first.message), _member(name, names), first.quality, tuple(gives.values()))
+
+
+def _given(mapping: FieldMapping, output: Output, context: NodeContext) -> Given:
+    wire = output.value.wire
+    return Given(
+        place=output.named.name,
+        field=mapping.field,
+        wire=wire,
+        comment=output.named.comment,
+        is_queue=output.queue is not None,
+        number_field=mapping.number_field,
+        symbols=_text_symbols(mapping, wire),
+        own_ports=_own_ports(mapping, context),
+    )
+
+
+def _own_ports(mapping: FieldMapping, context: NodeContext) -> tuple[Port, ...]:
+    """Where other calls of the function take what it sends."""
+    key = mapping.vss_path or mapping.signal
+    found = {
+        port.name: port
+        for call, topic in context.topics(SUBSCRIPTION)
+        for data_map in topic.data_maps
+        for other in data_map.mappings or ()
+        if (other.vss_path or other.signal) == key and (port := context.port(call, other)) is not None
+    }
+    return tuple(found.values())
+
+
+def _status_given(topic: StatusTopic, context: NodeContext) -> Given | None:
+    """What is told of an error, a safety reaction or the mode."""
+    core = context.core
+    error = context.errors.get(topic.interface)
+    if error is not None:
+        numbers = _differing(((error.passed, PASSED), (error.failed, FAILED)))
+        return Given(error.named.name, topic.field, error.wire, error.named.comment, numbers=numbers)
+    for reaction in core.reactions:
+        if context.name_of(reaction.named) == topic.interface:
+            numbers = _differing(((reaction.inactive, INACTIVE), (reaction.active, ACTIVE)))
+            return Given(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
+    mode = core.mode_out
+    if mode is not None and context.name_of(mode.named) == topic.interface:
+        return Given(mode.named.name, topic.field, mode.wire, mode.named.comment)
+    return None
+
+
+class Mixed(NamedTuple):
+    """A message in which a queue stands beside other signals: neither can be sent without the other."""
+
+    topic: str
+    signal: str
+
+
+def mixed_queues(context: NodeContext) -> Iterator[Mixed]:
+    """Queues that do not travel alone."""
+    for publisher in publishers(context):
+        for given in publisher.gives if len(publisher.gives) > 1 else ():
+            if given.is_queue:
+                yield Mixed(publisher.topic, given.place)
+
+
+# -- services -----------------------------------------------------------------------------------------------------
+
+
+def services(context: NodeContext, role: str) -> tuple[MethodService, ...]:
+    """Methods that the function offers (Server) or uses (Client)."""
+    assert role in (SERVER, CLIENT)
+    known = {context.name_of(method.named): method for method in context.core.methods}
+    names: dict[str, str] = {}
+    found: dict[str, MethodService] = {}
+    for service in context.services(role):
+        method = known.get(service.method)
+        if method is not None and service.name not in found:
+            found[service.name] = MethodService(
+                topic=service.name,
+                service=interface_type(service.service),
+                member=_member(service.name, names),
+                method=method,
+                request=_fields(service.request, method, is_request=True),
+                response=_fields(service.response, method, is_request=False),
+                success=service.success,
+            )
+    return tuple(found.values())
+
+
+def _fields(maps: tuple[ArgumentMap, ...], method: Method, *, is_request: bool) -> tuple[ArgumentField, ...]:
+    arguments = method.arguments if is_request else method.results
+    return tuple(ArgumentField(each.field, argument) for each, argument in zip(maps, arguments, strict=True))

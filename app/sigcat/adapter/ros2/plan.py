@@ -1,0 +1,248 @@
+"""What the packages are made of: every name resolved, so that the writers ask nothing but this."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from sigcat.adapter.core.plan import Argument, Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
+from sigcat.names import camel_case, screaming_snake_case
+
+
+class InterfaceType(NamedTuple):
+    """A message or a service of an interface package."""
+
+    package: str
+    kind: str
+    """`msg` or `srv`."""
+    name: str
+
+    @property
+    def cpp(self) -> str:
+        """The class in C++: `eco_control_interfaces::msg::Speed`."""
+        return f"{self.package}::{self.kind}::{self.name}"
+
+
+class Symbol(NamedTuple):
+    """A value of an enumeration that a field has as text."""
+
+    text: str
+    number: int
+    """In the core."""
+
+
+class Taken(NamedTuple):
+    """A field of a message, and the place of the core that takes it."""
+
+    place: str
+    """`BrkCylP` of `CoreAcc_Adapter_Receive_BrkCylP`."""
+    field: str
+    """Field of the message; of an enumeration that with the number, if it has one."""
+    wire: WireType
+    comment: str
+    symbols: tuple[Symbol, ...] = ()
+    """Texts, where the field has nothing else."""
+    numbers: tuple[tuple[int, int], ...] = ()
+    """Numbers of the message and of the core, where they differ."""
+    wakes: bool = False
+    """Whether a value makes a call due."""
+
+
+class Given(NamedTuple):
+    """A field of a message, and the place of the core's `out` that it is filled from."""
+
+    place: str
+    field: str
+    wire: WireType
+    comment: str
+    is_queue: bool = False
+    number_field: str | None = None
+    """Field that has the number, beside the text."""
+    symbols: tuple[Symbol, ...] = ()
+    """Texts of the field, where it is text."""
+    numbers: tuple[tuple[int, int], ...] = ()
+    """Numbers of the core and of the message, where they differ."""
+    own_ports: tuple[Port, ...] = ()
+    """Where another call of the function takes it."""
+
+
+@dataclass(frozen=True)
+class Subscription:
+    """A topic that a node takes."""
+
+    topic: str
+    message: InterfaceType
+    member: str
+    """Name of its member, without the underscore at the end: `vehicle_speed`."""
+    quality: QualityOfService
+    takes: tuple[Taken, ...]
+
+
+@dataclass(frozen=True)
+class Publisher:
+    """A topic that a node gives."""
+
+    topic: str
+    message: InterfaceType
+    member: str
+    quality: QualityOfService
+    gives: tuple[Given, ...]
+    is_status: bool = False
+    """Whether it is an error, a safety reaction or a mode, and not data of a call."""
+
+    @property
+    def is_queue(self) -> bool:
+        """Whether several messages may be sent at once."""
+        return any(each.is_queue for each in self.gives)
+
+
+class ArgumentField(NamedTuple):
+    """An argument or result of a method, and its field."""
+
+    field: str
+    argument: Argument
+
+
+class MethodService(NamedTuple):
+    """A method that the function offers or uses, as a service."""
+
+    topic: str
+    """Name of the service."""
+    service: InterfaceType
+    member: str
+    method: Method
+    request: tuple[ArgumentField, ...]
+    response: tuple[ArgumentField, ...]
+    success: str | None
+    """Field of the response that tells whether the function has answered."""
+
+
+class NodeParameter(NamedTuple):
+    """A parameter of the node, and that of the core."""
+
+    name: str
+    type: str
+    """bool, integer, double or string, or an array of them, as `double_array`."""
+    parameter: Parameter
+    description: str
+    default: Any
+    low: float | None
+    high: float | None
+    constraints: str | None
+    units: str | None
+    is_read_only: bool
+    symbols: tuple[Symbol, ...]
+    """Texts, where it is text."""
+
+    @property
+    def is_learned(self) -> bool:
+        """Whether the function changes it, and its value is stored."""
+        return self.parameter.learned is not None
+
+
+class Monitor(NamedTuple):
+    """An error, and how it is told to people."""
+
+    error: Error
+    interface: str
+    """Name of its interface."""
+    diagnostic: Diagnostic
+
+
+class StructPair(NamedTuple):
+    """A struct of a message and the one of the core, whose members have the same order."""
+
+    message: InterfaceType
+    members: tuple[str, ...]
+    struct: WireStruct
+
+
+@dataclass(frozen=True)
+class NodePlan:
+    """A node, with the core of its function."""
+
+    name: str
+    """`core_acc`: default name of the node, and what its files begin with."""
+    package: str
+    """Namespace in C++ and folder of its header."""
+    core: CorePlan
+    executable: str
+    sources: tuple[str, ...]
+    """Of the code of the function."""
+    headers: tuple[str, ...]
+    priority: int | None
+    """Of the thread that runs its calls."""
+    subscriptions: tuple[Subscription, ...]
+    publishers: tuple[Publisher, ...]
+    offered: tuple[MethodService, ...]
+    used: tuple[MethodService, ...]
+    parameters: tuple[NodeParameter, ...]
+    monitors: tuple[Monitor, ...]
+    stored_keys: Mapping[str, str]
+    """Keys under which parameters are stored, by their variables."""
+    structs: tuple[StructPair, ...]
+    """Each after those that it holds."""
+    step_service: InterfaceType
+    """`Step` of the interface package, for lock-step."""
+    error_status: InterfaceType
+    safety_reaction: InterfaceType
+
+    @property
+    def stem(self) -> str:
+        """What its files are called: `core_acc_node`."""
+        return f"{self.name}_node"
+
+    @property
+    def type(self) -> str:
+        """Its class."""
+        return f"{camel_case(self.name)}Node"
+
+    @property
+    def code_setting(self) -> str:
+        """The setting that names the folder of the function's code: `CORE_ACC_CODE`."""
+        return f"{screaming_snake_case(self.core.function)}_CODE"
+
+    @property
+    def steps(self) -> tuple[Call, ...]:
+        """Calls that run while it is active."""
+        return self.core.steps
+
+    @property
+    def learned(self) -> tuple[Parameter, ...]:
+        """Parameters that are stored."""
+        return tuple(each for each in self.core.parameters if each.learned is not None)
+
+    @property
+    def settable(self) -> tuple[NodeParameter, ...]:
+        """Parameters that may change while it runs, by the core's SetParameters."""
+        return tuple(each for each in self.parameters if not each.is_learned)
+
+    @property
+    def messages(self) -> tuple[InterfaceType, ...]:
+        """Messages and services that it exchanges, each once, by name."""
+        ends: tuple[Subscription | Publisher, ...] = (*self.subscriptions, *self.publishers)
+        found = {each.message for each in ends} | {each.service for each in (*self.offered, *self.used)}
+        return tuple(sorted({*found, self.step_service, *(pair.message for pair in self.structs)}))
+
+
+@dataclass(frozen=True)
+class WorkspacePlan:
+    """All nodes of a set, and the package that they are in."""
+
+    application: str
+    """As the integration calls it: `EcoControl`."""
+    name: str
+    """Of the package: `eco_control`."""
+    interfaces: str
+    """Package of messages and services."""
+    version: str
+    description: str
+    maintainer: str
+    email: str
+    license: str
+    namespace: str
+    release: str
+    """`jazzy` or `humble`."""
+    nodes: tuple[NodePlan, ...]
+    package: Package
+    """As the document describes it."""

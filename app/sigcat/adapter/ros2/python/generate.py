@@ -1,0 +1,71 @@
+"""From the plan of a workspace to the package in Python, and the bridges that its cores are compiled with."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.python import package, package_tests
+from sigcat.adapter.ros2.python.bridge import bridge_files
+from sigcat.adapter.ros2.python.core_module import core_module
+from sigcat.adapter.ros2.python.names import written
+from sigcat.adapter.ros2.python.node_module import node_module
+from sigcat.integration.ros2.model import Package
+
+SUPPORT = Path(__file__).parent / "support"
+"""Modules that are the same in every package."""
+SUPPORT_OF_HUMBLE = Path(__file__).parent / "support_of_humble"
+"""Those of them that are other ones there."""
+_EVENTS = {"jazzy": b"rclpy.event_handler", "humble": b"rclpy.qos_event"}
+"""The module of rclpy that has the events of the quality of service."""
+
+
+def python_files(workspace: WorkspacePlan, nodes: Package) -> tuple[GeneratedFile, ...]:
+    """The files, by their names in the workspace."""
+    bridges = (file for node in workspace.nodes for file in bridge_files(node.core))
+    return (
+        *within(f"{workspace.name}/core", bridges),
+        *within(package.package_name(workspace), _package(workspace, nodes)),
+    )
+
+
+def _package(workspace: WorkspacePlan, nodes: Package) -> Iterable[GeneratedFile]:
+    name = package.package_name(workspace)
+    yield _text("package.xml", package.description(workspace, nodes))
+    yield _module("setup.py", package.setup_py(workspace))
+    yield _text("setup.cfg", package.setup_cfg(workspace))
+    yield _text(f"resource/{name}", "")
+    yield _module(f"{name}/__init__.py", package.init_module(workspace))
+    yield _text(f"{name}/py.typed", "")
+    yield from within(f"{name}/support", _support(workspace.release))
+    for node in workspace.nodes:
+        yield from _node(node, workspace)
+    yield _text("test/conftest.py", package_tests.CONFTEST)
+    yield _text("test/test_flake8.py", package_tests.FLAKE8_TEST)
+    yield _text("test/test_pep257.py", package_tests.PEP257_TEST)
+
+
+def _support(release: str) -> Iterable[GeneratedFile]:
+    files = {file.name: file for file in shipped(SUPPORT)}
+    if release == "humble":
+        files |= {file.name: file for file in shipped(SUPPORT_OF_HUMBLE) if file.name != "__init__.py"}
+    events = _EVENTS[release]
+    return (file._replace(data=file.data.replace(_EVENTS["jazzy"], events)) for file in files.values())
+
+
+def _node(node: NodePlan, workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
+    name = package.package_name(workspace)
+    core, stem = package.core_stem(node), package.node_stem(node)
+    yield _module(f"{name}/{core}.py", core_module(node))
+    yield _module(f"{name}/{stem}.py", node_module(node))
+    yield _module(f"test/test_{core}.py", package_tests.core_test(node, workspace))
+    yield _module(f"test/test_{stem}.py", package_tests.node_test(node, workspace))
+
+
+def _module(name: str, part: Lines) -> GeneratedFile:
+    return GeneratedFile(name, written(part))
+
+
+def _text(name: str, text: str) -> GeneratedFile:
+    return GeneratedFile(name, text.encode())

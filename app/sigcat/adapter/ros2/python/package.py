@@ -1,0 +1,82 @@
+"""Files of the package beside its modules: what ament_python, linters and `colcon test` read."""
+
+from sigcat.adapter.core.c.lines import Lines, lines
+from sigcat.adapter.ros2.package_xml import package_xml
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.python.names import docstring, text
+from sigcat.integration.ros2.model import Package
+from sigcat.names import snake_case
+
+_DEPENDENCIES = (
+    "ament_index_python", "builtin_interfaces", "diagnostic_msgs", "python3-cffi", "rcl_interfaces", "rclpy",
+)  # fmt: skip
+_TEST_DEPENDENCIES = ("ament_flake8", "ament_pep257", "lifecycle_msgs", "python3-pytest")
+
+
+def package_name(workspace: WorkspacePlan) -> str:
+    """Name of the package: `eco_control_py`."""
+    return f"{workspace.name}_py"
+
+
+def core_stem(node: NodePlan) -> str:
+    """Module of a core: `core_acc_core`."""
+    return f"{snake_case(node.core.function)}_core"
+
+
+def node_stem(node: NodePlan) -> str:
+    """Module of a node: `core_acc_node`."""
+    return f"{node.name}_node"
+
+
+def description(workspace: WorkspacePlan, package: Package) -> str:
+    """package.xml."""
+    needed = [("exec_depend", name) for name in sorted((*_DEPENDENCIES, workspace.name, workspace.interfaces))]
+    tested = [("test_depend", name) for name in _TEST_DEPENDENCIES]
+    return package_xml(package, package_name(workspace), [*needed, *tested], "ament_python")
+
+
+def setup_py(workspace: WorkspacePlan) -> Lines:
+    """setup.py, with an executable for each node."""
+    name = package_name(workspace)
+    scripts = "".join(
+        f"            {text(f'{node.executable} = {name}.{node_stem(node)}:main')},\n" for node in workspace.nodes
+    )
+    return lines(f"""
+from setuptools import find_packages, setup
+
+package_name = {text(name)}
+
+setup(
+    name=package_name,
+    version={text(workspace.version)},
+    packages=find_packages(exclude=['test']),
+    package_data={{package_name: ['py.typed']}},
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools', 'cffi'],
+    zip_safe=False,
+    maintainer={text(workspace.maintainer)},
+    maintainer_email={text(workspace.email)},
+    description={text(f"{workspace.application} in Python.")},
+    license={text(workspace.license)},
+    tests_require=['pytest'],
+    entry_points={{
+        'console_scripts': [
+{scripts}        ],
+    }},
+)
+""")
+
+
+def setup_cfg(workspace: WorkspacePlan) -> str:
+    """setup.cfg: executables stand where `ros2 run` looks for them."""
+    name = package_name(workspace)
+    return f"[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n"
+
+
+def init_module(workspace: WorkspacePlan) -> Lines:
+    """What the package is."""
+    functions = ", ".join(node.core.function for node in workspace.nodes)
+    return docstring(f"Nodes and cores of {functions}, in Python.")

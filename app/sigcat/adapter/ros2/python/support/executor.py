@@ -1,0 +1,42 @@
+"""What runs the callbacks of a node."""
+
+from contextlib import suppress
+from typing import Any
+
+from rclpy.exceptions import InvalidHandle
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.task import Future
+
+try:
+    from rclpy.experimental import EventsExecutor
+except ImportError:  # the first releases of rclpy for Jazzy do not have it
+    EventsExecutor = None
+
+LONGEST = 3600.0
+"""Seconds for which events are waited for at once: without an end, some releases never wake."""
+
+
+def spin_node(node: Node, *, offers_methods: bool) -> None:
+    """
+    Run the callbacks of a node until its context ends.
+
+    An executor of events is told what has come, and does not ask every entity each time: that
+    takes a fraction of the processor. It has one thread. A node that offers methods has several:
+    a method waits until a call has ended, and messages do not wait for that.
+    """
+    if EventsExecutor is None or offers_methods:
+        executor: Any = MultiThreadedExecutor(num_threads=4)
+        executor.add_node(node)
+        executor.spin()
+        return
+    executor = EventsExecutor()
+    executor.add_node(node)
+    while node.context.ok():
+        with suppress(InvalidHandle):  # an event of a topic that is gone, as after cleaning up
+            executor.spin_until_future_complete(Future(), LONGEST)
+
+
+def has_threads(node: Node) -> bool:
+    """Answer whether messages are taken while a callback of the node waits for them."""
+    return isinstance(node.executor, MultiThreadedExecutor)

@@ -1,0 +1,448 @@
+"""
+A function as a lifecycle node.
+
+Configuring initializes the function; while the node is active, a thread of its own runs the
+calls; whatever ends it, terminates the function once. Subscriptions only hand values over.
+"""
+
+from contextlib import suppress
+import os
+from pathlib import Path
+from threading import Lock, Thread
+from time import monotonic_ns
+import traceback
+from typing import Any, Callable, Dict, List, Optional
+
+from builtin_interfaces.msg import Time
+from diagnostic_msgs.msg import DiagnosticArray
+from rcl_interfaces.msg import ParameterDescriptor
+import rclpy
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.clock import Clock as RosClock
+from rclpy.clock import ClockType
+from rclpy.executors import ExternalShutdownException
+from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.qos import QoSProfile
+
+from . import diagnostics, storage
+from .clock import Clock, LockStepClock, SimulatedClock, SteadyClock
+from .core import Core, NO_CALL
+from .executor import spin_node
+from .parameters import Parameters
+from .topics import Topics
+from .watch import Watch
+
+PATIENCE = 10.0
+"""Seconds for which `~/step` waits for messages."""
+
+
+class FunctionNode(LifecycleNode):
+    """What the nodes of all functions do; a class for each says what is in its messages."""
+
+    PERIOD = 1.0
+    """Seconds between two messages of the diagnostics."""
+
+    priority = 1
+    """Of the thread that runs the calls, where it has a policy that knows priorities."""
+
+    offers_methods = False
+    """Whether others may ask for what has to wait until a call has ended."""
+
+    def __init__(self, name: str, core: Core, step_service: Any, **options: Any) -> None:
+        """Declare parameters; topics come when the node is configured."""
+        super().__init__(name, **options)
+        self._core = core
+        self.core_lock = Lock()
+        self._call_lock = Lock()
+        self._publishing = Lock()
+        self._is_initialized = False
+        self._is_active = False
+        self._is_in_lock_step = False
+        self._watch: Optional[Watch] = None
+        self._core_clock: Any = SteadyClock(self)
+        self._thread: Optional[Thread] = None
+        self._step_service = step_service
+        self._entities: List[Callable[[], Any]] = []
+        self._topics = Topics(self)
+        self._function_parameters = Parameters(self, core, self.core_lock, self.core_parameters)
+        self._times = [diagnostics.CallTimes() for _ in core.calls]
+        self._scheduling_problem = ''
+        self._told_states: List[int] = []
+        self._answers_group = MutuallyExclusiveCallbackGroup()
+        self._diagnostics_group = MutuallyExclusiveCallbackGroup()
+        self._function_parameters.declare_settings(self.priority)
+        self.declare_function_parameters()
+        self._function_parameters.take_changes()
+        quality = QoSProfile(depth=10)
+        self._diagnostics = self.create_publisher(DiagnosticArray, '/diagnostics', quality)
+        self._refuse_unknown_transitions()
+
+    # -- of the function ----------------------------------------------------------------
+
+    def declare_function_parameters(self) -> None:
+        """Declare the parameters of the function."""
+
+    def core_parameters(self, value_of: Callable[[str], Any]) -> Dict[str, Any]:
+        """Answer the parameters of the core, from those of the node."""
+        return {}
+
+    def create_topics(self) -> None:
+        """Create subscriptions, publishers, services and clients."""
+
+    def send(self, out: Any, publish: Any, stamp: Time) -> None:
+        """Send what the core wants to be sent."""
+
+    # -- life ---------------------------------------------------------------------------
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Initialize the function with what was stored."""
+        stored = self._load()
+        cycle = (stored.get('ignition_cycle', 0) + 1) % 2 ** 32
+        stored.update(self._function_parameters.given(stored))
+        self._times = [diagnostics.CallTimes() for _ in self._core.calls]
+        with self.core_lock:
+            self._is_initialized = self._core.init(stored, cycle)
+        if not self._is_initialized:
+            self.get_logger().error(f'The initialization of {self._core.function} has failed')
+            return TransitionCallbackReturn.FAILURE
+        self._core_clock = self._make_clock()
+        self.create_topics()
+        if self._is_in_lock_step:
+            service = self.create_service(self._step_service, '~/step', self._on_step)
+            self._entities.append(lambda: self.destroy_service(service))
+        timer = self.create_timer(
+            self.PERIOD, self._tick, callback_group=self._diagnostics_group,
+            clock=RosClock(clock_type=ClockType.STEADY_TIME),
+        )
+        self._entities.append(lambda: self.destroy_timer(timer))
+        return super().on_configure(state)
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Start the clocks and the calls."""
+        result = super().on_activate(state)
+        if result == TransitionCallbackReturn.SUCCESS:
+            self._start_calls()
+        return result
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop the calls; values are still taken."""
+        self._stop()
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Terminate the function."""
+        self._end()
+        return super().on_cleanup(state)
+
+    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop the calls and terminate the function, if it was initialized."""
+        self._end()
+        return super().on_shutdown(state)
+
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop the calls and terminate the function; the node can be configured again."""
+        self._end()
+        return TransitionCallbackReturn.SUCCESS
+
+    def destroy_node(self) -> None:
+        """Terminate the function, if nobody has done so, and give its core back."""
+        self._end()
+        super().destroy_node()
+        self._core.close()
+
+    def _start_calls(self) -> None:
+        self._core_clock.start()
+        if self._is_in_lock_step:
+            self._start()
+            self._is_active = True
+            return
+        if any(call.longest is not None for call in self._core.calls):
+            self._watch = Watch(self._supervise)
+        self._thread = Thread(target=self._run, name=self.get_name(), daemon=True)
+        self._thread.start()
+
+    def _start(self) -> None:
+        with self.core_lock:
+            self._core.start(self._core_clock.now())
+        self._publish()
+
+    def _stop(self) -> None:
+        self._is_active = False
+        self._core_clock.stop()
+        if self._thread is not None:
+            self._thread.join()
+            self._thread = None
+        if self._watch is not None:
+            self._watch.stop()
+            self._watch = None
+
+    def _end(self) -> None:
+        """Terminate the function once for each good initialization, and store what it keeps."""
+        self._stop()
+        if not self._is_initialized:
+            return
+        self._is_initialized = False
+        with self._call_lock, self.core_lock:
+            self._core.terminate(self._core_clock.now())
+        self._store()
+        for destroy in self._entities:
+            destroy()
+        self._entities.clear()
+        self._topics.clear()
+        self._core_clock.close()
+
+    def _make_clock(self) -> Clock:
+        self._is_in_lock_step = bool(self._function_parameters.value('lock_step'))
+        if self._is_in_lock_step:
+            return LockStepClock(self)
+        if self._function_parameters.value('use_sim_time'):
+            return SimulatedClock(self)
+        return SteadyClock(self)
+
+    def _refuse_unknown_transitions(self) -> None:
+        """
+        Answer a transition that the state does not have with `success: false`.
+
+        rclpy raises an exception instead, which ends the executor (ros2/rclpy#1209).
+        """
+        change = self._service_change_state
+        handle = change.callback
+
+        def guarded(request: Any, response: Any) -> Any:
+            asked = request.transition
+            known = [(each[0], each[1]) for each in self._state_machine.available_transitions]
+            if any(asked.label == name if asked.label else asked.id == number
+                   for number, name in known):
+                return handle(request, response)
+            self.get_logger().warning(
+                f'There is no transition {asked.label or asked.id} from this state'
+            )
+            response.success = False
+            return response
+
+        change.callback = guarded
+
+    # -- calls --------------------------------------------------------------------------
+
+    def _run(self) -> None:
+        """Run what is due until the clock is stopped."""
+        self._scheduling_problem = self._schedule_thread()
+        try:
+            due = 1  # simulated time is 0 until it is known
+            if self._core_clock.wait_until(due):
+                self._start()
+            while self._core_clock.wait_until(due):
+                self._run_due_calls()
+                with self.core_lock:
+                    due = self._core.next_time()
+        except Exception:
+            if self.context.ok():
+                self._scheduling_problem = 'the calls have ended: see the log'
+                self.get_logger().fatal(f'The calls have ended: {traceback.format_exc()}')
+
+    def _run_due_calls(self) -> None:
+        while not self._core_clock.is_stopped:
+            with self._call_lock:
+                with self.core_lock:
+                    call = self._core.next_call(self._core_clock.now())
+                if call == NO_CALL:
+                    break
+                self._run_call(call)
+        self._supervise()
+
+    def _supervise(self) -> None:
+        with self.core_lock:
+            self._core.supervise(self._core_clock.now())
+        self._publish()
+
+    def _run_call(self, call: int) -> None:
+        begin = monotonic_ns()
+        stamp = self._core_clock.stamp()
+        with self.core_lock:
+            self._core.set_input(call, self._core_clock.now())
+            self._core.begin(call, self._core_clock.now())
+        self._publish(stamp)
+        logic = self._run_watched(call)
+        with self.core_lock:
+            self._core.get_output(call, self._core_clock.now())
+        self._times[call - 1].add(monotonic_ns() - begin - logic, logic)
+        self._publish(stamp)
+
+    def _run_watched(self, call: int) -> int:
+        """Run a call, and answer how many nanoseconds it took."""
+        begin = monotonic_ns()
+        if self._watch is None:
+            self._core.run(call)
+        else:
+            self._watch.begin(self._core.calls[call - 1].longest)
+            self._core.run(call)
+            self._watch.end()
+        return monotonic_ns() - begin
+
+    def _publish(self, stamp: Optional[Time] = None) -> None:
+        """Send what is to be sent, in the order in which the core has said it."""
+        with self._publishing:
+            with self.core_lock:
+                out, publish = self._core.out(), self._core.publish()
+                self._core.published()
+                states = [each.state for each in self._core.error_status()]
+            if any(publish):
+                self.send(out, publish, stamp or self._core_clock.stamp())
+            is_changed, self._told_states = states != self._told_states, states
+        if is_changed and self._is_initialized:
+            self._tell()
+
+    def _schedule_thread(self) -> str:
+        """Ask for the policy that the parameter names, and answer what is wrong with it."""
+        policy = self._function_parameters.value('scheduling_policy')
+        if policy == 'other':
+            return ''
+        policies = {'fifo': os.SCHED_FIFO, 'rr': os.SCHED_RR}
+        if policy not in policies:
+            return f'scheduling_policy must be other, fifo or rr, not {policy}'
+        try:
+            os.sched_setscheduler(0, policies[policy], os.sched_param(self.priority))
+        except OSError as error:
+            problem = f'scheduling_policy {policy} is refused: {error.strerror}'
+            self.get_logger().warning(problem)
+            return problem
+        return ''
+
+    # -- topics and services ------------------------------------------------------------
+
+    def take(
+        self, message: Any, topic: str, quality: QoSProfile,
+        receive: Callable[[Any, int], None], *, wakes: bool = False,
+    ) -> None:
+        """Subscribe to a topic whose messages `receive` hands over to the core."""
+        def store(value: Any) -> None:
+            self.hand_over(receive, value, wakes=wakes)
+
+        self._topics.subscribe(message, topic, quality, store)
+
+    def give(self, message: Any, topic: str, quality: QoSProfile) -> Callable[[Any], None]:
+        """Advertise a topic, and answer what sends a message on it while the node is active."""
+        return self._topics.advertise(message, topic, quality)
+
+    def hand_over(
+        self, receive: Callable[[Any, int], None], value: Any, *, wakes: bool = False
+    ) -> None:
+        """Give a value to the core, which another node or a call of the function has sent."""
+        with self.core_lock:
+            receive(value, self._core_clock.now())
+        if wakes:
+            self._core_clock.wake()
+
+    def offer(self, service: Any, name: str, serve: Callable[[Any, Any], Any]) -> None:
+        """Offer a method, which runs while no call does."""
+        def answer(request: Any, response: Any) -> Any:
+            with self._call_lock:
+                return serve(request, response)
+
+        made = self.create_service(service, name, answer)
+        self._entities.append(lambda: self.destroy_service(made))
+
+    def use(self, service: Any, name: str) -> Any:
+        """Create a client of a method."""
+        client = self.create_client(service, name, callback_group=self._answers_group)
+        self._entities.append(lambda: self.destroy_client(client))
+        return client
+
+    def ask(
+        self, client: Any, request: Any, answered: Callable[[Optional[Any], int], None]
+    ) -> None:
+        """Send a request, and hand the answer over; None if nobody offers the method."""
+        def answer(response: Optional[Any]) -> None:
+            with self.core_lock:
+                answered(response, self._core_clock.now())
+            self._core_clock.wake()
+
+        if client.service_is_ready():
+            client.call_async(request).add_done_callback(lambda each: answer(each.result()))
+        else:
+            answer(None)
+
+    def _on_step(self, request: Any, response: Any) -> Any:
+        """Take messages, run what is due now, and set the time."""
+        has_come = self._topics.wait_for_received(request.received, PATIENCE)
+        response.success = has_come and self._is_active
+        if not has_come:
+            response.message = 'not as many messages have come'
+        elif not self._is_active:
+            response.message = 'the node is not active'
+        elif not request.only_wait:
+            self._run_due_calls()
+            self._core_clock.set_time(request.time)
+        response.received, response.sent = self._topics.received, self._topics.sent
+        return response
+
+    # -- parameters ---------------------------------------------------------------------
+
+    def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
+        """Declare a parameter of the function."""
+        self._function_parameters.declare(name, default, descriptor)
+
+    # -- storage ------------------------------------------------------------------------
+
+    @property
+    def _file(self) -> Path:
+        folder = self._function_parameters.value('storage_folder')
+        path = Path(folder) if folder else storage.default_folder(self._core.package)
+        return storage.file_of(path, self.get_fully_qualified_name())
+
+    def _load(self) -> Dict[str, Any]:
+        path = self._file
+        try:
+            return storage.read(path, self._core)
+        except FileNotFoundError:
+            return {}
+        except storage.BrokenFile as error:
+            self.get_logger().error(f'{path} is left aside: {error}')
+            with suppress(OSError):
+                storage.set_aside(path)
+        return {}
+
+    def _store(self) -> None:
+        path = self._file
+        try:
+            storage.write(path, self._core)
+        except OSError as error:
+            self.get_logger().error(f'{path} cannot be written: {error}')
+
+    # -- diagnostics --------------------------------------------------------------------
+
+    def _tick(self) -> None:
+        self._topics.tick(self.PERIOD)
+        self._tell()
+
+    def _tell(self) -> None:
+        """Say how errors, topics and calls are, if anybody listens."""
+        if self._diagnostics.get_subscription_count() == 0:
+            return
+        node, core = self.get_name(), self._core
+        with self.core_lock:
+            errors, calls = core.error_status(), core.call_counts()
+        statuses = [diagnostics.error_status(node, *each) for each in zip(core.errors, errors)]
+        statuses += [
+            diagnostics.call_status(node, *each) for each in zip(core.calls, calls, self._times)
+        ]
+        statuses.append(diagnostics.scheduling_status(node, self._scheduling_problem))
+        statuses += self._topics.statuses(node)
+        stamp = self.get_clock().now().to_msg()
+        self._diagnostics.publish(diagnostics.diagnostic_array(stamp, statuses))
+
+
+def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> None:
+    """Run a node until it is interrupted."""
+    rclpy.init(args=args)
+    node = make()
+    try:
+        spin_node(node, offers_methods=node.offers_methods)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    except Exception:
+        if node.context.ok():  # otherwise it is the end of the context, which is noticed anywhere
+            raise
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()

@@ -1,0 +1,96 @@
+"""Parameters of a node: settings that every node has, and those that its core takes."""
+
+from threading import Lock
+from typing import Any, Callable, Dict, Mapping, Sequence
+
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rclpy.exceptions import InvalidParameterValueException
+from rclpy.lifecycle import LifecycleNode
+from rclpy.parameter import Parameter
+
+from .core import Core
+
+CoreParameters = Callable[[Callable[[str], Any]], Dict[str, Any]]
+"""Parameters of the core, from what answers those of the node."""
+
+
+class Parameters:
+    """All parameters of a node."""
+
+    def __init__(
+        self, node: LifecycleNode, core: Core, core_lock: Lock, core_parameters: CoreParameters,
+    ) -> None:
+        """Begin with none."""
+        self._node = node
+        self._core = core
+        self._core_lock = core_lock
+        self._core_parameters = core_parameters
+        self._defaults: Dict[str, Any] = {}
+
+    def declare_settings(self, priority: int) -> None:
+        """Declare what every node has, whatever its function is."""
+        settings = (
+            ('lock_step', False,
+             'Whether the service ~/step gives the time: for tests and replays.'),
+            ('scheduling_policy', 'other',
+             f'Policy of the thread that runs the calls, with priority {priority}: '
+             'other, fifo or rr.'),
+            ('storage_folder', '',
+             f'Folder of what the node keeps; $ROS_HOME/{self._core.package} or '
+             f'~/.ros/{self._core.package} if empty.'),
+        )
+        for name, default, description in settings:
+            descriptor = ParameterDescriptor(description=description, read_only=True)
+            self._node.declare_parameter(name, default, descriptor)
+
+    def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
+        """Declare a parameter of the function."""
+        self._defaults[name] = default
+        self._node.declare_parameter(name, default, descriptor)
+
+    def value(self, name: str) -> Any:
+        """Answer the present value."""
+        return self._node.get_parameter(name).value
+
+    def take_changes(self) -> None:
+        """Refuse what the node was started with if the core does, and ask it from now on."""
+        result = self._set([])
+        if not result.successful:
+            values = {name: self.value(name) for name in self._defaults}
+            names = ', '.join(self._defaults)
+            raise InvalidParameterValueException(names, values, result.reason)
+        self._node.add_on_set_parameters_callback(self._set)
+
+    def given(self, stored: Mapping[str, Any]) -> Dict[str, Any]:
+        """Answer what differs from the defaults, which the core has itself."""
+        given = self._core_parameters(self.value)
+        defaults = self._core_parameters(lambda name: self._defaults[name])
+        return {
+            name: {'value': value, 'is_there': True}
+            for name, value in given.items()
+            if value != defaults[name] and (name not in self._core.learned or name not in stored)
+        }
+
+    def _set(self, parameters: Sequence[Parameter]) -> SetParametersResult:
+        """Take all of them, or none."""
+        changed = {each.name: each.value for each in parameters}
+        try:
+            values = self._core_parameters(
+                lambda name: changed[name] if name in changed else self.value(name)
+            )
+            with self._core_lock:
+                is_taken = self._core.set_parameters({
+                    name: value for name, value in values.items()
+                    if name not in self._core.learned
+                })
+        except (TypeError, ValueError, OverflowError) as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        reason = '' if is_taken else 'a parameter is out of its range'
+        return SetParametersResult(successful=is_taken, reason=reason)
+
+
+def symbol(numbers: Mapping[str, int], text: Any) -> int:
+    """Answer the number of a symbol. Raises ValueError for a text that is none."""
+    if text not in numbers:
+        raise ValueError(f'{text!r} is none of {", ".join(numbers)}')
+    return numbers[text]

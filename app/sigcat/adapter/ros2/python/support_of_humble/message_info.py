@@ -1,0 +1,11 @@
+"""What the middleware says of a message beside its values: nothing that rclpy would hand on."""
+
+from typing import Any, Callable, Optional
+
+
+def with_sequence_number(take: Callable[[Any, Optional[int]], None]) -> Callable[..., None]:
+    """Answer a callback of a subscription."""
+    def callback(message: Any) -> None:
+        take(message, None)
+
+    return callback

@@ -1,0 +1,112 @@
+"""EcoControl as packages of ROS 2, built once for as long as nothing of them changes."""
+
+import fcntl
+import hashlib
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+
+from scripts import ros2_environment, ros2_packages, run_ros2
+from scripts.run_autosar import CODE
+from tests.adapter.ros2.generated import ecocontrol, write
+from tests.adapter.ros2.other_end import Peer, peer
+from tests.needs import sampled
+
+NODES = {"core_acc": "core_acc_node", "eco_control_mpc": "eco_control_mpc_node"}
+LANGUAGES = {"C++": "eco_control", "Python": "eco_control_py"}
+USUAL = sampled(LANGUAGES, usual=("C++",))
+"""Python nodes have tests of their own; what those in C++ do is asked of them, too, in `make slow`."""
+FLAGS = "-O0 -Werror"
+_MAKERS = (ros2_environment.REQUIREMENTS, Path(ros2_packages.__file__))
+DAY = 24 * 3600
+"""Seconds after which what was built and not used again is removed."""
+
+
+@cache
+def subset() -> Path:
+    """The subset of rclcpp."""
+    folder = _kept("subset", _of_files(ros2_packages.SUBSET, *_MAKERS))
+    with _alone(folder) as is_new:
+        if is_new:
+            ros2_packages.build_subset(folder)
+    return folder / "install"
+
+
+@cache
+def interfaces() -> Path:
+    """Messages and services."""
+    files = {name: text for name, text in ecocontrol().items() if "_interfaces/" in name}
+    folder = _kept("interfaces", repr(files) + _of_files(*_MAKERS))
+    with _alone(folder) as is_new:
+        if is_new:
+            write(files, folder / "src")
+            run_ros2.build(folder)
+    return folder / "install"
+
+
+@cache
+def workspace() -> run_ros2.Workspace:
+    """The nodes in both languages."""
+    files = {name: text for name, text in ecocontrol().items() if "_interfaces/" not in name}
+    others = (interfaces(), subset())
+    folder = _kept("ecocontrol", repr((files, others)) + _of_files(*CODE.values(), *_MAKERS))
+    with _alone(folder) as is_new:
+        if is_new:
+            write(files, folder / "src")
+            run_ros2.build(folder, *others, flags=FLAGS)
+    return run_ros2.Workspace(folder / "install", others)
+
+
+def _of_files(*roots: Path) -> str:
+    files = [
+        file for root in roots for file in (sorted(root.rglob("*")) if root.is_dir() else [root]) if file.is_file()
+    ]
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def _kept(name: str, made_of: str) -> Path:
+    """A folder that only what is made of the same, in the same environment, has."""
+    digest = hashlib.sha256((made_of + str(ros2_environment.ENVIRONMENT.resolve())).encode()).hexdigest()
+    folders = f"sigcat-ros2-{os.getuid()}-{name}"
+    folder = Path(tempfile.gettempdir()) / f"{folders}-{digest[:16]}"
+    folder.mkdir(exist_ok=True)
+    (folder / "lock").touch()
+    for lock in folder.parent.glob(f"{folders}-*/lock"):
+        if time.time() - lock.stat().st_mtime > DAY:
+            shutil.rmtree(lock.parent, ignore_errors=True)
+    return folder
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[bool]:
+    """Other workers of pytest-xdist wait, and find it built."""
+    with (folder / "lock").open("r+") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        done = folder / "done"
+        yield not done.exists()
+        done.touch()
+
+
+@contextmanager
+def running(language: str, folder: Path, *nodes: str, arguments: tuple[str, ...] = ()) -> Iterator[Peer]:
+    """Nodes in processes of their own, and a peer at the other end of their topics and services."""
+    built = workspace()
+    executables = [built.prefix / "lib" / LANGUAGES[language] / NODES[node] for node in nodes]
+    with run_ros2.domain() as number:
+        variables = run_ros2.environment(built, number, folder)
+        commands = [(executable, "--ros-args", *arguments) for executable in executables]
+        with run_ros2.started(commands, variables, folder / "nodes.txt"), peer(variables) as other:
+            yield other
+
+
+def ended(language: str, folder: Path, node: str, *arguments: str) -> tuple[int, str]:
+    """How a node ends that does not run for long, and what it says."""
+    built = workspace()
+    executable = built.prefix / "lib" / LANGUAGES[language] / NODES[node]
+    with run_ros2.domain() as number:
+        return run_ros2.ended([executable, "--ros-args", *arguments], run_ros2.environment(built, number, folder))

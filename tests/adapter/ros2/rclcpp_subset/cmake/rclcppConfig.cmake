@@ -1,0 +1,6 @@
+include(CMakeFindDependencyMacro)
+foreach(package builtin_interfaces rcl rcl_interfaces rcl_yaml_param_parser rosgraph_msgs rosidl_typesupport_cpp)
+  find_dependency(${package})
+endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/rclcppTargets.cmake)
+set(rclcpp_TARGETS rclcpp::rclcpp)

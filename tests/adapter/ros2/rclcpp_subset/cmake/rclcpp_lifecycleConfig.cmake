@@ -1,0 +1,6 @@
+include(CMakeFindDependencyMacro)
+foreach(package lifecycle_msgs rclcpp rcl_lifecycle)
+  find_dependency(${package})
+endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/rclcpp_lifecycleTargets.cmake)
+set(rclcpp_lifecycle_TARGETS rclcpp_lifecycle::rclcpp_lifecycle)

@@ -1,0 +1,163 @@
+"""What starts a workspace, and what people read: launch file, parameter files, README."""
+
+import json
+import re
+import subprocess
+
+import pytest
+import yaml
+
+from scripts import ros2_environment
+from tests.adapter.ros2.generated import ECOCONTROL, ecocontrol, files, full, integration, small, write
+from tests.needs import ros2
+
+AMENT_FLAKE8 = (
+    "--extend-ignore=B902,C816,D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404,I202",
+    "--import-order-style=google", "--max-line-length=99",
+)  # fmt: skip
+"""The settings of ament_flake8."""
+
+
+def launch_file(made):
+    (text,) = (text for name, text in made.items() if name.endswith(".launch.py"))
+    return text
+
+
+def parameters(made, node):
+    (text,) = (text for name, text in made.items() if name.endswith(f"config/{node}.yaml"))
+    return yaml.safe_load(text)["/**"]["ros__parameters"]
+
+
+def edited(change):
+    document = json.loads(ECOCONTROL.read_bytes())
+    change(document)
+    return files(json.dumps(document).encode())
+
+
+# -- launch file --------------------------------------------------------------------------------------------------
+
+
+def test_nodes_are_activated_after_those_that_they_hear():
+    assert re.findall(r"^    '(\w+)',$", launch_file(ecocontrol()), re.MULTILINE) == ["eco_control_mpc", "core_acc"]
+
+
+def test_nodes_that_hear_each_other_are_activated_in_the_order_of_the_set():
+    def feed_back(document):
+        mpc, topics = (next(each["ROSTopicList"] for each in document["CommunicationList"] if each["RunnableName"] == name)
+                       for name in ("EcoControlMpc_Step", "CoreAcc_Step"))  # fmt: skip
+        speed = next(topic for topic in mpc if topic["TopicName"] == "vehicle/speed")
+        given = next(topic for topic in topics if topic["TopicName"] == "core_acc/cycle50_ms")
+        speed["TopicName"] = given["TopicName"]
+
+    assert re.findall(r"^    '(\w+)',$", launch_file(edited(feed_back)), re.MULTILINE) == [
+        "core_acc",
+        "eco_control_mpc",
+    ]
+
+
+def test_the_namespace_of_the_deployment_is_the_default():
+    made = files(integration(ECOCONTROL.parents[2] / "core_acc/function.yaml",
+                             deployment={"ros2": {"namespace": "/ego"}}))  # fmt: skip
+    assert "'namespace', default_value='ego'" in launch_file(made)
+
+
+def test_a_start_that_does_not_come_to_its_end_has_a_time():
+    """Each end has its reason in the log: a node that ended, that refused, and that was late."""
+    text = launch_file(ecocontrol())
+    assert "'start_timeout', default_value='60'" in text
+    assert text.count("end(f'") == 3
+    assert text.count("Shutdown(reason=") == 1
+
+
+@ros2
+@pytest.mark.parametrize("workspace", [ecocontrol, full, small])
+def test_the_launch_file_is_as_ament_flake8_wants_it(workspace, tmp_path):
+    write({"a.launch.py": launch_file(workspace())}, tmp_path)
+    command = [str(ros2_environment.PYTHON), "-m", "flake8", *AMENT_FLAKE8, str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.returncode) == ("", 0)
+
+
+# -- parameter files ----------------------------------------------------------------------------------------------
+
+
+def test_a_parameter_file_has_the_defaults_in_the_types_of_the_node():
+    assert parameters(full(), "full") == {
+        "k": 1.0, "tab": [1.0, 2.0, 3.0], "cnt": 0, "kind": "B", "scheduling_policy": "other", "storage_folder": "",
+    }  # fmt: skip
+    assert isinstance(parameters(ecocontrol(), "eco_control_mpc")["veh_m"], float)
+
+
+def test_a_parameter_file_says_path_unit_and_range():
+    text = ecocontrol()["eco_control/config/core_acc.yaml"]
+    assert (
+        "    # Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2]; at least 0.5; at most 8\n" in text
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "value"),
+    [
+        ("double", 1e-05), ("double", 1e22), ("double", 0.1), ("integer", -(2**63)), ("bool", True),
+        ("string", 'a "b": \\ # \u2028\x85 é'), ("string", "~"), ("string_array", ["no", "1"]), ("integer_array", [1, 2]),
+    ],
+)  # fmt: skip
+def test_any_default_is_read_back_as_it_is(kind, value):
+    def change(document):
+        document["NodePackageList"][0]["Nodes"][0]["Parameters"][0] |= {"Default": value, "Type": kind}
+
+    found = parameters(edited(change), "core_acc")["a_lat_max"]
+    assert (found, type(found)) == (value, type(value))
+
+
+def test_a_list_without_elements_is_left_to_the_default():
+    def change(document):
+        document["NodePackageList"][0]["Nodes"][0]["Parameters"][0] |= {"Default": [], "Type": "double_array"}
+
+    assert "a_lat_max" not in parameters(edited(change), "core_acc")
+
+
+# -- README -------------------------------------------------------------------------------------------------------
+
+
+def test_the_picture_has_the_nodes_and_who_feeds_them():
+    page = ecocontrol()["README.md"]
+    picture = page.partition("```mermaid\n")[2].partition("```")[0].splitlines()
+    assert picture[:5] == [
+        "flowchart LR", '  core_acc_node(["core_acc"])', '  eco_control_mpc_node(["eco_control_mpc"])',
+        '  outside1["Brake control unit"]', '  outside2["Steering control unit"]',
+    ]  # fmt: skip
+    assert '  outside1 -- "vehicle/chassis/brake/cyl_p" --> core_acc_node' in picture
+    assert any(line.startswith('  eco_control_mpc_node -- "eco_control_mpc/cycle500_ms<br>') for line in picture)
+
+
+def test_the_table_of_topics_has_types_ends_quality_and_units():
+    assert (
+        "| `vehicle/speed` | `eco_control_interfaces/msg/Speed` | outside of the set | `core_acc`, `eco_control_mpc` | "
+        "best effort, volatile, depth 1 | `speed`: Vehicle.Speed \\[km/h\\] |"
+    ) in ecocontrol()["README.md"].splitlines()
+
+
+def test_every_topic_of_a_node_stands_in_the_table():
+    page = ecocontrol()["README.md"]
+    document = json.loads(ECOCONTROL.read_bytes())
+    topics = {topic["TopicName"] for call in document["CommunicationList"] for topic in call["ROSTopicList"]}
+    for node in document["NodePackageList"][0]["Nodes"]:
+        for key in ("ErrorTopics", "SafetyReactionTopics", "ModeTopics"):
+            topics |= {each["TopicName"] for each in node[key]}
+    assert topics == set(re.findall(r"^\| `([\w/]+)` \| `eco_control_interfaces/msg/", page, re.MULTILINE))
+
+
+def test_words_of_a_document_are_no_markup():
+    def change(document):
+        document["NodePackageList"][0]["Description"] = "<script> | `x` [y](z)\n# more"
+        topic = document["CommunicationList"][0]["ROSTopicList"][0]
+        topic["DataMappingList"][0]["FieldList"][0]["ExternalProvider"] = 'A "b" <c>\n  x --> y'
+
+    page = edited(change)["README.md"]
+    assert "\n\\&lt;script".replace("\\", "") + "&gt; \\| \\`x\\` \\[y\\](z) # more\n" in page
+    assert '["A #34;b#34; #60;c#62; x --#62; y"]' in page
+
+
+def test_it_says_how_the_code_of_each_function_is_given():
+    assert "-DCORE_ACC_CODE=FOLDER" in ecocontrol()["README.md"]

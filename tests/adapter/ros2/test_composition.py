@@ -1,0 +1,43 @@
+"""Many nodes in one process."""
+
+from scripts import run_ros2
+from tests.adapter.ros2.built import subset, workspace
+from tests.adapter.ros2.other_end import ACTIVATE, CLEANUP, CONFIGURE, DEACTIVATE, peer
+from tests.needs import ros2
+
+pytestmark = ros2
+
+SPACES = [f"/car{number}" for number in range(19)]
+MPC = "eco_control_mpc"
+
+
+def test_twenty_nodes_live_in_one_process(tmp_path):
+    """CoreAcc has its data in global variables, so that it is there once; each of the others has its own."""
+    built = workspace()
+    wanted = [*(f"eco_control::EcoControlMpcNode={space}" for space in SPACES), "eco_control::CoreAccNode=/car0"]
+    command = [subset() / "lib/rclcpp_components/load_components", "eco_control", *wanted]
+    nodes = [*(f"{space}/{MPC}" for space in SPACES), "/car0/core_acc"]
+    with run_ros2.domain() as number:
+        variables = run_ros2.environment(built, number, tmp_path)
+        with run_ros2.started([command], variables, tmp_path / "told.txt"), peer(variables) as other:
+            for node in nodes:
+                other.bring(node, CONFIGURE, ACTIVATE)
+                other.switch_on(node)
+            proposals = [f"{space}/{MPC}/cycle500_ms" for space in SPACES]
+            for topic in proposals:
+                quality = {"reliability": "BEST_EFFORT"}
+                other.listen(topic, "eco_control_interfaces/msg/EcoControlMpcCycle500ms", quality)
+            for topic in proposals:
+                other.hears(topic, lambda heard: len(heard) >= 3)
+            for node in nodes:
+                other.bring(node, DEACTIVATE, CLEANUP)
+
+
+def test_a_function_with_global_variables_is_there_once_in_a_process(tmp_path):
+    built = workspace()
+    command = [subset() / "lib/rclcpp_components/load_components", "eco_control"]
+    twice = ["eco_control::CoreAccNode=/car0", "eco_control::CoreAccNode=/car1"]
+    with run_ros2.domain() as number:
+        status, told = run_ros2.ended([*command, *twice], run_ros2.environment(built, number, tmp_path))
+    assert status != 0
+    assert "a process can have one node of it" in told

@@ -1,0 +1,177 @@
+"""The package of nodes in C++, as text: what is built and run of it is with the tests that need real ROS 2."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sigcat.adapter.ros2.cpp.parameters import AS
+from sigcat.errors import InputRefused
+from tests.adapter.autosar_adaptive.application.generated import FULL
+from tests.adapter.ros2 import generated
+
+SETS = (generated.ecocontrol, generated.full, generated.small, generated.storing)
+CPP = (".hpp", ".cpp")
+
+
+def source(made, node):
+    """The source of a node."""
+    (found,) = (text for name, text in made.items() if name.endswith(f"/src/{node}_node.cpp"))
+    return found
+
+
+def body(text, head):
+    """A function of a source, without its braces."""
+    return text.partition(f"::{head}(")[2].partition("\n{\n")[2].partition("\n}\n")[0]
+
+
+@pytest.mark.parametrize("made", SETS)
+def test_lines_fit_the_page_of_ros(made):
+    """No line of C++ is wider than 100 columns, unless it is a path or a name that cannot be broken."""
+    for name, text in made().items():
+        if name.endswith(CPP) and "/core/" not in name:
+            wide = [line for line in text.split("\n") if len(line) > 100 and not line.startswith("#include")]
+            assert wide == [], name
+
+
+@pytest.mark.parametrize("made", SETS)
+def test_the_same_document_gives_the_same_bytes(made):
+    """Nothing of a run, a clock or a hash is in the files."""
+    assert made.__wrapped__() == made.__wrapped__()
+
+
+def test_each_value_is_traced_to_its_path_and_unit():
+    """Where a message meets the core, the reader finds the catalogue's path and unit."""
+    text = source(generated.ecocontrol(), "core_acc")
+    assert "// Vehicle.Speed [km/h]\n        CoreAcc_Adapter_Receive_EgoVehSpd(" in text
+    assert (
+        "// Vehicle.ADAS.EcoControl.AccelerationRequest [m/s^2]\n    message.acceleration_request = out.AccReq;" in text
+    )
+
+
+@pytest.mark.parametrize(("made", "node"), [(generated.ecocontrol, "core_acc"), (generated.full, "full")])
+def test_subscriptions_only_store(made, node):
+    """A callback locks, hands its values over and wakes the calls: it neither calls the function nor sends."""
+    text = body(source(made(), node), "subscribe_all")
+    assert text.count("_Receive_") >= 10
+    assert not re.search(r"_Run_|_SetInput_|publish\(|_NextCall\(", text)
+
+
+def test_each_node_terminates_its_core_in_one_place_and_once_for_each_init():
+    """Cleanup, shutdown, errors and the destructor go the same way, which asks whether there was a good Init."""
+    for made, node in ((generated.ecocontrol, "core_acc"), (generated.full, "full")):
+        text = source(made(), node)
+        assert len(re.findall(r"_Adapter_Terminate\(", text)) == 1
+        assert "if (!is_initialized_) {\n    return;" in body(text, "terminate")
+        for end in ("on_cleanup", "on_shutdown", "on_error"):
+            assert "terminate();" in body(text, end)
+
+
+def test_under_the_lock_of_the_core_diagnostics_are_only_copied():
+    """The calls' thread waits for the lock: nothing is allocated while it is held."""
+    locked = body(source(generated.ecocontrol(), "core_acc"), "tell").partition("  }\n")[0]
+    assert "error = core_->adapter.error;" in locked
+    assert "push_back" not in locked
+
+
+def test_what_the_function_itself_publishes_is_not_subscribed_to():
+    """Another call takes it from the core, at once and without a message."""
+    text = source(generated.full(), "full")
+    assert "Full_Adapter_Receive_AccBack(&core_->adapter, out.Acc, clock_->now());" in body(text, "publish")
+    assert "AccBack" not in body(text, "subscribe_all")
+
+
+def test_a_queue_sends_a_message_for_each_of_its_values():
+    """As many as the core has in this step."""
+    assert "for (uint32_t i = 0; i < out.Many.count; ++i) {" in body(source(generated.full(), "full"), "publish")
+
+
+def test_an_enumeration_is_sent_as_text_and_as_number():
+    """The two fields agree; what comes is taken by its number."""
+    text = source(generated.full(), "full")
+    assert (
+        "message.gear_out = symbol_text(kGearOutSymbols, out.GearOut);\n    message.gear_out_number = out.GearOut;"
+        in text
+    )
+    assert "Full_Adapter_Receive_Gear(&core_->adapter, message.gear_number, clock_->now());" in text
+
+
+def test_a_method_that_is_offered_waits_for_the_call_that_runs_and_tells_whether_it_answered():
+    """An excluded or refused request is no answer with zeros."""
+    text = body(source(generated.full(), "full"), "answer_do_")
+    assert "lock_guard<std::mutex> call(call_mutex_);" in text
+    assert "response.success = reply == FULL_ADAPTER_OK;" in text
+
+
+def test_a_function_with_globals_has_one_node_in_a_process():
+    """The second one is refused, with the reason; others may be loaded as often as one likes."""
+    made = generated.ecocontrol()
+    assert "a process can have one node of it" in source(made, "core_acc")
+    assert "is_held" not in source(made, "eco_control_mpc")
+
+
+@pytest.mark.parametrize(
+    ("release", "quality"), [("jazzy", "rclcpp::ServicesQoS()"), ("humble", "rmw_qos_profile_services_default")]
+)
+def test_the_release_decides_what_a_service_takes(release, quality):
+    """Jazzy warns of what Humble needs."""
+    made = generated.files(generated.ECOCONTROL.read_bytes(), release)
+    assert f"{quality}, answering_);" in source(made, "core_acc")
+
+
+def test_parts_that_no_node_uses_are_left_out():
+    """Nothing watches deadlines where none is declared."""
+    names = {name.rpartition("/")[2] for name in generated.storing()}
+    assert "watch.hpp" not in names
+    assert {"clock.hpp", "topics.hpp", "storage.hpp"} <= names
+    assert "watch.cpp" not in generated.storing()[next(n for n in generated.storing() if n.endswith("CMakeLists.txt") and "_interfaces" not in n)]  # fmt: skip
+
+
+def test_cmake_says_where_it_looked_for_the_code():
+    """The folder of a function's code is a setting; without the code, configuring stops with both ways to give it."""
+    text = generated.ecocontrol()["eco_control/CMakeLists.txt"]
+    assert 'set(CORE_ACC_CODE "${CMAKE_CURRENT_SOURCE_DIR}/code/core_acc"' in text
+    assert '"Put it into eco_control/code/core_acc, or set CORE_ACC_CODE to its folder.")' in text
+    assert "-ffp-contract=off" in text
+
+
+def test_a_queue_that_shares_its_message_is_refused():
+    """It sends as many messages as it has values; what stands beside it would be sent as often."""
+    document = generated.integration(FULL / "function.yaml", deployment={"ros2": {"topics": "function"}})
+    with pytest.raises(InputRefused) as refused:
+        generated.files(document)
+    (finding,) = refused.value.findings
+    assert "The queue Many must travel alone" in finding.message
+    assert "`signal`" in (finding.fix or "")
+
+
+def test_every_learned_number_has_a_line_in_what_is_stored():
+    """Only what is learned is stored beside the counts: calibration comes from parameters."""
+    text = source(generated.full(), "full")
+    assert 'stored.Cnt.is_there = storage.read("Cnt", stored.Cnt.value);' in text
+    assert 'storage.read("K"' not in text
+
+
+def test_methods_are_answered_between_calls():
+    """A node that is late with its calls gives up the lock after each of them: whoever waits for an answer gets it."""
+    text = source(generated.ecocontrol(), "core_acc")
+    once = "while (clock_->wait_until(next)) {\n    {\n      const std::lock_guard<std::mutex> call(call_mutex_);\n      run_due_call();\n    }\n    supervise();"
+    assert once in text
+
+
+@pytest.mark.parametrize("type_", ["bool", "integer", "double", "string"])
+def test_parameters_of_each_type_are_read_as_rclcpp_gives_them(type_):
+    """The names of rclcpp: `as_int`, but `as_integer_array`."""
+    subset = (Path(__file__).parent / "rclcpp_subset/include/rclcpp/parameter.hpp").read_text()
+    for each in (type_, f"{type_}_array"):
+        assert f" {AS[each]}() const" in subset
+
+
+def test_a_node_names_messages_where_it_includes_one():
+    """A node that only receives includes them in its source, one that does neither has no such namespace."""
+    made = generated.small()
+    headers = {name: text for name, text in made.items() if name.endswith("_node.hpp")}
+    assert {name.rpartition("/")[2]: "namespace msg =" in text for name, text in headers.items()} == {
+        name.rpartition("/")[2]: '#include "small_interfaces/msg/' in text for name, text in headers.items()
+    }
+    assert "namespace msg =" in source(made, "sink") + source(made, "echo")

@@ -1,0 +1,74 @@
+"""The life of a node: every transition from every state, wrong ones too; Init and Terminate follow each other once each."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.ros2.built import USUAL, running
+from tests.adapter.ros2.other_end import (
+    ACTIVATE,
+    ACTIVE_SHUTDOWN,
+    CLEANUP,
+    CONFIGURE,
+    DEACTIVATE,
+    INACTIVE_SHUTDOWN,
+    UNCONFIGURED_SHUTDOWN,
+)
+from tests.needs import ros2
+
+pytestmark = [ros2, pytest.mark.parametrize("language", USUAL)]
+
+NODE = "eco_control_mpc"
+MADE = {
+    ("unconfigured", CONFIGURE): "inactive",
+    ("inactive", CLEANUP): "unconfigured",
+    ("inactive", ACTIVATE): "active",
+    ("active", DEACTIVATE): "inactive",
+    ("unconfigured", UNCONFIGURED_SHUTDOWN): "finalized",
+    ("inactive", INACTIVE_SHUTDOWN): "finalized",
+    ("active", ACTIVE_SHUTDOWN): "finalized",
+}
+"""Transitions that a lifecycle node makes when it is asked to; all others leave it where it is."""
+REACHED = {"unconfigured": (), "inactive": (CONFIGURE,), "active": (CONFIGURE, ACTIVATE)}
+ASKED = (*range(9), 10, 30, 41, 60, 99, 255)
+"""Numbers of requests: public ones, those of callbacks' results, and some that nobody knows."""
+
+
+def cycles(folder: Path) -> int:
+    """How often what is kept has been written: the ignition cycle grows with each good Init, and is written after Terminate."""
+    (file,) = folder.glob("eco_control/*.txt")
+    (line,) = (line for line in file.read_text().splitlines() if line.startswith("ignition_cycle: "))
+    return int(line.partition(": ")[2])
+
+
+@pytest.mark.parametrize("state", REACHED)
+def test_only_the_right_transitions_are_made(language, state, tmp_path):
+    """A wrong one is refused, and the node lives on."""
+    with running(language, tmp_path, NODE) as peer:
+        peer.bring(NODE, *REACHED[state])
+        for transition in ASKED:
+            if (state, transition) not in MADE:
+                peer.change(NODE, transition)
+                assert peer.state(NODE) == state, transition
+        shutdown = next(number for (before, number), after in MADE.items() if (before, after) == (state, "finalized"))
+        peer.bring(NODE, shutdown)
+        for transition in ASKED:
+            peer.change(NODE, transition)
+            assert peer.state(NODE) == "finalized", transition
+
+
+def test_each_good_init_is_followed_by_one_terminate(language, tmp_path):
+    with running(language, tmp_path, NODE) as peer:
+        for number in (1, 2, 3):
+            peer.bring(NODE, CONFIGURE, ACTIVATE, DEACTIVATE, ACTIVATE, DEACTIVATE, CLEANUP)
+            assert cycles(tmp_path) == number
+        peer.bring(NODE, CONFIGURE, ACTIVATE, ACTIVE_SHUTDOWN)
+        assert cycles(tmp_path) == 4
+    assert cycles(tmp_path) == 4
+
+
+def test_what_is_kept_is_written_when_a_process_is_told_to_end(language, tmp_path):
+    for number in (1, 2):
+        with running(language, tmp_path, NODE) as peer:
+            peer.bring(NODE, CONFIGURE, ACTIVATE)
+        assert cycles(tmp_path) == number
