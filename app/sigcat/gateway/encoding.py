@@ -1,0 +1,175 @@
+"""Values of signals become numbers of messages, and messages frames: the way back to CAN."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.datatypes import PRIMITIVES
+from sigcat.catalogue.model.definition import SIGNALS
+from sigcat.catalogue.model.interfaces import interface_name
+from sigcat.catalogue.network.can_database import LARGEST, CanDatabase
+from sigcat.catalogue.network.mapping import KUKSA_TARGET, PROFILE, SignalMapping, mappings_of
+from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, UNLISTED, Unfit, Value
+from sigcat.gateway.decoding import within
+from sigcat.gateway.frames import Frame
+from sigcat.runs.recording import cells
+from sigcat.runs.recording.shapes import Number
+
+NO_SUCH_NAME = "a text that the database has no number for"
+NO_VALUE = "no value of the datatype"
+
+
+class Outgoing(NamedTuple):
+    """A signal that goes to CAN."""
+
+    path: str
+    name: str
+    """That of its column."""
+    datatype: str
+    mapping: SignalMapping
+
+
+def outgoing_signals(catalogue: Catalogue) -> tuple[Outgoing, ...]:
+    """The signals that have `vss2dbc`, else VSS's profile.
+
+    A formula of the profile says how a signal is received, and no formula is turned round: such a signal is not sent.
+    """
+    return tuple(each for node in catalogue.nodes.values() for each in _outgoing(node))
+
+
+def _outgoing(node: Node) -> Iterator[Outgoing]:
+    datatype = node.values.get("datatype")
+    if node.definition.type not in SIGNALS or datatype not in PRIMITIVES:
+        return
+    mapping = next(mappings_of(node.values, (KUKSA_TARGET, PROFILE)), None)
+    if mapping is not None and not (mapping.is_profile and mapping.formula is not None):
+        yield Outgoing(node.path, interface_name(node.path), datatype, mapping)
+
+
+# -- a value ------------------------------------------------------------------------------------------------------
+
+
+class Place(NamedTuple):
+    """Where the values of a signal go: a signal of a message."""
+
+    outgoing: Outgoing
+    message: Any
+    signal: Any
+
+    def raw(self, text: str) -> float:
+        """The number that is transmitted for a cell of a trace. Raises Unfit."""
+        given = _network_value(_value(text, self.outgoing.datatype), self.outgoing.mapping)
+        conversion = self.signal.conversion
+        if isinstance(given, _Raw):
+            return self._held(given.number)
+        if isinstance(given, str):
+            numbers = [number for number, name in (conversion.choices or {}).items() if str(name) == given]
+            if not numbers:
+                raise Unfit(NO_SUCH_NAME)
+            return self._held(numbers[0])
+        if conversion.is_float:
+            return self._held(float(conversion.numeric_scaled_to_raw(float(given))))
+        if not math.isfinite(given):
+            raise Unfit(NOT_HELD)
+        step = abs(float(conversion.scale))
+        number = round(conversion.numeric_scaled_to_raw(within(given, self.signal.minimum, self.signal.maximum, step)))
+        return self._held(number)
+
+    def _held(self, number: float) -> float:
+        """A number that the bits of the signal hold. Raises Unfit."""
+        signal = self.signal
+        if signal.conversion.is_float:
+            if math.isfinite(number) and abs(number) > LARGEST[signal.length]:
+                raise Unfit(NOT_HELD)
+            return number
+        least = -(2 ** (signal.length - 1)) if signal.is_signed else 0
+        if not least <= number < least + 2**signal.length:
+            raise Unfit(NOT_HELD)
+        return number
+
+
+class _Raw(NamedTuple):
+    """A number as it is transmitted."""
+
+    number: float
+
+
+def _value(text: str, datatype: str) -> Value:
+    if datatype == "string":
+        return text
+    try:
+        found = cells.value_of(text, Number(datatype))
+    except cells.Unfit:
+        raise Unfit(NO_VALUE) from None
+    assert isinstance(found, bool | int | float)
+    return found
+
+
+def _network_value(value: Value, mapping: SignalMapping) -> float | str | _Raw:
+    """A number in the unit of the network's signal, or as it is transmitted, or a name of one. Raises Unfit."""
+    if mapping.choices:
+        return _of_profile(value, mapping) if mapping.is_profile else _of_list(value, mapping)
+    if mapping.formula is not None:
+        found = None if isinstance(value, str) else mapping.formula.value(float(value))
+        if found is None:
+            raise Unfit(NO_FORMULA_VALUE)
+        return found
+    return int(value) if isinstance(value, bool) else value
+
+
+def _of_list(value: Value, mapping: SignalMapping) -> float | str:
+    for choice in mapping.choices:
+        if choice.given == value and isinstance(choice.given, str) == isinstance(value, str):
+            return int(choice.meant) if isinstance(choice.meant, bool) else choice.meant
+    raise Unfit(UNLISTED)
+
+
+def _of_profile(value: Value, mapping: SignalMapping) -> str | _Raw:
+    """A text stands for the number beside it; a number that stands beside a name of the network, for that."""
+    for choice in mapping.choices:
+        if isinstance(value, str) and choice.meant == value:
+            return _Raw(choice.given)
+        if not isinstance(value, str) and choice.given == value:
+            return str(choice.meant)
+    raise Unfit(UNLISTED)
+
+
+# -- a message ----------------------------------------------------------------------------------------------------
+
+
+def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, Place]:
+    """Where signals go, by the names of their columns. Of several messages with a signal of the name, the first counts."""
+    found: dict[str, Place] = {}
+    for each in outgoing:
+        for message in database.messages:
+            if each.mapping.message not in (None, message.name):
+                continue
+            for signal in message.signals:
+                if signal.name == each.mapping.signal:
+                    found.setdefault(each.name, Place(each, message, signal))
+    return found
+
+
+class MessageState:
+    """What a message has in all its signals: what was set last, else what the database says that they begin with, else 0."""
+
+    def __init__(self, message: Any) -> None:
+        self._message = message
+        self._numbers: dict[str, float] = {signal.name: signal.raw_initial or 0 for signal in message.signals}
+        for signal in message.signals:
+            if signal.is_multiplexer and signal.raw_initial is None:
+                owned = [each.multiplexer_ids for each in message.signals if each.multiplexer_signal == signal.name]
+                self._numbers[signal.name] = min((ids[0] for ids in owned if ids), default=0)
+
+    def set(self, signal: Any, number: float) -> None:
+        """Give a signal a number, as it is transmitted; its part of a multiplexed message is the one that is sent next."""
+        self._numbers[signal.name] = number
+        if signal.multiplexer_ids:
+            self._numbers[signal.multiplexer_signal] = signal.multiplexer_ids[0]
+
+    def frame(self, time: int) -> Frame:
+        """The frame of this moment."""
+        message = self._message
+        data = bytes(message.encode(self._numbers, scaling=False, padding=False, strict=False))
+        return Frame(time, message.frame_id, bool(message.is_extended_frame), data, "")

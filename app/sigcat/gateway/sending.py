@@ -1,0 +1,114 @@
+"""Values become frames when their mappings say: intervals and unchanged values are heeded here."""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from sigcat import codes
+from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.values import Unfit
+from sigcat.findings import Finding
+from sigcat.gateway.encoding import MessageState, Outgoing, Place, places
+from sigcat.gateway.frames import Frame
+
+
+class _Slot:
+    """What is known of a signal."""
+
+    __slots__ = ("number", "sent", "time", "waits")
+
+    def __init__(self) -> None:
+        self.number: float | None = None
+        self.sent: float | None = None
+        self.time: int | None = None
+        """When it was sent last."""
+        self.waits = False
+        """Whether a value has come since."""
+
+
+class Sender:
+    """A run towards CAN, and what it has counted.
+
+    A value that comes before its interval is over waits for that, so that the bus has the last value in the end; of several
+    that wait, the last one is sent.
+    """
+
+    def __init__(self, database: CanDatabase, outgoing: Sequence[Outgoing]) -> None:
+        self.places: Mapping[str, Place] = places(database, outgoing)
+        self.values = self.frames = self.sent = self.held_back = 0
+        self.unfit: Counter[tuple[str, str]] = Counter()
+        """Values that are none of their signal of the network, by path and why."""
+        self.unmapped: Counter[str] = Counter()
+        """Values of columns that nothing maps, by these."""
+        self._slots = {name: _Slot() for name in self.places}
+        self._messages: dict[str, MessageState] = {}
+
+    def take(self, name: str, text: str) -> None:
+        """A value has come, as the cell of a trace."""
+        place = self.places.get(name)
+        if place is None:
+            self.unmapped[name] += 1
+            return
+        self.values += 1
+        slot = self._slots[name]
+        try:
+            number = place.raw(text)
+        except Unfit as reason:
+            self.unfit[place.outgoing.path, str(reason)] += 1
+            return
+        self.held_back += slot.waits
+        slot.number, slot.waits = number, True
+
+    def due(self, time: int) -> Iterator[Frame]:
+        """The frames that are due at a time, in ns: one of each message, for multiplexed ones one of each part."""
+        parts: dict[tuple[str, Any], list[str]] = {}
+        for name, slot in self._slots.items():
+            if slot.waits and self._is_due(name, slot, time):
+                place = self.places[name]
+                parts.setdefault((place.message.name, str(place.signal.multiplexer_ids)), []).append(name)
+        for (message, _), names in parts.items():
+            for name in names:
+                slot, place = self._slots[name], self.places[name]
+                assert slot.number is not None
+                state = self._messages.setdefault(message, MessageState(place.message))
+                state.set(place.signal, slot.number)
+                slot.time, slot.sent, slot.waits = time, slot.number, False
+                self.sent += 1
+            self.frames += 1
+            yield self._messages[message].frame(time)
+
+    def _is_due(self, name: str, slot: _Slot, time: int) -> bool:
+        mapping = self.places[name].outgoing.mapping
+        if mapping.on_change and slot.number == slot.sent:
+            slot.waits = False
+            self.held_back += 1
+            return False
+        return slot.time is None or time - slot.time >= mapping.interval
+
+    def next_time(self) -> int | None:
+        """When a value that waits is due; None if none does."""
+        times = [
+            (slot.time or 0) + self.places[name].outgoing.mapping.interval
+            for name, slot in self._slots.items() if slot.waits
+        ]  # fmt: skip
+        return min(times, default=None)
+
+    def line(self) -> str:
+        """What there is to tell."""
+        left = f"{self.held_back:,} held back by interval or for being unchanged"
+        unfit = sum(self.unfit.values())
+        return (
+            f"{self.values:,} values towards CAN: {self.sent:,} sent in {self.frames:,} frames, {left}, {unfit:,} unfit"
+        )
+
+    def findings(self, name: str) -> Iterator[Finding]:
+        """What was not sent, and why."""
+        for (path, why), count in self.unfit.items():
+            yield codes.FRAME_UNFIT.finding(f"{path}: {count:,} values not sent to CAN, {why}.", name)
+        if self.unmapped:
+            names = sorted(self.unmapped)
+            message = f"Nothing maps to CAN: {', '.join(names[:_MOST])}{' and more' if len(names) > _MOST else ''}."
+            yield codes.FRAME_UNFIT.graded("info").finding(message, name)  # most of what functions send stays with them
+
+
+_MOST = 20

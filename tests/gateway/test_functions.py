@@ -1,0 +1,164 @@
+"""`sigcat gateway --to`: what comes from CAN goes to functions that run, all of it, and what they send comes back."""
+
+import os
+import struct
+import sys
+import threading
+import time
+from pathlib import Path
+
+import can
+import pytest
+from can.interfaces.virtual import channels
+
+from sigcat.cli import main
+from sigcat.players.program import Program
+
+DBC = """\
+VERSION ""
+BU_: Gateway
+BO_ 256 Motion: 4 Gateway
+ SG_ Speed : 0|16@1+ (0.01,0) [0|250] "km/h" Gateway
+ SG_ Mass : 16|16@1+ (1,0) [0|0] "kg" Gateway
+BO_ 257 Wish: 2 Gateway
+ SG_ Wish : 0|16@1+ (0.01,0) [0|500] "km/h" Gateway
+"""
+MAPPINGS = """\
+Vehicle.Speed: {type: sensor, datatype: float, network_serialization: {signal: Speed, on_change: false}}
+Vehicle.CurbWeight: {type: attribute, datatype: uint16, network_serialization: {signal: Mass}}
+Vehicle.Wish:
+  type: actuator
+  datatype: float
+  description: What functions wish.
+  vss2dbc: {signal: Wish, on_change: true}
+"""
+PLAYER = Path(__file__).with_name("player.py")
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch, capsys):
+    """A run with a stand-in for the player; what it was given, and what is told."""
+    for name, text in {"bus.dbc": DBC, "can.vspec": MAPPINGS, "functions.json": "{}"}.items():
+        (tmp_path / name).write_text(text)
+    script = tmp_path / "player"
+    script.write_text(f"#!{sys.executable}\n{PLAYER.read_text()}")
+    script.chmod(0o755)
+
+    def running(*options, player="", status=0, log=None):
+        program = Program("SOME/IP", script, {**os.environ, "PLAYER": player})
+        monkeypatch.setattr("sigcat.players.program.build_player", lambda *_: program)
+        path = tmp_path / "drive.log"
+        path.write_text(
+            "".join(f"({at:.6f}) can0 100#{struct.pack('<HH', *data).hex()}\n" for at, data in log or DRIVE)
+        )
+        given = [] if "--live" in options else [str(path)]
+        given += ["--dbc", str(tmp_path / "bus.dbc"), "-s", "vss", "-l", str(tmp_path / "can.vspec")]
+        assert main(["gateway", *given, "--to", str(tmp_path / "functions.json"), *map(str, options)]) == status
+        rows = (tmp_path / "given.csv").read_text().splitlines() if (tmp_path / "given.csv").exists() else []
+        return rows, capsys.readouterr().err.replace(f"{tmp_path}/", "")
+
+    return running
+
+
+DRIVE = [(100.0, (100, 1500)), (100.05, (200, 1500)), (100.1, (200, 1510))]
+
+
+def test_every_value_is_handed_over_at_its_time_since_the_first_one_and_counted(run):
+    rows, told = run()
+    assert rows == [
+        "time,Vehicle.Speed,Vehicle.CurbWeight",
+        "0.000000000,1.0,1500",
+        "0.050000000,2.0,",
+        "0.100000000,2.0,1510",
+    ]
+    assert "drive.log: 3 values of 1 signals sent over SOME/IP, 3 received" in told
+    assert "drive.log: info B007 No function receives Vehicle.CurbWeight." in told
+
+
+def test_what_functions_send_is_a_trace(run, tmp_path):
+    run("--recorded", tmp_path / "recorded.csv", "-o", tmp_path / "trace.csv")
+    assert (tmp_path / "recorded.csv").read_text() == (
+        "time,Vehicle.Wish\n0.000000000,2.0\n0.050000000,4.0\n0.100000000,4.0\n"
+    )
+    assert (tmp_path / "trace.csv").read_bytes() == (tmp_path / "given.csv").read_bytes()
+
+
+def test_what_functions_send_goes_back_to_can(run, tmp_path):
+    _, told = run("--send", tmp_path / "wish.log", "--lock-step")
+    frames = [line.split()[:3] for line in (tmp_path / "wish.log").read_text().splitlines()]
+    assert [(time_, data) for time_, _, data in frames] == [("(0.000000)", "101#C800"), ("(0.050000)", "101#9001")]
+    assert "3 values towards CAN: 2 sent in 2 frames, 1 held back" in told
+
+
+def test_in_real_time_too(run, tmp_path):
+    run("--send", tmp_path / "wish.log")
+    assert "101#9001" in (tmp_path / "wish.log").read_text().splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("player", "told"),
+    [
+        ("dies", "functions.json: error B007 Not every component runs. Start them before the gateway"),
+        ("breaks", "functions.json: error B007 It breaks."),
+        ("loses", "drive.log: error B007 Of 3 values, 2 were sent over SOME/IP."),
+    ],
+)
+def test_functions_that_are_not_reached_are_told(run, player, told):
+    assert told in run(player=player, status=1)[1]
+
+
+def test_a_bus_is_carried_as_frames_come_once_everybody_listens(run, tmp_path):
+    """python-can's virtual bus; nothing is sent before the gateway listens, which it does when its player is ready."""
+    started = time.monotonic()
+    listens = []
+
+    def send():
+        while len(channels["carried"]) < 2:
+            time.sleep(0.01)
+        listens.append(time.monotonic() - started)
+        for speed in (100, 200):
+            bus.send(can.Message(arbitration_id=256, is_extended_id=False, data=struct.pack("<HH", speed, 1)))
+            time.sleep(0.05)
+
+    with can.Bus(interface="virtual", channel="carried") as bus:
+        sender = threading.Thread(target=send)
+        sender.start()
+        rows, _ = run("--live", "virtual:carried", "--duration", "1", player="late")
+        sender.join()
+    assert [row.split(",")[1] for row in rows] == ["Vehicle.Speed", "1.0", "2.0"]
+    assert listens[0] > 1
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--lock-step"], "--lock-step is for --to"),
+        (["--recorded", "x.csv"], "--recorded is for --to"),
+        (["--send", "virtual:x"], "--send is for a trace (.csv), or for what functions send"),
+        (
+            ["--to", "functions.json", "--live", "virtual:x", "--lock-step"],
+            "--lock-step is for a log: a bus does not wait",
+        ),
+    ],
+)
+def test_options_that_do_not_belong_together_are_told(tmp_path, capsys, options, told):
+    (tmp_path / "drive.log").write_text("")
+    assert main(["gateway", str(tmp_path / "drive.log"), "--dbc", "x.dbc", *options]) == 2
+    assert told in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["", "{}", "[1]", "nonsense"])
+def test_what_is_no_integration_json_is_told(run, tmp_path, capsys, text):
+    (tmp_path / "drive.log").write_text("(0.1) can0 100#64000000\n")
+    (tmp_path / "functions.json").write_text(text)
+    given = [
+        str(tmp_path / "drive.log"),
+        "--dbc",
+        str(tmp_path / "bus.dbc"),
+        "-s",
+        "vss",
+        "-l",
+        str(tmp_path / "can.vspec"),
+    ]
+    assert main(["gateway", *given, "--to", str(tmp_path / "functions.json")]) == 2
+    assert "must be Integration JSON" in capsys.readouterr().err

@@ -1,0 +1,139 @@
+"""What a stranger writes by mistake, or has in a log, is told in words of this field, or done as it says."""
+
+import struct
+
+import can
+import pytest
+
+from sigcat.cli import main
+
+DBC = """\
+VERSION ""
+BU_: Gateway
+BO_ 256 Motion: 4 Gateway
+ SG_ Speed : 0|16@1+ (0.01,0) [0|250] "km/h" Gateway
+ SG_ Mass : 16|16@1+ (1,0) [0|0] "kg" Gateway
+"""
+BODY = (
+    DBC.replace("Motion", "Body")
+    .replace("0.01", "1")
+    .replace("Speed", "Width")
+    .replace("Mass", "Height")
+    .replace("0|250", "0|0")
+)
+MAPPINGS = """\
+Vehicle.Speed: {type: sensor, datatype: float, network_serialization: {signal: Speed, on_change: false, default: 7}}
+Vehicle.Width: {type: attribute, datatype: uint16, network_serialization: {signal: Width}}
+"""
+
+
+@pytest.fixture
+def run(tmp_path, capsys):
+    """The lines of the trace, and what is told."""
+
+    def running(log, *options, mappings=MAPPINGS, dbc=DBC, status=0):
+        for name, text in {"bus.dbc": dbc, "body.dbc": BODY, "can.vspec": mappings}.items():
+            (tmp_path / name).write_text(text)
+        path = log if not isinstance(log, str) else tmp_path / "drive.log"
+        if isinstance(log, str):
+            path.write_text(log)
+        out = tmp_path / "trace.csv"
+        given = [str(each).replace("TMP", str(tmp_path)) for each in options]
+        if "--dbc" not in given:
+            given += ["--dbc", str(tmp_path / "bus.dbc")]
+        given += ["-s", "vss", "-l", str(tmp_path / "can.vspec"), "-o", str(out)]
+        assert main(["gateway", str(path), *given]) == status
+        rows = out.read_text().splitlines() if out.exists() else []
+        return rows, capsys.readouterr().err.replace(f"{tmp_path}/", "")
+
+    return running
+
+
+ONE = MAPPINGS.splitlines()[0].replace(", default: 7", "") + "\n"
+
+
+def test_each_channel_may_have_a_database_of_its_own(run):
+    """Both buses have identifier 100."""
+    log = "(1.0) can0 100#64000000\n(1.1) can1 100#D2040000\n(1.2) can2 100#D2040000\n"
+    rows, told = run(log, "--dbc", "can0=TMP/bus.dbc", "--dbc", "can1=TMP/body.dbc")
+    assert rows[1:] == ["1.000000000,1.0,", "1.100000000,,1234"]
+    assert "1 of 1 identifiers that the database does not have" in told
+
+
+def test_a_default_stands_until_a_value_comes(run):
+    """It comes with the first value of another signal, and once."""
+    log = "(1.0) can1 100#D2040000\n(1.1) can0 100#64000000\n"
+    rows, told = run(log, "--dbc", "can0=TMP/bus.dbc", "--dbc", "can1=TMP/body.dbc")
+    assert rows[1:] == ["1.000000000,7.0,1234", "1.100000000,1.0,"]
+    assert "2 values of mapped signals: 2 sent and 1 defaults" in told
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "told"),
+    [
+        (
+            "time,Vehicle.Sped\n1,2\n",
+            0,
+            "more.csv:1:1: warning T001 The catalogue has no signal 'Vehicle.Sped'. Did you mean 'Vehicle.Speed'?",
+        ),
+        ("time,abc\n1,2\n", 0, "The catalogue has no signal 'abc'."),
+        ("time,Vehicle.CurbWeight\n1,abc\n", 1, "A cell must be"),
+        ("time,Demo_Mode_In\n1,ON\n", 0, ""),
+    ],
+)
+def test_columns_that_are_added_are_signals_with_values(run, tmp_path, text, status, told):
+    (tmp_path / "more.csv").write_text(text)
+    _, words = run("(1.0) can0 100#64000000\n", "--add", "TMP/more.csv", mappings=ONE, status=status)
+    assert told in words
+    assert told or "warning" not in words
+
+
+def test_two_clocks_that_are_years_apart_are_told(run, tmp_path):
+    (tmp_path / "more.csv").write_text("time,Vehicle.Width\n0,2\n")
+    log = "(1700000000.0) can0 100#64000000\n"
+    told = run(log, "--add", "TMP/more.csv", mappings=ONE)[1]
+    assert "The trace begins at 0 s, and the log at 1,700,000,000 s: their rows do not meet. Count the log" in told
+    assert "do not meet" not in run(log, "--add", "TMP/more.csv", "--from-zero", mappings=ONE)[1]
+
+
+def test_a_blf_that_is_damaged_in_the_middle_is_an_error(run, tmp_path):
+    path = tmp_path / "drive.blf"
+    with can.Logger(str(path)) as logger:
+        for index in range(20_000):
+            data = struct.pack("<HH", index % 25_000, index * 7919 % 65536)
+            logger.on_message_received(
+                can.Message(timestamp=index / 100, arbitration_id=256, is_extended_id=False, data=data)
+            )
+    damaged = bytearray(path.read_bytes())
+    damaged[len(damaged) // 2 : len(damaged) // 2 + 64] = bytes(64)
+    path.write_bytes(damaged)
+    rows, told = run(path, mappings=ONE, status=1)
+    assert len(rows) > 100
+    assert "drive.blf: error B002 The log is damaged: " in told
+    assert "What follows was not read." in told
+
+
+@pytest.mark.parametrize("line", ["(0.1) can0", "nonsense of four words", "(x) can0 100#00", "(0.1) can0 100#XY"])
+def test_words_of_libraries_are_no_help(run, line):
+    told = run(f"(0.0) can0 100#64000000\n{line}\n", mappings=ONE)[1]
+    assert "drive.log:2:1: warning B002 The line is no frame: it must be like `(0.100000) can0 1A0#0102`." in told
+    assert "unpack" not in told
+
+
+def test_a_database_that_is_none_says_where_in_its_own_words(run):
+    told = run("(0.0) can0 100#64000000\n", dbc=DBC + "nonsense here\n", status=1)[1]
+    assert "bus.dbc:6: error B001 The file must be a CAN database: nothing begins like 'nonsense" in told.replace(
+        ":7", ":6"
+    )
+    assert ">>!<<" not in told
+
+
+def test_signals_that_share_bits_are_told(run):
+    overlapping = DBC.replace("Mass : 16|16", "Mass : 8|16")
+    told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=overlapping, status=1)[1]
+    assert "bus.dbc: warning B001 The signals Mass and Speed are overlapping in message Motion. Mend it" in told
+
+
+def test_a_form_without_a_report_is_a_mistake(run):
+    told = run("(1.0) can0 100#64000000\n", "--format", "sarif", status=2)[1]
+    assert "--format is for --report: name its file" in told
