@@ -1,0 +1,75 @@
+"""What a platform did while a drive was played to it: the same shape for all of them, so that they can be held side by side."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+Mode = Literal["lock step", "free run"]
+Sent = tuple[int, str]
+"""A time in ns, in that of the trace, and the text of a value as `sigcat simulate` writes it: the same bits, the same text."""
+
+
+class CallTime(NamedTuple):
+    """How long one call took, by the four points of measurement of its core."""
+
+    function: str
+    call: str
+    """Its interface: `CoreAcc_Step`."""
+    time_ns: int
+    """When, in the time of the trace; in free run of the platform's clock."""
+    t_exec_ns: int
+    """From the begin of SetInput to the end of GetOutput."""
+    t_logic_ns: int
+    """The function itself."""
+
+    @property
+    def t_adapter_ns(self) -> int:
+        """The rest."""
+        return self.t_exec_ns - self.t_logic_ns
+
+
+class ProcessLoad(NamedTuple):
+    """What a process took from its start to its end."""
+
+    name: str
+    cpu_s: float
+    peak_rss_bytes: int
+    executable_bytes: int
+    """Its program, with the libraries that were built for it; of Python with its modules."""
+    is_player: bool = False
+    """Whether it plays and records, and is no part of the platform."""
+
+
+class Built(NamedTuple):
+    """A set of functions, generated and compiled for a platform."""
+
+    platform: str
+    folder: Path
+    generated: tuple[Path, ...]
+    """Files that sigcat wrote for this platform alone, and that run in production."""
+    generate_s: float
+    build_s: float
+    notes: tuple[str, ...] = ()
+    """What of the platform is not the platform's own: `rclcpp: sigcat's subset of rclcpp 28`."""
+
+
+class Recording(NamedTuple):
+    """What was sent, how long it took, what it cost, and how it ended."""
+
+    platform: str
+    mode: Mode
+    built: Built
+    sent: Mapping[str, tuple[Sent, ...]]
+    """By the names of columns that `sigcat simulate` writes. In order of time."""
+    calls: tuple[CallTime, ...] = ()
+    processes: tuple[ProcessLoad, ...] = ()
+    lost: int = 0
+    """Messages that did not come; in lock step one ends the run."""
+    last_words: str = ""
+    """Why the run did not come to its end; empty if it did. What was sent until then is there."""
+    play_s: float = 0.0
+    silent: tuple[str, ...] = ()
+    """Columns that the platform has no message for: an AUTOSAR application writes safety reactions to its log."""
+    fields: tuple[str, ...] = ()
+    """Columns that have a value from the beginning, as a service is offered with the values of its fields (SWS_CM). What depends on
+    the first one may have its own first value earlier than where a first value has to come."""

@@ -1,0 +1,307 @@
+"""A comparison as it is told: every form of the report is made from this, and from nothing else.
+
+Times are in ns, if a name does not say otherwise; memory and sizes are in bytes.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.alias_generators import to_camel
+
+from sigcat.errors import InputRefused
+from sigcat.limits import COMPARISON_BYTES
+
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Count = Annotated[int, Field(ge=0)]
+Kind = Literal["other", "missing", "extra"]
+
+
+class Part(BaseModel):
+    """A frozen part of a report."""
+
+    model_config = ConfigDict(frozen=True, alias_generator=to_camel, populate_by_name=True, extra="ignore")
+
+
+class Platform(Part):
+    """A platform that was asked for."""
+
+    name: str
+    title: str
+    notes: tuple[str, ...] = ()
+    """What of it is not its own."""
+    left_out: str = ""
+    """Why it was not played to, and how to get it; empty if it was."""
+    last_words: tuple[str, ...] = ()
+    """Of runs that did not come to their ends."""
+    silent: tuple[str, ...] = ()
+    """What it has no message for."""
+    generate_s: Number = 0.0
+    build_s: Number = 0.0
+    play_s: Number = 0.0
+    lost: Count = 0
+    """Messages, in all runs."""
+    is_by_hand: bool = False
+    """Whether people wrote it, for comparison."""
+
+
+class Difference(Part):
+    """A value that is not what the reference sent at that time."""
+
+    time: int
+    kind: Kind
+    expected: str
+    found: str
+
+
+class Output(Part):
+    """What was sent under a name, beside what the reference sent."""
+
+    name: str
+    values: Count
+    wrong: Count
+    first: Difference | None = None
+    early: Count = 0
+    """1 if it is a field whose first value, which is the same, was there before its time."""
+
+
+class Behaviour(Part):
+    """A platform in lock step with the drive."""
+
+    platform: str
+    seconds: Number
+    steps: Count
+    """Calls of functions."""
+    outputs: tuple[Output, ...]
+
+    @property
+    def values(self) -> int:
+        """That were compared."""
+        return sum(each.values for each in self.outputs)
+
+    @property
+    def wrong(self) -> int:
+        """That are not equal."""
+        return sum(each.wrong for each in self.outputs)
+
+
+class Aligned(Part):
+    """A name on a platform in free run, beside the reference."""
+
+    name: str
+    values: Count
+    same: Count
+    """Equal to the nearest in time."""
+    shifted: Count
+    """Equal to what the reference sent up to a cycle before or after: an input came between the two calls."""
+    other: Count
+    """Neither."""
+    lost: int
+    """Steps that the reference has, and this one has not."""
+    p50_late: int
+    worst_late: int
+    """Of equal values, how much later than those of the reference they were sent."""
+
+
+class FreeRun(Part):
+    """A platform in free run, aligned with the reference."""
+
+    platform: str
+    seconds: Number
+    rows: tuple[Aligned, ...]
+
+
+class Line(Part):
+    """A signal on one platform: (time, value), as far as a picture can show it."""
+
+    platform: str
+    points: tuple[tuple[int, float | None], ...]
+
+
+class Trace(Part):
+    """A signal on all platforms."""
+
+    name: str
+    unit: str = ""
+    words: dict[int, str] = {}
+    """Names of values, of an enumeration."""
+    lines: tuple[Line, ...]
+
+
+class StatusChange(Part):
+    """An error, safety reaction or mode became this."""
+
+    time: int
+    name: str
+    value: str
+
+
+class FaultOutcome(Part):
+    """A platform under a fault."""
+
+    platform: str
+    values: Count
+    wrong: Count
+    first: Difference | None = None
+    name: str = ""
+    """Where the first difference is."""
+    last_words: str = ""
+
+    @property
+    def is_same(self) -> bool:
+        """Whether everything came in the same step with the same value."""
+        return bool(self.values) and not self.wrong and not self.last_words
+
+
+class Fault(Part):
+    """A fault, injected in the same way everywhere."""
+
+    name: str
+    title: str
+    description: str = ""
+    changes: tuple[StatusChange, ...] = ()
+    """What the reference does that it does not do without the fault."""
+    outcomes: tuple[FaultOutcome, ...] = ()
+
+
+class Durations(Part):
+    """A distribution."""
+
+    total: Count
+    least: Number
+    p50: Number
+    p99: Number
+    worst: Number
+    first_bin: int
+    bins: tuple[Count, ...]
+
+
+class Timing(Part):
+    """How long a call took on a platform."""
+
+    platform: str
+    mode: str
+    function: str
+    call: str
+    t_exec: Durations
+    t_adapter: Durations
+    t_logic: Durations
+
+
+class Measured(Part):
+    """A duration that is of no call: from one end to the other, a translation."""
+
+    name: str
+    platform: str
+    description: str
+    durations: Durations
+
+
+class Process(Part):
+    """What a process took."""
+
+    platform: str
+    mode: str
+    name: str
+    cpu_s: Number
+    drive_s: Number
+    peak: Count
+    size: Count
+    is_player: bool = False
+
+    @property
+    def share(self) -> float:
+        """Of one core, as if the drive had been played in real time."""
+        return self.cpu_s / self.drive_s if self.drive_s else 0.0
+
+
+class Lines(Part):
+    """Lines of files: without blank ones and comments, and all."""
+
+    what: str
+    by: Literal["person", "sigcat"]
+    platform: str = ""
+    """Empty: for all platforms."""
+    files: Count
+    code: Count
+    total: Count
+
+
+class Target(Part):
+    """What must hold."""
+
+    what: str
+    wanted: str
+    measured: str
+    holds: bool | None
+    """None: not measured."""
+    note: str = ""
+
+
+class PaperFigure(Part):
+    """A figure of the paper, beside ours."""
+
+    what: str
+    place: str
+    """In the paper."""
+    paper: str
+    ours: str
+    differs: str
+    """In the set-up."""
+
+
+class Report(Part):
+    """All of it."""
+
+    sigcat: str
+    name: str
+    functions: tuple[str, ...]
+    trace: str
+    machine: tuple[tuple[str, str], ...]
+    reference: str
+    platforms: tuple[Platform, ...]
+    seconds: Number
+    """That the whole comparison took."""
+    targets: tuple[Target, ...] = ()
+    behaviour: tuple[Behaviour, ...] = ()
+    free_run: tuple[FreeRun, ...] = ()
+    traces: tuple[Trace, ...] = ()
+    faults: tuple[Fault, ...] = ()
+    timing: tuple[Timing, ...] = ()
+    measured: tuple[Measured, ...] = ()
+    processes: tuple[Process, ...] = ()
+    effort: tuple[Lines, ...] = ()
+    paper: tuple[PaperFigure, ...] = ()
+    notes: tuple[str, ...] = ()
+    """What else a reader has to know: what does not hold, and what was not measured."""
+
+    def title_of(self, platform: str) -> str:
+        """What a platform is called in sentences."""
+        return next((each.title for each in self.platforms if each.name == platform), platform)
+
+    @property
+    def is_equal(self) -> bool:
+        """Whether every platform that was played to has come to its end, and sent the same values, under every fault too."""
+        own = {each.name for each in self.platforms if not each.is_by_hand}
+        outcomes = [outcome for fault in self.faults for outcome in fault.outcomes if outcome.platform in own]
+        return (
+            not any(each.last_words for each in self.platforms if each.name in own)
+            and not any(each.wrong for each in self.behaviour if each.platform in own)
+            and all(each.is_same for each in outcomes)
+        )
+
+
+def to_json(report: Report) -> bytes:
+    """The report as a file."""
+    return report.model_dump_json(by_alias=True, indent=1, exclude_defaults=True).encode() + b"\n"
+
+
+def read_report(data: bytes, name: str) -> Report:
+    """A report from its file. Raises InputRefused."""
+    if len(data) > COMPARISON_BYTES:
+        raise InputRefused(f"{name} must have at most {COMPARISON_BYTES // 2**20} MiB to be a comparison.")
+    try:
+        return Report.model_validate_json(data)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        place = ".".join(str(each) for each in first["loc"])
+        raise InputRefused(f"{name} is no comparison that `sigcat compare` wrote: {place}: {first['msg']}.") from None

@@ -1,0 +1,119 @@
+"""AUTOSAR adaptive: applications on the bench runtime, a process each, over SOME/IP in a network of their own."""
+
+import os
+import shutil
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+from sigcat.adapter.toolchain import Toolchain
+from sigcat.comparison.recording import Built, Recording
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.generated import generated
+from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
+from sigcat.comparison.running.recorded import begin_of, read_recorded
+from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.names import screaming_snake_case
+from sigcat.players import cmake
+from sigcat.players.commands import write
+from sigcat.runs.connections import Connections
+
+NAME = "autosar-adaptive"
+_PORT = "40000"
+"""At which the player waits for the components, in lock step."""
+_BENCH = ("bench/", "generated/", "player/")
+"""What stands for a vendor's platform."""
+_NOTE = "AUTOSAR adaptive: sigcat's bench runtime instead of a vendor's platform"
+
+
+def _missing(environment: Mapping[str, str]) -> str | None:
+    path = environment.get("PATH")
+    if not shutil.which("cmake", path=path) or not (environment.get("CXX") or shutil.which("c++", path=path)):
+        return "autosar-adaptive needs CMake and a C++ compiler: apt-get install cmake g++"
+    if own_network() is None:
+        return (
+            "autosar-adaptive needs a network of its own: Linux that lets users make namespaces (`unshare -Urn true`)"
+        )
+    return None
+
+
+def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
+    del tools  # CMake finds its own, by the same variables
+    made = generated(subject, NAME, bench=True)
+    write(made.files, folder)
+    (folder / "integration.json").write_bytes(made.integration)
+    begin = time.monotonic()
+    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
+    flags = f"-include {header}"
+    settings = {
+        **{f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()},
+        "CMAKE_C_FLAGS": flags, "CMAKE_CXX_FLAGS": flags,
+        "CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100,
+    }  # fmt: skip
+    cmake.build(folder, folder / "build", settings)
+    own = tuple(folder / file.name for file in made.files if not file.name.startswith(_BENCH))
+    return Built(NAME, folder, own, made.seconds, time.monotonic() - begin, (_NOTE,))
+
+
+def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
+    run = _fresh(built.folder / "run")
+    model = _model(built.folder)
+    lock_step = {"BENCH_PLAYER": _PORT} if drive.mode == "lock step" else {}
+    environment = {**os.environ, **lock_step, marks.FOLDER: str(run / "marks")}
+    programs = built.folder / "build"
+    processes = [
+        Process(name, (str(programs / name / name),), environment, (programs / name / name,))
+        for name in dict.fromkeys(each.executable for each in model.components)
+    ]
+    recorded = run / "recorded.csv"
+    player = programs / "player/player"
+    kills = [_kill(model, each) for each in drive.kills]
+    command = (str(player), str(drive.trace.absolute()), str(recorded), str(drive.end_ns / 1e9), *kills)
+    outcome = launched(processes, Process("player", command, environment, (player,)), run, own_network() or ())
+    return _recording(built, subject, drive, outcome, run)
+
+
+def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, run: Path) -> Recording:
+    prepared = subject.prepared
+    marked = marks.read_marks(prepared.connections, run / "marks", begin_of(drive.trace, prepared))
+    sent = read_recorded(run / "recorded.csv", prepared.columns)
+    return Recording(
+        NAME,
+        drive.mode,
+        built,
+        {**sent, **marked.reactions},
+        marked.calls,
+        outcome.loads,
+        last_words=outcome.last_words,
+        play_s=outcome.seconds,
+        silent=tuple(marked.reactions),
+        fields=_fields(prepared.connections),
+    )
+
+
+def _fields(connections: Connections) -> tuple[str, ...]:
+    """Statuses of errors."""
+    errors = {error.named.name for member in connections.members for error in member.plan.errors}
+    return tuple(each.name for each in connections.exits if each.field in errors)
+
+
+def _fresh(folder: Path) -> Path:
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "marks").mkdir(parents=True)
+    return folder
+
+
+def _model(folder: Path) -> IntegrationModel:
+    path = folder / "integration.json"
+    return read_integration(path.read_bytes(), str(path), DEFAULT_LIMITS)
+
+
+def _kill(model: IntegrationModel, kill: Kill) -> str:
+    component = next(each for each in model.components if each.function == kill.function)
+    return f"{component.executable}@{component.name}@{kill.time_ns}"
+
+
+AUTOSAR_ADAPTIVE = Runner(NAME, "AUTOSAR adaptive", _missing, _build, _play)

@@ -1,0 +1,75 @@
+"""AUTOSAR Classic: software components on the test RTE, in one process that is given the time."""
+
+import os
+import shutil
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+from sigcat.adapter.toolchain import Toolchain
+from sigcat.comparison.recording import Built, Recording
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.generated import generated
+from sigcat.comparison.running.processes import Process, launched
+from sigcat.comparison.running.recorded import read_recorded
+from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.names import screaming_snake_case
+from sigcat.players import cmake
+from sigcat.players.commands import write
+
+NAME = "autosar-classic"
+_BENCH = ("test_rte/", "contract/")
+"""What stands for a vendor's RTE."""
+_NOTE = "AUTOSAR Classic: sigcat's test RTE instead of a vendor's, on one core"
+_WORDS = {"lock step": "lock", "free run": "free"}
+
+
+def _missing(environment: Mapping[str, str]) -> str | None:
+    path = environment.get("PATH")
+    if not shutil.which("cmake", path=path) or not (environment.get("CC") or shutil.which("cc", path=path)):
+        return "autosar-classic needs CMake and a C compiler: apt-get install cmake gcc"
+    return None
+
+
+def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
+    del tools  # CMake finds its own, by the same variables
+    made = generated(subject, NAME, bench=True)
+    write(made.files, folder)
+    (folder / "integration.json").write_bytes(made.integration)
+    begin = time.monotonic()
+    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
+    settings = {
+        **{f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()},
+        "CMAKE_C_FLAGS": f"-include {header}", "CMAKE_CXX_FLAGS": f"-include {header}",
+    }  # fmt: skip
+    cmake.build(folder, folder / "build", settings)
+    own = tuple(folder / file.name for file in made.files if not file.name.startswith(_BENCH))
+    return Built(NAME, folder, own, made.seconds, time.monotonic() - begin, (_NOTE,))
+
+
+def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
+    run = built.folder / "run"
+    shutil.rmtree(run, ignore_errors=True)
+    (run / "marks").mkdir(parents=True)
+    program, sent = built.folder / "build/test_rte", run / "sent.csv"
+    kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
+    files = (str(drive.trace.absolute()), str(sent), str(run / "told.csv"))
+    command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
+    environment = {**os.environ, marks.FOLDER: str(run / "marks")}
+    outcome = launched((), Process("test_rte", command, environment, (program,)), run)
+    prepared = subject.prepared
+    marked = marks.read_marks(prepared.connections, run / "marks", 0)
+    loads = tuple(each._replace(is_player=False) for each in outcome.loads)
+    return Recording(
+        NAME,
+        drive.mode,
+        built,
+        read_recorded(sent, prepared.columns),
+        marked.calls,
+        loads,
+        last_words=outcome.last_words,
+        play_s=outcome.seconds,
+    )
+
+
+AUTOSAR_CLASSIC = Runner(NAME, "AUTOSAR Classic", _missing, _build, _play)

@@ -1,0 +1,163 @@
+"""A program of its own: `launch.py SPEC.json`. Runs processes and a player beside them, and ends when the player does.
+
+It is the first process of a network of its own, where there is one: what the processes send stays on the loopback
+interface. When a process dies, everything ends. When the launcher ends, however that comes, none of them goes on.
+What the player writes to standard output are requests: `kill NAME`, which is answered with a line.
+"""
+
+import ctypes
+import fcntl
+import json
+import os
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+PATIENCE = 10.0
+"""Seconds in which processes have to end when they are told to."""
+_SET_FLAGS, _UP = 0x8914, 0x1
+_DEATH_SIGNAL = 1
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Exit status 0, and what became of the processes in the file that the specification names."""
+    spec = json.loads(Path(arguments[0]).read_text("utf-8"))
+    die_with_parent()
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, _stop)
+    _loopback_up()
+    launch = Launch(Path(spec["told"]))
+    try:
+        launch.run(spec["processes"], spec["player"])
+    finally:
+        launch.kill_all()
+    Path(spec["outcome"]).write_text(json.dumps(launch.outcome), "utf-8")
+    return 0
+
+
+def die_with_parent() -> None:
+    """Linux kills this process when the one that started it ends; elsewhere the launcher's own end has to do."""
+    try:
+        ctypes.CDLL(None).prctl(_DEATH_SIGNAL, signal.SIGKILL)
+    except (AttributeError, OSError):
+        return
+
+
+def _stop(number: int, _: object) -> None:
+    raise SystemExit(128 + number)
+
+
+def _loopback_up() -> None:
+    """In a network of its own it is down at first; where that is not allowed, it is up already."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
+        try:
+            fcntl.ioctl(any_socket, _SET_FLAGS, struct.pack("16sH14x", b"lo", _UP))
+        except PermissionError:
+            return
+
+
+class Launch:
+    """Processes that run, by name, and what became of those that ended."""
+
+    def __init__(self, told: Path) -> None:
+        self.told = told
+        self.running: dict[int, str] = {}
+        self.held: list[subprocess.Popen[str]] = []
+        """What Python would wait for by itself, if nobody held it."""
+        self.meant: set[str] = set()
+        """Those that were to end."""
+        self.ended: dict[str, dict[str, float]] = {}
+        self.first_dead = ""
+        self.when = "before the drive did"
+        self.began = time.monotonic()
+        self.ends = self.began
+
+    @property
+    def outcome(self) -> Mapping[str, Any]:
+        """What the caller reads."""
+        return {"ended": self.ended, "dead": self.first_dead, "when": self.when, "seconds": self.ends - self.began}
+
+    def run(self, processes: Sequence[Mapping[str, Any]], player: Mapping[str, Any]) -> None:
+        """Until the player has ended, or a process died before it."""
+        for each in processes:
+            self._start(each)
+        started = self._start(player, is_player=True)
+        listener = Thread(target=self._listen, args=(started,), daemon=True)
+        listener.start()
+        while player["name"] not in self.ended and not self.first_dead:
+            self._wait(player["name"])
+        self.ends = time.monotonic()
+        self._end()
+
+    def _start(self, each: Mapping[str, Any], *, is_player: bool = False) -> "subprocess.Popen[str]":
+        name = each["name"]
+        pipe = subprocess.PIPE if is_player else None
+        with (self.told / f"{name}.txt").open("wb") as told:
+            process = subprocess.Popen(  # noqa: S603 - no shell
+                each["command"], env=each["environment"], stdin=pipe or subprocess.DEVNULL, stdout=pipe or told,
+                stderr=told, text=True, preexec_fn=die_with_parent,  # noqa: PLW1509 - before any thread
+            )  # fmt: skip
+        self.held.append(process)
+        self.running[process.pid] = name
+        return process
+
+    def _listen(self, player: "subprocess.Popen[str]") -> None:
+        assert player.stdout is not None
+        assert player.stdin is not None
+        for line in player.stdout:
+            what, _, name = line.strip().partition(" ")
+            if what == "kill":
+                self._kill(name)
+            player.stdin.write("done\n")
+            player.stdin.flush()
+
+    def _kill(self, name: str) -> None:
+        self.meant.add(name)
+        for pid, each in list(self.running.items()):
+            if each == name:
+                os.kill(pid, signal.SIGKILL)
+        until = time.monotonic() + PATIENCE
+        while name in self.running.values() and time.monotonic() < until:
+            time.sleep(0.001)
+
+    def _wait(self, player: str) -> None:
+        """One process ends."""
+        pid, status, usage = os.wait3(0)
+        name = self.running.pop(pid)
+        code = os.waitstatus_to_exitcode(status)
+        self.ended[name] = {
+            "status": code, "cpu": usage.ru_utime + usage.ru_stime, "rss": usage.ru_maxrss * 1024,
+        }  # fmt: skip
+        is_expected = name in self.meant or (name == player and code == 0)
+        self.first_dead = self.first_dead or ("" if is_expected else name)
+
+    def _end(self) -> None:
+        """Those that still run are told to end, and killed if they do not."""
+        told = list(self.running.values())
+        self.meant.update(told)
+        for pid in list(self.running):
+            os.kill(pid, signal.SIGTERM)
+        signal.signal(signal.SIGALRM, lambda *_: self.kill_all())
+        signal.alarm(int(PATIENCE))
+        while self.running:
+            self._wait("")
+        signal.alarm(0)
+        failed = [name for name in told if self.ended[name]["status"] > 0]
+        if failed and not self.first_dead:
+            self.first_dead, self.when = failed[0], "when it was told to end"
+
+    def kill_all(self) -> None:
+        """Nothing goes on."""
+        for pid in list(self.running):
+            os.kill(pid, signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,127 @@
+"""Processes of a platform, started, watched and ended: by the launcher, which is a process of its own."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.comparison.recording import ProcessLoad
+
+_LAUNCHER = Path(__file__).with_name("launch.py")
+_LAST_LINES = 8
+
+
+class Process(NamedTuple):
+    """What is started, and what it is measured by."""
+
+    name: str
+    command: tuple[str, ...]
+    environment: Mapping[str, str]
+    program: tuple[Path, ...] = ()
+    """Its executable, with what was built for it."""
+
+
+class Outcome(NamedTuple):
+    """What became of processes."""
+
+    loads: tuple[ProcessLoad, ...]
+    last_words: str
+    """Of the first one that died; empty if none did."""
+    seconds: float
+    """Until the player had ended."""
+
+
+def launched(
+    processes: Sequence[Process], player: Process, folder: Path, network: Sequence[str] = (), limit: float | None = None
+) -> Outcome:
+    """Run processes until the player has ended, or one has died. Nothing of them goes on, however this ends."""
+    folder.mkdir(parents=True, exist_ok=True)
+    spec, outcome = folder / "launch.json", folder / "outcome.json"
+    outcome.unlink(missing_ok=True)
+    spec.write_text(
+        json.dumps(
+            {
+                "processes": [_described(each) for each in processes],
+                "player": _described(player),
+                "told": str(folder),
+                "outcome": str(outcome),
+            }
+        ),
+        "utf-8",
+    )
+    status = _run_to_end([*network, sys.executable, str(_LAUNCHER), str(spec)], folder / "launcher.txt", limit)
+    if not outcome.exists():
+        words = _last_lines(folder / "launcher.txt")
+        return Outcome((), f"The launcher ended with status {status}. {words}".strip(), 0.0)
+    return _outcome(json.loads(outcome.read_text("utf-8")), (*processes, player), folder)
+
+
+def _described(process: Process) -> Mapping[str, object]:
+    return {"name": process.name, "command": process.command, "environment": process.environment}
+
+
+def _run_to_end(command: Sequence[str], told: Path, limit: float | None) -> int | None:
+    """The status of a command, which leads a group of its own that is ended with it; None: it took longer than it may."""
+    with told.open("wb") as output:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=output, process_group=0)  # noqa: S603
+    try:
+        return process.wait(limit)
+    except subprocess.TimeoutExpired:
+        return None
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+
+
+def _outcome(told: Mapping[str, object], processes: Sequence[Process], folder: Path) -> Outcome:
+    ended, dead, seconds = told["ended"], told["dead"], told["seconds"]
+    assert isinstance(ended, dict)
+    loads = tuple(
+        ProcessLoad(
+            each.name, ended[each.name]["cpu"], ended[each.name]["rss"], _size(each.program), each is processes[-1]
+        )
+        for each in processes if each.name in ended
+    )  # fmt: skip
+    words = _died(str(dead), str(told["when"]), ended, folder) if dead else ""
+    return Outcome(loads, words, float(str(seconds)))
+
+
+def _died(name: str, when: str, ended: Mapping[str, Mapping[str, int]], folder: Path) -> str:
+    status = ended[name]["status"]
+    how = f"status {status}" if status >= 0 else _signal_name(-status)
+    words = _last_lines(folder / f"{name}.txt")
+    return f"{name} ended with {how} {when}{f': {words}' if words else ', without a word'}"
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
+def _last_lines(path: Path) -> str:
+    lines = path.read_text("utf-8", "replace").splitlines() if path.exists() else []
+    return "\n".join([line for line in lines if line.strip()][-_LAST_LINES:])
+
+
+def _size(program: Iterable[Path]) -> int:
+    return sum(each.stat().st_size for each in program if each.is_file())
+
+
+def own_network() -> tuple[str, ...] | None:
+    """The command that gives a process a network of its own; None where it may not have one."""
+    for command in (("unshare", "-n"), ("unshare", "-Urn")):
+        try:
+            done = subprocess.run([*command, "true"], check=False, capture_output=True)  # noqa: S603
+        except OSError:
+            return None
+        if done.returncode == 0:
+            return command
+    return None

@@ -1,0 +1,43 @@
+"""What a player has recorded, in the words of the simulation."""
+
+import csv
+from collections import defaultdict
+from collections.abc import Mapping
+from pathlib import Path
+
+from sigcat.comparison.recording import Sent
+from sigcat.runs.prepare import Prepared
+from sigcat.runs.recording.cells import Unfit, cell_of, value_of
+from sigcat.runs.recording.shapes import Shape, packing
+from sigcat.runs.recording.trace_file import moments, open_trace
+
+_COLUMNS = ("time", "name", "value")
+
+
+def begin_of(trace: Path, prepared: Prepared) -> int:
+    """When a drive begins, in ns: with the first row of its trace; 0 without one."""
+    rows = moments(open_trace(trace, prepared.known_columns(())._replace(others=None)))
+    return next((row.time for row in rows), 0)
+
+
+def read_recorded(path: Path, columns: Mapping[str, Shape]) -> Mapping[str, tuple[Sent, ...]]:
+    """Rows of time in ns, name and value, by name. A last row that was cut off is left out."""
+    found: defaultdict[str, list[Sent]] = defaultdict(list)
+    if not path.exists():
+        return {}
+    with path.open(newline="", encoding="utf-8", errors="replace") as file:
+        for row in csv.reader(file):
+            if len(row) == len(_COLUMNS) and row[0].isdigit():
+                found[row[1]].append((int(row[0]), _text(row[2], columns.get(row[1]))))
+    return {name: tuple(values) for name, values in found.items()}
+
+
+def _text(text: str, shape: Shape | None) -> str:
+    """The text that the simulation has for the same bits; what is no such value stays as it is."""
+    if shape is None:
+        return text
+    try:
+        packed = packing(shape)
+        return cell_of(packed.unpack(packed.pack(value_of(text, shape))), shape)  # a float has the bits of a float
+    except Unfit:
+        return text

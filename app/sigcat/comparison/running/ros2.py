@@ -1,0 +1,177 @@
+"""ROS 2: lifecycle nodes in C++ or in Python, a process each, over DDS in a domain of their own."""
+
+import json
+import shutil
+import socket
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.toolchain import Toolchain
+from sigcat.comparison.recording import Built, Recording
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.generated import generated
+from sigcat.comparison.running.processes import Process, launched
+from sigcat.comparison.running.recorded import read_recorded
+from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.names import screaming_snake_case
+from sigcat.players.commands import BuildFails, write
+from sigcat.players.ros2_environment import Ros2, find_ros2, installed
+from sigcat.players.ros2_packages import UNITED, build_cmake, build_python
+from sigcat.players.ros2_player_source import player_files
+
+CPP, PYTHON = "ros2-cpp", "ros2-py"
+_PLAYER = "install/lib/player/player"
+_WORDS = {"lock step": "lock", "free run": "free"}
+_LOCK_STEP = ("--ros-args", "-p", "lock_step:=true")
+_FIRST_PORT = 22119
+_DOMAINS = range(1, 100)
+
+
+def _missing(environment: Mapping[str, str]) -> str | None:
+    path = environment.get("PATH")
+    if not shutil.which("cmake", path=path) or not shutil.which("ninja", path=path):
+        return "ROS 2 nodes are built with CMake and Ninja: apt-get install cmake ninja-build g++"
+    found = find_ros2(environment)
+    return found if isinstance(found, str) else None
+
+
+# -- building -----------------------------------------------------------------------------------------------------
+
+
+def _build(subject: Subject, folder: Path, tools: Toolchain, *, language: str) -> Built:
+    """Both languages share a folder: nodes in Python load the core that the package in C++ has."""
+    del tools  # CMake finds its own, by the same variables
+    ros2, made = installed(), generated(subject, "ros2")
+    write(made.files, folder / "src")
+    (folder / "integration.json").write_bytes(made.integration)
+    begin = time.monotonic()
+    subset = [_built_subset(ros2.rclcpp, folder / "subset", ros2)] if ros2.rclcpp else []
+    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
+    settings = {f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()}
+    prefix = folder / "install"
+    for package in _packages(folder / "src"):
+        if (package / "src").exists():
+            own = {**settings, "CMAKE_C_FLAGS": f"-include {header}", "CMAKE_CXX_FLAGS": f"-include {header}"}
+            build_cmake(package, folder, prefix, ros2, *subset, settings={**own, "CMAKE_UNITY_BUILD": "ON"})
+        elif (package / "CMakeLists.txt").exists():
+            build_cmake(package, folder, prefix, ros2, *subset, settings={"CMAKE_PROJECT_INCLUDE": UNITED})
+        elif language == PYTHON:
+            build_python(package, folder, prefix, ros2, *subset)
+    write(player_files(json.loads(made.integration)), folder / "player")
+    build_cmake(folder / "player", folder, prefix, ros2, *subset)
+    own_files = tuple(folder / "src" / file.name for file in made.files if _is_of(language, file))
+    notes = (ros2.note,) if ros2.note else ()
+    return Built(language, folder, own_files, made.seconds, time.monotonic() - begin, notes)
+
+
+def _built_subset(source: Path, folder: Path, ros2: Ros2) -> Path:
+    """As a distribution has rclcpp: otherwise what is measured is a compiler that does not optimize."""
+    return build_cmake(source, folder, folder / "install", ros2, settings={"CMAKE_BUILD_TYPE": "Release"})
+
+
+def _packages(source: Path) -> list[Path]:
+    """Messages first."""
+    found = [each for each in source.iterdir() if (each / "package.xml").exists()]
+    return sorted(found, key=lambda each: (not each.name.endswith("_interfaces"), each.name))
+
+
+def _is_of(language: str, file: GeneratedFile) -> bool:
+    """Whether a file runs with nodes of a language: the core is that of both."""
+    package, _, path = file.name.partition("/")
+    if package.endswith("_py"):
+        return language == PYTHON
+    return language == CPP or package.endswith("_interfaces") or path.startswith("core/")
+
+
+# -- playing ------------------------------------------------------------------------------------------------------
+
+
+Files = Callable[[Mapping[str, Any], Path], tuple[Path, ...]]
+"""The program of a node, then what it loads that was built for it; in a folder where everything was built."""
+
+
+def _play(built: Built, subject: Subject, drive: Drive, *, language: str) -> Recording:
+    return play_nodes(built, subject, drive, partial(_files, language=language))
+
+
+def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Recording:
+    """What nodes do that have the topics and services of the set, whoever wrote them."""
+    ros2, folder = installed(), built.folder
+    run = folder / f"run-{built.platform}"
+    shutil.rmtree(run, ignore_errors=True)
+    (run / "marks").mkdir(parents=True)
+    document = json.loads((folder / "integration.json").read_bytes())
+    recorded = run / "recorded.csv"
+    kills = [f"{_node(document, each.function)['Executable']}@{each.function}@{each.time_ns}" for each in drive.kills]
+    player = folder / _PLAYER
+    command = (str(player), _WORDS[drive.mode], str(drive.trace.absolute()), str(recorded), str(drive.end_ns), *kills)
+    with _domain() as number:
+        environment = _environment(ros2, folder, number, run)
+        processes = [_process(node, files(node, folder), environment, drive) for node in _nodes(document)]
+        outcome = launched(processes, Process("player", command, environment, (player,)), run)
+    marked = marks.read_marks(subject.prepared.connections, run / "marks", 0)
+    sent = read_recorded(recorded, subject.prepared.columns)
+    return Recording(
+        built.platform, drive.mode, built, sent, marked.calls, outcome.loads,
+        last_words=outcome.last_words, play_s=outcome.seconds,
+    )  # fmt: skip
+
+
+def _files(node: Mapping[str, Any], folder: Path, *, language: str) -> tuple[Path, ...]:
+    package = node["Package"] if language == CPP else f"{node['Package']}_py"
+    program = folder / "install/lib" / package / node["Executable"]
+    library = folder / f"install/lib/lib{node['NodeName']}_core.so"
+    component = folder / f"install/lib/lib{node['Executable']}_component.so"
+    modules = folder.glob(f"install/lib/python3*/site-packages/{package}/*.py")
+    return (program, library, *([component] if language == CPP else modules))
+
+
+def _process(node: Mapping[str, Any], files: tuple[Path, ...], environment: Mapping[str, str], drive: Drive) -> Process:
+    lock_step = _LOCK_STEP if drive.mode == "lock step" else ()
+    return Process(node["Executable"], (str(files[0]), *lock_step), environment, files)
+
+
+def _nodes(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    return [
+        {**node, "Package": package["Name"]} for package in document["NodePackageList"] for node in package["Nodes"]
+    ]
+
+
+def _node(document: Mapping[str, Any], function: str) -> Mapping[str, Any]:
+    return next(each for each in _nodes(document) if each["FunctionName"] == function)
+
+
+@contextmanager
+def _domain() -> Iterator[int]:
+    """A domain of DDS that nobody else on this machine has."""
+    with socket.socket() as held:
+        for number in _DOMAINS:
+            try:
+                held.bind(("127.0.0.1", _FIRST_PORT + number))
+            except OSError:
+                continue
+            yield number
+            return
+    raise BuildFails("every domain of DDS on this machine is taken")
+
+
+def _environment(ros2: Ros2, folder: Path, number: int, home: Path) -> Mapping[str, str]:
+    """Of processes of a domain, which keep their files in a folder and stay on this machine."""
+    subset = [folder / "subset/install"] if ros2.rclcpp else []
+    return {
+        **ros2.variables(folder / "install", *subset),
+        "ROS_DOMAIN_ID": str(number),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        "ROS_HOME": str(home),
+        "ROS_LOG_DIR": str(home / "log"),
+        marks.FOLDER: str(home / "marks"),
+    }
+
+
+ROS2_CPP = Runner(CPP, "ROS 2, C++", _missing, partial(_build, language=CPP), partial(_play, language=CPP))
+ROS2_PY = Runner(PYTHON, "ROS 2, Python", _missing, partial(_build, language=PYTHON), partial(_play, language=PYTHON))

@@ -1,0 +1,92 @@
+"""The simulation as a platform: the reference that all others are held against."""
+
+import os
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from sigcat.adapter.toolchain import Toolchain, toolchain
+from sigcat.comparison.recording import Built, Recording, Sent
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.recorded import begin_of
+from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.errors import UsageError
+from sigcat.runs.prepare import Prepared
+from sigcat.runs.recording.cells import cell_of
+from sigcat.runs.recording.recorded import Recorded
+from sigcat.runs.recording.trace_file import open_trace
+from sigcat.runs.simulate import Settings, simulate
+
+NAME = "simulate"
+
+
+def _missing(environment: Mapping[str, str]) -> str | None:
+    try:
+        toolchain(environment)
+    except UsageError as error:
+        return str(error)
+    return None
+
+
+def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
+    del subject, tools  # built where it is played: that is a second
+    folder.mkdir(parents=True, exist_ok=True)
+    return Built(NAME, folder, (), 0.0, 0.0)
+
+
+def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
+    prepared = subject.prepared
+    trace = open_trace(drive.trace, prepared.known_columns(())._replace(others=None))
+    begin = time.monotonic()
+    gone = {each.function: each.time_ns for each in drive.kills}
+    settings = Settings(
+        max(drive.end_ns - begin_of(drive.trace, prepared), 0), step_limit=drive.step_limit_s, gone=gone
+    )
+    with _measuring(built.folder) as folder:
+        simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, folder))
+        marked = marks.read_marks(prepared.connections, folder, 0)
+    return Recording(
+        NAME,
+        drive.mode,
+        built,
+        sent_by_name(simulated.rows, prepared),
+        marked.calls,
+        last_words=str(simulated.stop or ""),
+        play_s=time.monotonic() - begin,
+    )
+
+
+def _with_marks(tools: Toolchain, prepared: Prepared, folder: Path) -> Toolchain:
+    """Compilers that put the points of measurement into cores, and nothing else."""
+    flags = ("-include", str(marks.write_header(prepared.connections.members, folder)))
+    return Toolchain((*tools.c, *flags), (*tools.cpp, *flags) if tools.cpp else ())
+
+
+@contextmanager
+def _measuring(folder: Path) -> Iterator[Path]:
+    """A folder that the driver, which has this process's environment, writes its times to."""
+    with tempfile.TemporaryDirectory(prefix="marks-", dir=folder) as name:
+        before = os.environ.get(marks.FOLDER)
+        os.environ[marks.FOLDER] = name
+        try:
+            yield Path(name)
+        finally:
+            os.environ.pop(marks.FOLDER)
+            if before is not None:
+                os.environ[marks.FOLDER] = before
+
+
+def sent_by_name(rows: Iterable[Recorded], prepared: Prepared) -> Mapping[str, tuple[Sent, ...]]:
+    """What was sent, as texts."""
+    found: defaultdict[str, list[Sent]] = defaultdict(list)
+    columns = prepared.columns
+    for row in rows:
+        for name, value in row.values:
+            found[name].append((row.time, cell_of(value, columns[name])))
+    return {name: tuple(values) for name, values in found.items()}
+
+
+SIMULATION = Runner(NAME, "Simulation", _missing, _build, _play)

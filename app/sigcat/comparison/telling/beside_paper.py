@@ -1,0 +1,79 @@
+"""The paper's figures, and what was measured here beside each."""
+
+from collections.abc import Iterator, Sequence
+
+from sigcat.comparison.paper import FIGURES, Figure
+from sigcat.comparison.report import model
+from sigcat.comparison.report.words import duration, memory, percent
+
+
+def beside_paper(told: model.Report) -> Iterator[model.PaperFigure]:
+    """Those for which there is something to stand beside."""
+    for figure in FIGURES.values():
+        ours = _ours(figure, told)
+        if ours:
+            yield model.PaperFigure(
+                what=figure.what, place=figure.place, paper=figure.text, ours=ours, differs=figure.differs
+            )
+
+
+def _ours(figure: Figure, told: model.Report) -> str:
+    kind, _, function = figure.key.partition(" ")
+    return {
+        "behaviour": _behaviour,
+        "adapter": _timing,
+        "logic": _timing,
+        "cpu": _load,
+        "memory": _load,
+        "lines": _lines,
+        "hours": _generated,
+        "gateway": _gateway,
+    }[kind](told, kind, function)
+
+
+def _behaviour(told: model.Report, _kind: str, _function: str) -> str:
+    own = [each for each in told.behaviour if each.values]
+    return "; ".join(f"{told.title_of(each.platform)}: {each.wrong:,} of {each.values:,} values differ" for each in own)
+
+
+def _gateway(told: model.Report, kind: str, _function: str) -> str:
+    found = [each for each in told.measured if each.name == kind]
+    return "; ".join(f"{told.title_of(each.platform)}: {duration(each.durations.p50)}" for each in found)
+
+
+def _timing(told: model.Report, kind: str, function: str) -> str:
+    found = [each for each in told.timing if each.function == function and each.platform != told.reference]
+    best: dict[str, model.Timing] = {each.platform: each for each in found}
+    return "; ".join(
+        f"{told.title_of(name)}: {duration(getattr(each, f't_{kind}').p50)}" for name, each in best.items()
+    )
+
+
+def _load(told: model.Report, kind: str, function: str) -> str:
+    found = [each for each in told.processes if function.lower() in _bare(each.name) and not each.is_player]
+    best: dict[str, model.Process] = {each.platform: each for each in found}
+    return "; ".join(
+        f"{told.title_of(name)}: {percent(each.share) + f' ({each.mode})' if kind == 'cpu' else memory(each.peak)}"
+        for name, each in best.items()
+    )
+
+
+def _bare(name: str) -> str:
+    return name.lower().replace("_", "")
+
+
+def _lines(told: model.Report, _kind: str, platform: str) -> str:
+    word = "ros2" if platform == "ROS 2" else "autosar"
+    found: Sequence[model.Lines] = [
+        each for each in told.effort if each.by == "sigcat" and each.platform.startswith(word)
+    ]
+    by_hand = [
+        each for each in told.effort if each.by == "person" and each.platform.startswith("baseline") and word == "ros2"
+    ]
+    texts = [f"{told.title_of(each.platform)}: 0 by hand, {each.code:,} generated" for each in found]
+    return "; ".join([*texts, *(f"nodes by hand: {each.code:,}" for each in by_hand)])
+
+
+def _generated(told: model.Report, _kind: str, _function: str) -> str:
+    found = [each for each in told.platforms if each.name.startswith("autosar") and not each.left_out]
+    return "; ".join(f"{each.title}: {each.generate_s:.2f} s to generate" for each in found)

@@ -1,0 +1,82 @@
+"""Everything that was done for a comparison: what a report is made of."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.comparison.effort import Counted
+from sigcat.comparison.recording import Built, Recording
+from sigcat.runs.columns import Column
+
+
+class Played(NamedTuple):
+    """A platform."""
+
+    name: str
+    title: str
+    left_out: str = ""
+    """Why it was not played to; empty if it was."""
+    built: Built | None = None
+    lock_step: Recording | None = None
+    free_run: Recording | None = None
+    is_by_hand: bool = False
+    """Whether people wrote it, for comparison: nothing of it is sigcat's."""
+
+    @property
+    def recordings(self) -> tuple[Recording, ...]:
+        """All of them."""
+        return tuple(each for each in (self.lock_step, self.free_run) if each)
+
+
+class PlayedFault(NamedTuple):
+    """A fault, and what each platform did."""
+
+    name: str
+    title: str
+    description: str
+    recordings: Mapping[str, Recording]
+    """By platform."""
+
+
+class WrittenLines(NamedTuple):
+    """Lines that a person wrote."""
+
+    what: str
+    platform: str
+    """Empty: for all platforms."""
+    lines: Counted
+
+
+class Material(NamedTuple):
+    """All of it. The first platform is the reference."""
+
+    name: str
+    functions: tuple[str, ...]
+    trace: str
+    end_ns: int
+    columns: Mapping[str, Column]
+    """What the functions send, by name."""
+    cycle_ns: int
+    """Of the call that comes most often."""
+    platforms: tuple[Played, ...]
+    faults: tuple[PlayedFault, ...] = ()
+    written: tuple[WrittenLines, ...] = ()
+    seconds: float = 0.0
+    machine: tuple[tuple[str, str], ...] = ()
+    notes: tuple[str, ...] = ()
+    translation_ns: Sequence[int] = ()
+    """How long the gateway took for each frame, if the drive was logged on CAN."""
+
+    @property
+    def reference(self) -> Played:
+        """What all others are held against."""
+        return self.platforms[0]
+
+    @property
+    def others(self) -> Iterable[Played]:
+        """Those that are held against it, and are sigcat's."""
+        return [each for each in self.platforms[1:] if not each.is_by_hand]
+
+    @property
+    def by_hand(self) -> Played | None:
+        """What people wrote for comparison, if it was played to."""
+        return next((each for each in self.platforms if each.is_by_hand and each.recordings), None)

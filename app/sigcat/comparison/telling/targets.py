@@ -1,0 +1,174 @@
+"""What must hold, judged: each figure beside what is wanted."""
+
+from collections.abc import Iterator, Sequence
+
+from sigcat.comparison.load import Load, overhead
+from sigcat.comparison.report import model
+from sigcat.comparison.report.words import duration
+
+ADAPTER_NS = 10_000
+OVERHEAD = 0.10
+FAULTS = 20
+LONGEST_S = 300
+WHOLE_DRIVE_S = 600
+WAITING = "processes that wanted to run, before it began"
+"""What a report calls the load of its machine."""
+_INTERPRETED = frozenset(("ros2-py",))
+"""Platforms whose adapters are not compiled."""
+
+
+def targets(told: model.Report) -> Iterator[model.Target]:
+    """All of them, from what was measured; what was not is told as such."""
+    compiled = [
+        each.name
+        for each in told.platforms
+        if not (each.left_out or each.is_by_hand or each.name in _INTERPRETED or each.name == told.reference)
+    ]
+    yield _equal(told)
+    yield _faults(told)
+    for name in compiled:
+        yield _adapter(told, name)
+    for name in compiled:
+        if name.startswith("ros2"):
+            yield _overhead(told, name)
+    yield _by_hand(told)
+    yield _seconds(told)
+
+
+def _own(told: model.Report) -> Sequence[model.Behaviour]:
+    return [each for each in told.behaviour if not _is_by_hand(told, each.platform)]
+
+
+def _is_by_hand(told: model.Report, platform: str) -> bool:
+    return next((each.is_by_hand for each in told.platforms if each.name == platform), False)
+
+
+def _equal(told: model.Report) -> model.Target:
+    own = _own(told)
+    ended = {each.name for each in told.platforms if not each.last_words}
+    wrong, values = sum(each.wrong for each in own), sum(each.values for each in own)
+    longest = max((each.seconds for each in own), default=0.0)
+    broken = [told.title_of(each.platform) for each in own if each.platform not in ended]
+    return model.Target(
+        what="outputs equal on all platforms, in lock step",
+        wanted="every bit of every step, in a drive of ten minutes",
+        measured=f"{wrong:,} of {values:,} values differ, {len(own)} platforms, {longest:g} s" if own else "",
+        holds=_is_equal(wrong, values, broken, longest) if own else None,
+        note="; ".join(
+            [f"{told.title_of(each.platform)}: {each.wrong:,} of {each.values:,} differ" for each in own if each.wrong]
+            + [f"{', '.join(broken)} did not come to the end"] * bool(broken)
+            + [f"the drive has {longest:g} s"] * (bool(own) and round(longest) < WHOLE_DRIVE_S)
+        ),
+    )
+
+
+def _is_equal(wrong: int, values: int, broken: Sequence[str], longest: float) -> bool | None:
+    """What is equal in a shorter drive says nothing of the whole one."""
+    if wrong or broken or not values:
+        return False
+    return True if round(longest) >= WHOLE_DRIVE_S else None
+
+
+def _faults(told: model.Report) -> model.Target:
+    """Few that are the same say nothing of the many that are wanted."""
+    outcomes = [outcome for each in told.faults for outcome in each.outcomes]
+    same = [each for each in told.faults if each.outcomes and all(outcome.is_same for outcome in each.outcomes)]
+    played = dict.fromkeys(outcome.platform for outcome in outcomes)
+    otherwise = {name: sum(not each.is_same for each in outcomes if each.platform == name) for name in played}
+    return model.Target(
+        what="faults, the same everywhere",
+        wanted=f"at least {FAULTS}; same step, same errors, same substitute values",
+        measured=f"{len(same)} of {len(told.faults)}, {len(played)} platforms" if told.faults else "",
+        holds=_is_same(len(same), len(told.faults)) if played else None,
+        note="; ".join(f"{told.title_of(name)}: {count} otherwise" for name, count in otherwise.items() if count),
+    )
+
+
+def _is_same(same: int, faults: int) -> bool | None:
+    if same < faults:
+        return False
+    return True if faults >= FAULTS else None
+
+
+def _adapter(told: model.Report, platform: str) -> model.Target:
+    """Of the call that comes most often, beyond the loop without transport; what the others take is a remark."""
+    floors = {each.call: each.t_adapter for each in told.timing if each.platform == told.reference}
+    often = max(floors, key=lambda call: floors[call].total, default="")
+    over = [
+        (each.call, each.mode, each.t_adapter.p50 - floors[each.call].p50, each.t_adapter.p99 - floors[each.call].p99)
+        for each in told.timing
+        if each.platform == platform and each.call in floors
+    ]
+    judged = [each for each in over if each[0] == often]
+    return model.Target(
+        what=f"adapter of {told.title_of(platform)}, beyond an in-process loop",
+        wanted="p50 and p99 at most 10 µs",
+        measured="; ".join(map(_beyond, judged)),
+        holds=all(p50 <= ADAPTER_NS and p99 <= ADAPTER_NS for _, _, p50, p99 in judged) if judged else None,
+        note="; ".join(map(_beyond, (each for each in over if each[0] != often))),
+    )
+
+
+def _beyond(each: tuple[str, str, float, float]) -> str:
+    call, mode, p50, p99 = each
+    return f"{call}, {mode}: {duration(p50)} and {duration(p99)}"
+
+
+def _overhead(told: model.Report, platform: str) -> model.Target:
+    """All processes of a platform together, in each run, over those that people wrote."""
+    by_hand = [each.name for each in told.platforms if each.is_by_hand]
+    more = [
+        (mode, overhead(ours, theirs))
+        for mode in dict.fromkeys(each.mode for each in told.processes)
+        if (ours := _whole(told, [platform], mode)) and (theirs := _whole(told, by_hand, mode))
+    ]
+    texts = [
+        f"{mode}: {each.cpu * 100:+.0f} % processor time, {each.memory * 100:+.0f} % memory" for mode, each in more
+    ]
+    return model.Target(
+        what=f"{told.title_of(platform)}, over the nodes written by hand",
+        wanted="at most 10 % more processor time and memory",
+        measured="; ".join(texts),
+        holds=all(max(each.cpu, each.memory) <= OVERHEAD for _, each in more) if more else None,
+    )
+
+
+def _whole(told: model.Report, platforms: Sequence[str], mode: str) -> Load | None:
+    own = [each for each in told.processes if each.platform in platforms and each.mode == mode and not each.is_player]
+    if not own:
+        return None
+    cpu, peak, size = (sum(getattr(each, key) for each in own) for key in ("cpu_s", "peak", "size"))
+    return Load("", cpu, own[0].drive_s, peak, size)
+
+
+def _by_hand(told: model.Report) -> model.Target:
+    """What people wrote for comparison is nobody's platform, whether or not it was played to."""
+    own = {each.name for each in told.platforms if not each.is_by_hand}
+    written = sum(each.code for each in told.effort if each.by == "person" and each.platform in own)
+    return model.Target(
+        what="lines written by hand for a platform", wanted="0", measured=f"{written:,}", holds=not written
+    )
+
+
+def other_work(told: model.Report) -> str:
+    """Figures of a machine that did other work say little of those of one that does nothing else."""
+    facts = dict(told.machine)
+    waiting, cores = facts.get(WAITING, ""), facts.get("cores", "")
+    if not waiting or not cores or float(waiting) <= float(cores) / 2:
+        return ""
+    return f"the machine did other work: {waiting} processes wanted to run on {cores} cores before it began"
+
+
+def _remark(told: model.Report) -> str:
+    return other_work(told) if told.seconds else "parts were built before"
+
+
+def _seconds(told: model.Report) -> model.Target:
+    is_whole = not any(each.left_out for each in told.platforms) and len(told.platforms) > 1
+    return model.Target(
+        what="the whole comparison, built and run",
+        wanted="under 5 minutes on two cores",
+        measured=f"{told.seconds:.0f} s" if told.seconds else "",
+        holds=told.seconds < LONGEST_S if told.seconds and is_whole else None,
+        note=_remark(told) if is_whole else "not every platform was played to",
+    )

@@ -1,0 +1,110 @@
+"""The launcher with processes of a shell: it ends when the player does, tells who died, and leaves nothing running."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from sigcat.comparison.running.processes import Process, launched, own_network
+from tests.processes import is_running
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the launcher ends processes as Linux does")
+WAITS = 'echo $$ > "$0"; trap "exit 0" TERM; while :; do sleep 0.05; done'
+
+
+def process(name: str, script: str, *arguments: object) -> Process:
+    return Process(name, ("sh", "-c", script, *map(str, arguments)), dict(os.environ))
+
+
+def started(path: Path) -> int:
+    """The process that has written its number."""
+    until = time.monotonic() + 10
+    while not (path.exists() and path.read_text().strip()):
+        assert time.monotonic() < until
+        time.sleep(0.01)
+    return int(path.read_text())
+
+
+def waiting(path: Path) -> str:
+    """A script that waits until another one has begun."""
+    return f'while [ ! -s "{path}" ]; do sleep 0.01; done'
+
+
+def test_the_others_are_told_to_end_when_the_player_has_ended(tmp_path):
+    begun = tmp_path / "begun"
+    outcome = launched([process("node", WAITS, begun)], process("player", waiting(begun)), tmp_path / "run")
+    assert outcome.last_words == ""
+    assert [load.name for load in outcome.loads] == ["node", "player"]
+    assert [load.is_player for load in outcome.loads] == [False, True]
+    assert not is_running(started(begun))
+
+
+def test_the_load_of_each_process_is_its_own(tmp_path):
+    busy = "i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done"
+    outcome = launched([], process("player", busy), tmp_path / "run")
+    assert outcome.loads[0].cpu_s > 0.01
+    assert outcome.loads[0].peak_rss_bytes > 100_000
+
+
+def test_a_process_that_dies_ends_the_run_with_its_last_words(tmp_path):
+    begun = tmp_path / "begun"
+    dying = process("node", f"{waiting(begun)}; echo no more bread >&2; kill -SEGV $$")
+    outcome = launched([process("other", WAITS, begun), dying], process("player", "sleep 60"), tmp_path / "run")
+    assert outcome.last_words == "node ended with SIGSEGV before the drive did: no more bread"
+    assert outcome.seconds < 30
+    assert not is_running(started(begun))
+
+
+def test_a_player_that_fails_is_told_with_its_words(tmp_path):
+    player = process("player", "echo an event was lost >&2; exit 3")
+    outcome = launched([process("node", WAITS, tmp_path / "begun")], player, tmp_path / "run")
+    assert outcome.last_words == "player ended with status 3 before the drive did: an event was lost"
+
+
+def test_the_player_may_have_a_process_killed(tmp_path):
+    begun = tmp_path / "begun"
+    player = process("player", f'{waiting(begun)}; echo "kill node"; read done; echo $done >&2; sleep 0.2')
+    outcome = launched([process("node", WAITS, begun)], player, tmp_path / "run")
+    assert outcome.last_words == ""
+    assert (tmp_path / "run/player.txt").read_text() == "done\n"
+    assert not is_running(started(begun))
+
+
+def test_a_program_that_is_not_there_is_told(tmp_path):
+    outcome = launched([], Process("player", ("./no-such-player",), dict(os.environ)), tmp_path / "run")
+    assert "no-such-player" in outcome.last_words
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL], ids=lambda each: each.name)
+def test_nothing_goes_on_when_the_caller_ends(number, tmp_path):
+    """Not even if it is killed: then the launcher and its processes are, too."""
+    script = (
+        "import os, sys; from pathlib import Path; from sigcat.comparison.running.processes import Process, launched;"
+        "begun, run = sys.argv[1:];"
+        f"node = Process('node', ('sh', '-c', {WAITS!r}, begun), dict(os.environ));"
+        "launched([node], Process('player', ('sleep', '60'), dict(os.environ)), Path(run))"
+    )
+    caller = subprocess.Popen(
+        [sys.executable, "-c", script, tmp_path / "begun", tmp_path / "run"], stderr=subprocess.PIPE
+    )
+    node = started(tmp_path / "begun")
+    caller.send_signal(number)
+    caller.wait(10)
+    assert caller.stderr is not None
+    caller.stderr.close()
+    until = time.monotonic() + 10
+    while is_running(node) and time.monotonic() < until:
+        time.sleep(0.01)
+    assert not is_running(node)
+
+
+@pytest.mark.skipif(own_network() is None, reason="a network of a test's own")
+def test_in_a_network_of_its_own_the_loopback_interface_is_up(tmp_path):
+    script = "import socket; s = socket.socket(); s.bind(('127.0.0.1', 0)); s.listen(); socket.create_connection(s.getsockname())"
+    player = Process("player", (sys.executable, "-c", script), dict(os.environ))
+    outcome = launched([], player, tmp_path / "run", own_network() or ())
+    assert outcome.last_words == ""

@@ -1,0 +1,97 @@
+"""The points of measurement, compiled into real cores, and what they write."""
+
+import os
+import subprocess
+
+import pytest
+
+from sigcat.adapter.toolchain import toolchain
+from sigcat.comparison.running.marks import FOLDER, read_marks, write_header
+from tests import needs
+from tests.comparison.ecocontrol import subject
+
+pytestmark = needs.c_compiler
+MAIN = """
+#include "CoreAcc_adapter.h"
+int main(void)
+{
+    CoreAcc_Adapter *self = &CoreAcc_Adapter_Instance;
+    (void)CoreAcc_Adapter_Init(self, 0, 1);
+    CoreAcc_Adapter_Start(self, 0);
+    for (uint64_t t = 0; t < 3000000000U; t += 50000000U) {
+        CoreAcc_Adapter_Receive_Mode_In(self, 2, t);
+        while (CoreAcc_Adapter_NextCall(self, t) != CORE_ACC_ADAPTER_NO_CALL) {
+            CoreAcc_Adapter_SetInput_Step(self, t);
+            CoreAcc_Adapter_Begin_Step(self, t);
+            CoreAcc_Adapter_Run_Step(self);
+            CoreAcc_Adapter_GetOutput_Step(self, t);
+        }
+    }
+    return 0;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory):
+    from sigcat.adapter.core.cores import cores
+
+    folder = tmp_path_factory.mktemp("marks")
+    for file in cores(subject().functions).files:
+        (folder / file.name).write_bytes(file.data)
+    (folder / "main.c").write_text(MAIN)
+    header = write_header(subject().prepared.connections.members, folder / "header")
+    code = subject().code["CoreAcc"]
+    sources = [folder / "CoreAcc_adapter.c", folder / "main.c", code / "CoreAcc.c"]
+    flags = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-ffp-contract=off",
+        "-include",
+        header,
+        f"-I{folder}",
+        f"-I{code}",
+    ]
+    command = [*toolchain().c, *flags, "-o", folder / "program", *sources, "-lm"]
+    subprocess.run(list(map(str, command)), check=True)
+    return folder / "program"
+
+
+def test_each_call_is_told_with_its_time_and_how_long_its_parts_took(program, tmp_path):
+    subprocess.run([program], check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    calls = read_marks(subject().prepared.connections, tmp_path, 0).calls
+    assert [each.time_ns for each in calls] == list(range(0, 3_000_000_000, 50_000_000))
+    assert {(each.function, each.call) for each in calls} == {("CoreAcc", "CoreAcc_Step")}
+    assert all(0 <= each.t_logic_ns <= each.t_exec_ns and each.t_adapter_ns > 0 for each in calls)
+
+
+def test_safety_reactions_are_those_that_the_core_has_after_each_call(program, tmp_path):
+    """Nobody sends a brake pressure: after its time-out and the maturation of the error, the reaction is active."""
+    subprocess.run([program], check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    reactions = read_marks(subject().prepared.connections, tmp_path, 0).reactions["AccReqInvalid_SftyCondSts"]
+    assert [text for _, text in reactions] == ["INACTIVE", "ACTIVE"]
+    assert reactions[0][0] == 0 < reactions[1][0] < 1_000_000_000
+
+
+def test_without_a_folder_nothing_is_measured(program, tmp_path):
+    environment = {name: value for name, value in os.environ.items() if name != FOLDER}
+    subprocess.run([program], check=True, env=environment, cwd=tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_record_that_was_cut_off_is_left_out(program, tmp_path):
+    subprocess.run([program], check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(file.read_bytes()[:-5])
+    assert len(read_marks(subject().prepared.connections, tmp_path, 0).calls) == 59
+
+
+@needs.cmake
+def test_a_core_in_cpp_takes_the_same_header(tmp_path):
+    header = write_header(subject().prepared.connections.members, tmp_path)
+    flags = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++"]
+    source = tmp_path / "empty.cpp"
+    source.write_text("int main() { return 0; }\n")
+    subprocess.run([*toolchain().cpp, *flags, "-include", str(header), str(source)], check=True)

@@ -1,0 +1,288 @@
+"""A comparison as it is told: judged, as JSON and back, as Markdown, as a page that needs nothing from outside."""
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from sigcat.comparison.effort import Counted
+from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
+from sigcat.comparison.report.html import html_page
+from sigcat.comparison.report.markdown import markdown
+from sigcat.comparison.report.model import read_report, to_json
+from sigcat.comparison.report.style import STYLE
+from sigcat.comparison.telling.material import Material, Played, PlayedFault, WrittenLines
+from sigcat.comparison.telling.report import report_of
+from sigcat.comparison.telling.targets import WAITING
+from sigcat.errors import InputRefused
+from sigcat.limits import COMPARISON_BYTES
+from sigcat.runs.columns import Column
+from sigcat.runs.recording.shapes import Number
+
+SITE = Path(__file__).parents[2] / "app/sigcat/web/static/sigcat.css"
+END = 600 * 10**9
+CYCLE = 50_000_000
+REQUEST, FAILED, REACTION = "Vehicle.Request", "Acc_Late_ErrorSts", "Acc_Invalid_SftyCondSts"
+STATUS = Number("uint8", (("PASSED", 0), ("FAILED", 1)))
+COLUMNS = {
+    REQUEST: Column(REQUEST, "signal", Number("float"), "m/s^2", True, True, None),
+    FAILED: Column(FAILED, "error", STATUS, "", True, True, 0),
+    REACTION: Column(REACTION, "safety reaction", STATUS, "", True, False, 0),
+}
+SENT = {
+    REQUEST: tuple((time, str(time % 7 / 10)) for time in range(0, END + 1, CYCLE * 10)),
+    FAILED: ((0, "PASSED"), (CYCLE, "FAILED")),
+    REACTION: ((0, "PASSED"),),
+}
+
+
+def calls(adapter, logic=1000):
+    return tuple(CallTime("Acc", "Acc_Step", index * CYCLE, adapter + logic, logic) for index in range(200))
+
+
+def played(name, adapter=1000, sent=SENT, cpu=1.0, memory=40_000_000, **more):
+    built = Built(name, Path(), (), 0.5, 12.0, more.pop("notes", ()))
+    processes = (ProcessLoad("acc", cpu, memory, 100_000), ProcessLoad("player", 9.0, memory, 0, True))
+    fields = {key: more.pop(key) for key in ("silent", "last_words", "lost") if key in more}
+    recording = Recording(name, "lock step", built, sent, calls(adapter), processes, **fields)
+    return Played(name, name.upper(), built=built, lock_step=recording, **more)
+
+
+def material(*others, **more):
+    platforms = (played("simulate"), *others)
+    return Material("Set", ("Acc",), "drive.csv", END, COLUMNS, CYCLE, platforms, **{"seconds": 100.0, **more})
+
+
+def told(*others, **more):
+    return report_of(material(*others, **more))
+
+
+def target(report, beginning):
+    return next(each for each in report.targets if each.what.startswith(beginning))
+
+
+def changed(name, place, value):
+    values = list(SENT[name])
+    values[place] = (values[place][0], value)
+    return {**SENT, name: tuple(values)}
+
+
+# -- what must hold -----------------------------------------------------------------------------------------------
+
+
+def test_equal_outputs_of_ten_minutes_hold():
+    report = told(played("ros2-cpp"))
+    assert target(report, "outputs equal").holds is True
+    assert report.is_equal
+
+
+def test_one_bit_in_one_step_of_one_platform_does_not_hold_and_is_told_with_its_time():
+    report = told(played("autosar-adaptive"), played("ros2-cpp", sent=changed(REQUEST, 3, "0.10000001")))
+    assert target(report, "outputs equal").holds is False
+    assert not report.is_equal
+    assert "0.10000001 instead of" in markdown(report)
+
+
+def test_a_shorter_drive_says_nothing_of_the_whole_one():
+    short = material(played("ros2-cpp"))._replace(end_ns=60 * 10**9)
+    found = target(report_of(short), "outputs equal")
+    assert (found.holds, found.note) == (None, "the drive has 60 s")
+
+
+def test_a_platform_that_died_is_not_equal_whatever_it_sent():
+    report = told(played("ros2-cpp", last_words="terminate called"))
+    assert not report.is_equal
+    assert target(report, "outputs equal").holds is False
+    assert "terminate called" in html_page(report)
+
+
+def test_what_a_platform_has_no_message_for_is_told_and_not_compared():
+    sent = {name: values for name, values in SENT.items() if name != REACTION}
+    report = told(played("autosar-adaptive", sent=sent, silent=(REACTION,)))
+    assert report.is_equal
+    assert f"no message for {REACTION}" in html_page(report)
+
+
+@pytest.mark.parametrize(("adapter", "holds"), [(10_000, True), (11_100, False)])
+def test_an_adapter_is_judged_beyond_the_loop_without_transport(adapter, holds):
+    report = told(played("ros2-cpp", adapter=adapter))
+    assert target(report, "adapter of ROS2-CPP").holds is holds
+
+
+def test_the_adapter_in_python_is_told_and_not_judged():
+    report = told(played("ros2-py", adapter=10**6))
+    assert not [each for each in report.targets if each.what.startswith("adapter")]
+    assert [each.t_adapter.p50 for each in report.timing if each.platform == "ros2-py"] == [10**6]
+
+
+@pytest.mark.parametrize(
+    ("cpu", "memory", "holds"), [(1.09, 40_000_000, True), (1.2, 40_000_000, False), (1.0, 50_000_000, False)]
+)
+def test_processor_time_and_memory_are_judged_over_what_was_written_by_hand(cpu, memory, holds):
+    report = told(played("ros2-cpp", cpu=cpu, memory=memory), played("baseline", is_by_hand=True))
+    assert target(report, "ROS2-CPP, over").holds is holds
+
+
+def test_without_nodes_by_hand_the_overhead_is_not_measured():
+    assert target(told(played("ros2-cpp")), "ROS2-CPP, over").holds is None
+
+
+def test_differences_of_what_was_written_by_hand_are_shown_and_judge_nobody():
+    report = told(played("ros2-cpp"), played("baseline", sent=changed(REQUEST, 2, "9"), is_by_hand=True))
+    assert report.is_equal
+    assert [each.wrong for each in report.behaviour] == [0, 1]
+
+
+def test_lines_for_one_platform_are_counted_against_it():
+    written = (
+        WrittenLines("declaration", "", Counted(1, 100, 120)),
+        WrittenLines("glue", "ros2-cpp", Counted(1, 7, 9)),
+    )
+    assert target(told(played("ros2-cpp"), written=written), "lines written").measured == "7"
+    assert target(told(played("ros2-cpp"), written=written[:1]), "lines written").holds is True
+
+
+def test_the_time_counts_if_all_platforms_were_played_to():
+    assert target(told(played("ros2-cpp")), "the whole").holds is True
+    assert target(told(played("ros2-cpp"), seconds=301.0), "the whole").holds is False
+    assert target(told(played("ros2-cpp"), Played("ros2-py", "Python", left_out="get it")), "the whole").holds is None
+
+
+@pytest.mark.parametrize(("waiting", "is_told"), [("0.4", False), ("7.5", True)])
+def test_a_machine_that_did_other_work_is_told_before_all_figures(waiting, is_told):
+    machine = (("cores", "2"), (WAITING, waiting))
+    notes = told(played("ros2-cpp"), machine=machine).notes
+    assert any("7.5 processes wanted to run on 2 cores" in each for each in notes) is is_told
+
+
+def test_a_platform_that_is_not_there_is_left_out_with_how_to_get_it():
+    report = told(Played("ros2-cpp", "ROS 2, C++", left_out="source its setup.bash"))
+    assert report.is_equal
+    assert "ROS 2, C++ is left out: source its setup.bash" in report.notes
+    assert target(report, "outputs equal").holds is None
+
+
+# -- faults -------------------------------------------------------------------------------------------------------
+
+
+def fault(name, ours, theirs):
+    return PlayedFault(name, f"title of {name}", "", {"simulate": ours.lock_step, "ros2-cpp": theirs.lock_step})
+
+
+def test_faults_hold_if_twenty_of_them_are_the_same_everywhere():
+    faults = tuple(fault(f"f{n}", played("simulate"), played("ros2-cpp")) for n in range(20))
+    assert target(told(played("ros2-cpp"), faults=faults), "faults").holds is True
+    assert target(told(played("ros2-cpp"), faults=faults[1:]), "faults").holds is None
+    other = fault("other", played("simulate"), played("ros2-cpp", sent=changed(REQUEST, 1, "9")))
+    held = target(told(played("ros2-cpp"), faults=(*faults, other)), "faults")
+    assert (held.holds, held.measured, held.note) == (False, "20 of 21, 1 platforms", "ROS2-CPP: 1 otherwise")
+
+
+def test_what_comes_at_other_times_is_counted_once_at_each_time_and_told_of_its_platform():
+    late = {name: tuple((time + 1, value) for time, value in values) for name, values in SENT.items()}
+    report = told(played("ros2-cpp", sent=late), played("autosar-adaptive"))
+    (found,) = [each for each in report.behaviour if each.platform == "ros2-cpp"]
+    assert found.wrong == found.values == 2 * sum(map(len, SENT.values()))
+    note = target(report, "outputs").note
+    assert f"ROS2-CPP: {found.wrong:,} of {found.values:,} differ" in note
+    assert "AUTOSAR" not in note
+
+
+def test_an_error_one_step_later_is_another_behaviour_and_the_change_is_told():
+    ours = played("simulate", sent={**SENT, FAILED: (*SENT[FAILED], (3 * CYCLE, "PASSED"))})
+    theirs = played("ros2-cpp", sent={**SENT, FAILED: (*SENT[FAILED], (4 * CYCLE, "PASSED"))})
+    report = told(played("ros2-cpp"), faults=(fault("late", ours, theirs),))
+    (found,) = report.faults
+    assert [(each.time, each.value) for each in found.changes] == [(3 * CYCLE, "PASSED")]
+    assert (found.outcomes[0].wrong, found.outcomes[0].name) == (2, FAILED)
+    assert not report.is_equal
+
+
+def test_who_died_in_a_later_fault_of_the_same_drive_has_done_the_same_before():
+    report = told(
+        played("ros2-cpp"), faults=(fault("early", played("simulate"), played("ros2-cpp", last_words="died")),)
+    )
+    assert report.faults[0].outcomes[0].is_same
+
+
+# -- forms --------------------------------------------------------------------------------------------------------
+
+
+def whole():
+    faults = (fault("late <b>", played("simulate"), played("ros2-cpp", sent=changed(REQUEST, 1, "<i>"))),)
+    return told(
+        played("ros2-cpp", notes=("rclcpp: a subset",)),
+        played("ros2-py", sent=changed(REQUEST, 5, "nan")),
+        faults=faults,
+    )
+
+
+def test_json_has_everything_that_the_pages_tell():
+    report = whole()
+    assert read_report(to_json(report), "comparison.json") == report
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"[]", b"{}", b'{"sigcat": 1}', b"\xff", b"{" * 100_000, b" " * (COMPARISON_BYTES + 1)]
+)
+def test_what_is_no_comparison_is_refused_in_one_line(data):
+    with pytest.raises(InputRefused) as refused:
+        read_report(data, "comparison.json")
+    assert "comparison.json" in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+class _Tags(HTMLParser):
+    VOID = frozenset(("meta", "link", "wbr", "br", "path", "rect"))
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.seen, self.classes = [], set(), set()
+
+    def handle_starttag(self, tag, attrs):
+        self.seen.add(tag)
+        self.classes.update((dict(attrs).get("class") or "").split())
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in self.VOID:
+            assert self.open.pop() == tag
+
+
+def test_the_page_is_whole_and_needs_neither_a_script_nor_anything_from_outside():
+    page = html_page(whole())
+    tags = _Tags()
+    tags.feed(page)
+    assert not tags.open
+    assert not tags.seen & {"script", "link", "img", "iframe", "object", "b", "i"}
+    assert not re.search(r"https?://|url\(|@import|\son\w+=|\sstyle=", page)
+
+
+@pytest.mark.parametrize("style", [SITE.read_text("utf-8"), STYLE], ids=["of the service", "of the page"])
+def test_every_class_of_a_table_and_a_picture_is_known_to_both_styles(style):
+    tags = _Tags()
+    tags.feed(html_page(whole()))
+    assert {each for each in tags.classes if f".{each}" not in style} - {"wide", "picture"} == set()
+
+
+def test_markup_in_names_and_values_shows_as_text():
+    page, text = html_page(whole()), markdown(whole())
+    assert "late &lt;b&gt;" in page
+    assert "late \\<b\\>" in text
+
+
+def test_markdown_has_tables_whose_rows_have_as_many_cells_as_their_heads():
+    tables = re.findall(r"(?:^\|.*\n)+", markdown(whole()), re.MULTILINE)
+    assert len(tables) > 5
+    for table in tables:
+        assert len({len(re.findall(r"(?<!\\)\|", line)) for line in table.splitlines()}) == 1
+
+
+def test_traces_of_all_platforms_lie_over_each_other_and_leave_a_gap_where_there_is_no_number():
+    report = whole()
+    (trace, *_) = report.traces
+    assert [line.platform for line in trace.lines] == ["simulate", "ros2-cpp", "ros2-py"]
+    assert None in [value for _, value in trace.lines[2].points]
+    assert html_page(report).count('class="trace series-1" d="M') >= 2
