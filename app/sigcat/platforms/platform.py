@@ -25,7 +25,7 @@ class Options(NamedTuple):
     """What is asked of a generator."""
 
     release: str | None = None
-    """Of the platform; for None that of the Integration JSON."""
+    """Of the platform; for None the default of the generator."""
     bench: bool = False
     """Whether to add what runs the files without the platform."""
 
@@ -48,6 +48,10 @@ class Generator(NamedTuple):
     """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
     releases: tuple[str, ...] = ()
     """Releases of the platform that it can be asked for."""
+    default_release: str = ""
+    """The one that it takes if none is asked for; if empty that of the Integration JSON."""
+    release_word: str = "release"
+    """What the platform calls its releases: `release`, or `distribution`."""
     has_bench: bool = False
     """Whether it can add what runs the files without the platform."""
     view: str = ""

@@ -3,12 +3,16 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.platforms.platform import Integrated, Platform
+from sigcat.integration.ros2.releases import DEFAULT_RELEASE, RELEASES
+from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
+    from sigcat.adapter.files import GeneratedFile
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
+    from sigcat.integration.report import Entry
     from sigcat.integration.ros2.settings import Ros2Settings
+    from sigcat.limits import Limits
 
 
 def _settings() -> "type[Ros2Settings]":
@@ -31,4 +35,29 @@ def _schema() -> dict[str, Any]:
     return integration_schema()
 
 
-ROS2 = Platform("ros2", "ROS 2", _settings, _derive, _schema)
+def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
+    from sigcat.adapter.ros2.generate import generate
+
+    return generate(data, name, limits, options.release)
+
+
+def _report(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
+    from sigcat.adapter.ros2.report import report
+
+    return report(data, name, limits)
+
+
+PACKAGES = Generator(
+    name="ros2",
+    title="ROS 2 packages",
+    target="ROS 2",
+    contents="messages, lifecycle nodes in C++ and Python, launch file, parameters and tests",
+    media_type="text/plain",
+    report=_report,
+    generate=_generate,
+    releases=RELEASES,
+    default_release=DEFAULT_RELEASE,
+    release_word="distribution",
+    view="ros2-packages",
+)
+ROS2 = Platform("ros2", "ROS 2", _settings, _derive, _schema, (PACKAGES,))

@@ -1,0 +1,72 @@
+"""From an integration model to ARXML of a release of AUTOSAR Classic, in the files that integrators expect."""
+
+from autosar_data import AutosarDataError
+
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import trace, written
+from sigcat.adapter.autosar_classic.arxml import (
+    components,
+    composition,
+    configuration,
+    diagnosis,
+    interfaces,
+    system,
+    types,
+)
+from sigcat.adapter.autosar_classic.arxml.library import library
+from sigcat.adapter.autosar_classic.arxml.paths import PLATFORM
+from sigcat.adapter.autosar_classic.arxml.releases import BY_NAME
+from sigcat.adapter.files import GeneratedFile
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.errors import InputRefused
+from sigcat.integration.autosar_classic.model import ClassicIntegration
+
+PLATFORM_FILE = "platform_types.arxml"
+"""Types that every vendor has: the file is for desks, and for nobody who has those."""
+
+
+@collector_paused()
+def generate(model: ClassicIntegration, release_name: str | None = None) -> tuple[GeneratedFile, ...]:
+    """Types, interfaces, components, composition, ECU extract, diagnosis and configuration, each a file.
+
+    The same model gives the same bytes. They are of the release that is asked for, or else of that of the model.
+    Raises InputRefused if the model names what AUTOSAR cannot.
+    """
+    paths = Paths(model.deployment.package)
+    known = library(model, paths)
+    release = BY_NAME[release_name or model.deployment.release]  # type: ignore[index]
+    content = {
+        PLATFORM_FILE: types.platform_packages(model),
+        "types.arxml": types.packages(model, known),
+        "interfaces.arxml": [types.mode_groups(model.mode_groups, known), interfaces.package(model, known)],
+        "components.arxml": components.packages(model, known, release),
+        "composition.arxml": [composition.package(model, known)],
+        "system.arxml": system.packages(model, known),
+        "diagnosis.arxml": diagnosis.packages(model, known, release),
+        "configuration.arxml": [configuration.package(model, known, release)],
+    }
+    about = {"composition.arxml": trace(_document(model))}
+    try:
+        return tuple(
+            GeneratedFile(
+                name,
+                written(
+                    name,
+                    PLATFORM.root if name == PLATFORM_FILE else paths.root,
+                    packages,
+                    release.schema,
+                    about.get(name),
+                ),
+            )
+            for name, packages in content.items()
+            if any(package.elements for package in packages)
+        )
+    except AutosarDataError as error:
+        raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+
+
+def _document(model: ClassicIntegration) -> list[tuple[str, object]]:
+    """Who answers for the document, and what it was made from."""
+    parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
+    made_from = [("Provenance", model.provenance)] if model.provenance else []
+    return [*(fact for part in parts for fact in part.items()), *made_from]

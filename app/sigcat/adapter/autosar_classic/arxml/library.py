@@ -1,0 +1,104 @@
+"""What elements of the document are by their names: what several elements refer to."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
+from sigcat.adapter.arxml.tree import Tag, reference, tag
+from sigcat.adapter.autosar_classic.arxml.paths import (
+    APPLICATION_TYPES,
+    IMPLEMENTATION_TYPE,
+    IMPLEMENTATION_TYPES,
+    INTERFACES,
+    PLATFORM,
+)
+from sigcat.integration.autosar_classic.model import (
+    ApplicationType,
+    ClassicIntegration,
+    CompuMethod,
+    ImplementationType,
+    ModeSwitchInterface,
+    ParameterInterface,
+    Port,
+    SenderReceiverInterface,
+)
+
+INTERFACE = {
+    "SenderReceiver": "SENDER-RECEIVER-INTERFACE",
+    "ClientServer": "CLIENT-SERVER-INTERFACE",
+    "ModeSwitch": "MODE-SWITCH-INTERFACE",
+    "Parameter": "PARAMETER-INTERFACE",
+}
+"""Element of a port interface, by its kind."""
+APPLICATION_TYPE = {
+    "VALUE": "APPLICATION-PRIMITIVE-DATA-TYPE",
+    "BOOLEAN": "APPLICATION-PRIMITIVE-DATA-TYPE",
+    "ARRAY": "APPLICATION-ARRAY-DATA-TYPE",
+    "STRUCTURE": "APPLICATION-RECORD-DATA-TYPE",
+}
+"""Element of an application type, by its category."""
+
+
+class Library(NamedTuple):
+    """Elements by name, and their paths."""
+
+    paths: Paths
+    implementation_types: Mapping[str, ImplementationType]
+    application_types: Mapping[str, ApplicationType]
+    compu_methods: Mapping[str, CompuMethod]
+    element_types: Mapping[tuple[str, str], str]
+    """Type of each data element and parameter, by interface and name."""
+    modes: Mapping[str, ModeSwitchInterface]
+
+    def implementation_path(self, name: str) -> str:
+        """Path of an implementation type. Platform types are those of the vendor."""
+        found = self.implementation_types.get(name)
+        of_platform = found is None or found.category == "VALUE"
+        return (PLATFORM if of_platform else self.paths).of(IMPLEMENTATION_TYPES, name)
+
+    def type_reference(self, tag_name: str, name: str) -> Tag:
+        """Reference to a type: an application type, or an implementation type where there is none of the name."""
+        found = self.application_types.get(name)
+        if found is None:
+            return reference(tag_name, self.implementation_path(name), IMPLEMENTATION_TYPE)
+        return reference(tag_name, self.paths.of(APPLICATION_TYPES, name), APPLICATION_TYPE[found.category])
+
+    def interface_path(self, port: Port, *names: str) -> str:
+        """Path of the interface of a port, or of an element of it."""
+        return self.paths.of(INTERFACES, port.interface, *names)
+
+    def properties(
+        self, *, compu_method: str | None = None, constraint: str | None = None, unit: str | None = None
+    ) -> tuple[Tag | None, ...]:
+        """References of SW-DATA-DEF-PROPS to what says how a number is to be read."""
+        return (
+            reference("COMPU-METHOD-REF", self.paths.of(COMPU_METHODS, compu_method), "COMPU-METHOD")
+            if compu_method
+            else None,
+            reference("DATA-CONSTR-REF", self.paths.of(CONSTRAINTS, constraint), "DATA-CONSTR") if constraint else None,
+            reference("UNIT-REF", self.paths.of(UNITS, unit), "UNIT") if unit else None,
+        )
+
+
+def library(model: ClassicIntegration, paths: Paths) -> Library:
+    """Everything that elements of the document refer to."""
+    described: tuple[SenderReceiverInterface | ParameterInterface, ...] = (
+        *model.sender_receiver_interfaces,
+        *model.parameter_interfaces,
+    )
+    return Library(
+        paths,
+        {each.name: each for each in model.implementation_types},
+        {each.name: each for each in model.application_types},
+        {each.name: each for each in model.compu_methods},
+        {(each.name, element.name): element.type for each in described for element in each.elements},
+        {each.name: each for each in model.mode_switch_interfaces},
+    )
+
+
+def definition_properties(*content: Tag | None) -> Tag | None:
+    """SW-DATA-DEF-PROPS with what there is; None without any."""
+    kept = [item for item in content if item is not None]
+    if not kept:
+        return None
+    return tag("SW-DATA-DEF-PROPS", tag("SW-DATA-DEF-PROPS-VARIANTS", tag("SW-DATA-DEF-PROPS-CONDITIONAL", *kept)))

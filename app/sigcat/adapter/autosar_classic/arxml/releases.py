@@ -1,0 +1,23 @@
+"""Where the releases of AUTOSAR differ in what is written here."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from sigcat.integration.autosar_classic.releases import ReleaseName
+
+
+class Release(NamedTuple):
+    """A release, and its choice among elements that mean the same."""
+
+    schema: str
+    """Name of its XML schema, which every file states."""
+    has_conditional_areas: bool
+    """Exclusive areas of a runnable stand in elements that may be conditional."""
+    has_confirmation_threshold: bool
+    """A diagnostic event has a threshold of confirmation, and not one of failure cycles."""
+
+
+BY_NAME: Mapping[ReleaseName, Release] = {
+    "4.4.0": Release("AUTOSAR_00046", has_conditional_areas=False, has_confirmation_threshold=False),
+    "R23-11": Release("AUTOSAR_00052", has_conditional_areas=True, has_confirmation_threshold=True),
+}

@@ -1,0 +1,147 @@
+"""From an integration and the plans of its cores to the plan of the software components."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.autosar_classic.code.ends import SwcContext, received, sent
+from sigcat.adapter.autosar_classic.code.operations import method_ends
+from sigcat.adapter.autosar_classic.code.plan import (
+    ClassicPlan,
+    ModeEnd,
+    ParameterEnd,
+    Reported,
+    RteType,
+    SwcPlan,
+    Told,
+)
+from sigcat.adapter.autosar_classic.code.types import rte_types, type_of
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, Port
+
+
+class SourceCore(NamedTuple):
+    """A function of the document, and the plan of its core."""
+
+    function: ResolvedFunction
+    plan: CorePlan
+
+
+def derive(model: ClassicIntegration, cores: Sequence[SourceCore]) -> ClassicPlan:
+    """The plan of the components. Raises InputRefused if one of them has no function of its own."""
+    by_function = {core.function.name: core for core in cores}
+    if found := list(_shared(model.components, by_function)):
+        raise InputRefused("The integration cannot become software components.", tuple(found))
+    types = rte_types(model)
+    swcs = tuple(_swc(SwcContext(model, each, by_function[each.function].function.function,
+                                 by_function[each.function].plan, types)) for each in model.components)  # fmt: skip
+    return ClassicPlan(model.info.name, swcs, types)
+
+
+def _shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
+    """A core is one object, which only one component can hold."""
+    seen: dict[str, str] = {}
+    for index, component in enumerate(components):
+        at = f"/Components/{index}/Function"
+        if component.function not in known:
+            message = (
+                f"The function of {component.name} must be in `SourceFunctionList`, and {component.function} is not."
+            )
+            yield codes.NOT_WRITABLE_AS_CLASSIC.finding(message, pointer=at, fix="Integrate it anew.")
+        elif component.function in seen:
+            message = (
+                f"{component.function} must have one component to become software, not {seen[component.function]} "
+                f"and {component.name}."
+            )
+            fix = "Join the components of the function."
+            yield codes.NOT_WRITABLE_AS_CLASSIC.finding(message, pointer=at, fix=fix)
+        seen.setdefault(component.function, component.name)
+
+
+def _swc(context: SwcContext) -> SwcPlan:
+    component, core = context.component, context.core
+    return SwcPlan(
+        component=component,
+        core=core,
+        code=context.function.code,
+        received=tuple(received(context)),
+        sent=tuple(sent(context)),
+        mode_in=_mode(context, "Required"),
+        mode_out=_mode(context, "Provided"),
+        told=tuple(_told(context)),
+        reported=_reported(context),
+        methods=tuple(method_ends(context)),
+        parameters=tuple(_parameters(context)),
+        memory=next(iter(component.memories), None),
+        time=_called(context, "GetTime"),
+        ignition=_called(context, "GetCycle"),
+        restored=_called(context, "GetErrorStatus"),
+        marked=_called(context, "SetRamBlockStatus"),
+        area=component.exclusive_areas[0].name,
+    )
+
+
+def _mode(context: SwcContext, direction: str) -> ModeEnd | None:
+    """The mode of the function: that of the ECU is for its end."""
+    interfaces = {each.name: each for each in context.model.mode_switch_interfaces}
+    core = context.core.mode_in if direction == "Required" else context.core.mode_out
+    for port in context.component.ports:
+        if core and port.kind == "ModeSwitch" and port.direction == direction and port.elements[0].uses:
+            interface = interfaces[port.interface]
+            columns = tuple(use.interface for use in port.elements[0].uses)
+            return ModeEnd(port.name, interface.prototype, interface.group, core.named.name, columns)
+    return None
+
+
+def _told(context: SwcContext) -> Iterator[Told]:
+    ports = {port.name: port for port in context.component.ports}
+    for event in context.component.diagnostic_events:
+        error = context.errors.get(event.error)
+        if error is not None:
+            yield Told(event.port, _operation(ports[event.port]), error)
+
+
+def _operation(port: Port) -> str:
+    return port.elements[0].name
+
+
+def _reported(context: SwcContext) -> Mapping[tuple[str, str], tuple[Reported, ...]]:
+    ports = {port.name: port for port in context.component.ports}
+    found: dict[tuple[str, str], tuple[Reported, ...]] = {}
+    for entity in context.component.supervised_entities:
+        for each in entity.checkpoints:
+            one = Reported(f"Rte_Call_{each.port}_{_operation(ports[each.port])}", each.name)
+            found[each.call, each.moment] = (*found.get((each.call, each.moment), ()), one)
+    return found
+
+
+def _parameters(context: SwcContext) -> Iterator[ParameterEnd]:
+    """Those that are calibrated: a learned one is kept, and nothing else gives it."""
+    by_name = {context.name_of(each.named): each for each in context.core.parameters if each.learned is None}
+    elements = {(one.name, each.name): each for one in context.model.parameter_interfaces for each in one.elements}
+    for port in context.component.ports:
+        for element in port.elements if port.kind == "Parameter" else ():
+            type_ = _parameter_type(elements[port.interface, element.name].type, context)
+            for use in element.uses or ():
+                if use.interface in by_name:
+                    function = f"Rte_Prm_{port.name}_{element.name}"
+                    yield ParameterEnd(function, type_, by_name[use.interface])
+    for internal in context.component.parameters:
+        for name in internal.uses:
+            if name in by_name:
+                function = f"Rte_CData_{internal.name}"
+                yield ParameterEnd(function, _parameter_type(internal.type, context), by_name[name])
+
+
+def _parameter_type(name: str, context: SwcContext) -> RteType:
+    return type_of(name, context.model, context.types)
+
+
+def _called(context: SwcContext, operation: str) -> str:
+    """The function of the RTE that calls an operation, by the name that the base software has for it."""
+    ports = (port for port in context.component.ports if port.kind == "ClientServer" and port.direction == "Required")
+    found = (port.name for port in ports if any(each.name == operation and not each.uses for each in port.elements))
+    return next((f"Rte_Call_{port}_{operation}" for port in found), "")

@@ -1,0 +1,123 @@
+"""Data elements of a component, and what its core has for each of them."""
+
+from collections.abc import Iterator, Mapping
+
+from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
+from sigcat.adapter.autosar_classic.code.types import type_of
+from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.core.places import CorePlaces
+from sigcat.adapter.core.plan import CorePlan, WireType
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DataElement, Element, Port, Use
+
+
+class SwcContext(CorePlaces):
+    """A component of an integration, beside the core of its function."""
+
+    def __init__(
+        self,
+        model: ClassicIntegration,
+        component: Component,
+        function: FunctionJson,
+        core: CorePlan,
+        types: Mapping[str, RteType],
+    ) -> None:
+        super().__init__(function, core)
+        self.model = model
+        self.component = component
+        self.types = types
+        self.elements = {
+            (one.name, each.name): each for one in model.sender_receiver_interfaces for each in one.elements
+        }
+
+    def data(self, direction: str) -> Iterator[tuple[Port, Element, DataElement]]:
+        """Data elements that the component requires or provides."""
+        for port in self.component.ports:
+            if port.kind == "SenderReceiver" and port.direction == direction:
+                for element in port.elements:
+                    yield port, element, self.elements[port.interface, element.name]
+
+
+# -- received -----------------------------------------------------------------------------------------------------
+
+
+def received(context: SwcContext) -> Iterator[DataEnd]:
+    """What the component requires."""
+    for port, element, data in context.data("Required"):
+        for use in element.uses or ():
+            end = _received(port, element, data, use, context)
+            if end is not None:
+                yield end
+                break
+
+
+def _received(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
+    core = context.ports.get(context.data_pointers.get((use.call or "", use.interface), ()))
+    if core is not None:
+        immediate = frozenset(call for call, item in core.consumers if item.is_immediate)
+        end = _end(port, element, data, use, context, core.name, core.wire, core.comment)
+        return end._replace(tells_of_rejection=core.tells_of_rejection, immediate_in=immediate)
+    for error in context.core.foreign_errors:
+        if error.name in (identifier(use.interface), identifier(port.interface)):
+            return _end(port, element, data, use, context, error.name, error.wire, error.comment)
+    for reaction in context.core.reactions:
+        if context.name_of(reaction.named) == use.interface:
+            return _end(port, element, data, use, context, reaction.named.name, reaction.wire, reaction.named.comment)
+    return None
+
+
+def _end(
+    port: Port,
+    element: Element,
+    data: DataElement,
+    use: Use,
+    context: SwcContext,
+    place: str,
+    wire: WireType,
+    comment: str,
+) -> DataEnd:
+    return DataEnd(
+        port=port.name,
+        element=element.name,
+        type=type_of(data.type, context.model, context.types),
+        wire=wire,
+        place=place,
+        comment=comment,
+        columns=_columns(data, use),
+        is_queue=bool(data.queued),
+        has_update=bool(element.update),
+    )
+
+
+def _columns(data: DataElement, use: Use) -> tuple[str, ...]:
+    """A signal is called by its path; what has a name that is known everywhere, by both."""
+    if use.kind in ("signal", "queue"):
+        return (data.vss_path or use.interface,)
+    return tuple(dict.fromkeys(filter(None, (use.interface, data.vss_path))))
+
+
+# -- sent ---------------------------------------------------------------------------------------------------------
+
+
+def sent(context: SwcContext) -> Iterator[DataEnd]:
+    """What the component provides."""
+    for port, element, data in context.data("Provided"):
+        for use in element.uses or ():
+            end = _sent(port, element, data, use, context)
+            if end is not None:
+                yield end
+                break
+
+
+def _sent(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
+    output = context.outputs.get(context.data_pointers.get((use.call or "", use.interface), ()))
+    if output is not None:
+        named, call = output.named, next(step.name for step in context.core.steps if output in step.outputs)
+        end = _end(port, element, data, use, context, named.name, output.value.wire, named.comment)
+        return end._replace(is_queue=output.queue is not None, call=call)
+    ends = [(each.named, each.wire) for each in context.core.errors]
+    ends += [(each.named, each.wire) for each in context.core.reactions]
+    for named, wire in ends:
+        if context.name_of(named) == use.interface:
+            return _end(port, element, data, use, context, named.name, wire, named.comment)
+    return None

@@ -1,0 +1,189 @@
+"""What a software component is made of in C: every name resolved, so that the writers ask nothing but this."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple, Union
+
+from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, WireType
+from sigcat.function.function_json.code import CodeInterface
+from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Runnable
+
+
+class RteType(NamedTuple):
+    """A datatype of the RTE, with what is in it."""
+
+    name: str
+    """In C."""
+    base: str = ""
+    """Platform type of a number: `uint8`, `boolean`."""
+    element: Union["RteType", None] = None
+    length: int = 0
+    members: tuple[tuple[str, "RteType"], ...] = ()
+
+    @property
+    def is_array(self) -> bool:
+        return self.element is not None
+
+    @property
+    def is_struct(self) -> bool:
+        return bool(self.members)
+
+    @property
+    def is_number(self) -> bool:
+        return not self.is_array and not self.is_struct
+
+
+class DataEnd(NamedTuple):
+    """A data element of a port, and what the core has for it."""
+
+    port: str
+    element: str
+    type: RteType
+    wire: WireType
+    place: str
+    """Of the core: the end of the name of the function that takes it, or its member in `out` and `publish`."""
+    comment: str
+    columns: tuple[str, ...]
+    """What it is called in traces: its path, its interface, or both."""
+    is_queue: bool = False
+    has_update: bool = False
+    tells_of_rejection: bool = False
+    immediate_in: frozenset[str] = frozenset()
+    """Calls that take it right before they run."""
+    call: str = ""
+    """The call that provides it; empty for what the core may say at any time."""
+
+    @property
+    def key(self) -> tuple[str, str]:
+        return self.port, self.element
+
+    @property
+    def name(self) -> str:
+        """What the functions of the RTE for it end with."""
+        return f"{self.port}_{self.element}"
+
+
+class ModeEnd(NamedTuple):
+    """A mode of a port."""
+
+    port: str
+    prototype: str
+    group: str
+    place: str
+    columns: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        return f"{self.port}_{self.prototype}"
+
+    @property
+    def type(self) -> str:
+        return f"Rte_ModeType_{self.group}"
+
+
+class Told(NamedTuple):
+    """An error whose status the diagnosis is told."""
+
+    port: str
+    operation: str
+    error: Error
+
+
+class Reported(NamedTuple):
+    """A checkpoint of the watchdog manager."""
+
+    function: str
+    """`Rte_Call_<port>_<operation>`."""
+    name: str
+
+
+class ArgumentEnd(NamedTuple):
+    """An argument of an operation, and its member in the core's struct."""
+
+    name: str
+    type: RteType
+    wire: WireType
+    place: str
+
+
+class MethodEnd(NamedTuple):
+    """A method that the function offers or uses, as an operation of a port."""
+
+    port: str
+    operation: str
+    method: Method
+    arguments: tuple[ArgumentEnd, ...]
+    results: tuple[ArgumentEnd, ...]
+    errors: Mapping[str, int]
+    """Numbers of the application errors, by their names: `RTE_E_<interface>_<name>`."""
+    interface: str
+    columns: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        return f"{self.port}_{self.operation}"
+
+
+class ParameterEnd(NamedTuple):
+    """A parameter that is calibrated: what gives its value, and where the core takes it."""
+
+    function: str
+    """`Rte_Prm_<port>_<element>` or `Rte_CData_<name>`."""
+    type: RteType
+    parameter: Parameter
+
+
+@dataclass(frozen=True)
+class SwcPlan:
+    """A software component, with the core of its function."""
+
+    component: Component
+    core: CorePlan
+    code: CodeInterface | None
+    received: tuple[DataEnd, ...]
+    sent: tuple[DataEnd, ...]
+    mode_in: ModeEnd | None
+    mode_out: ModeEnd | None
+    told: tuple[Told, ...]
+    reported: Mapping[tuple[str, str], tuple[Reported, ...]]
+    """Checkpoints, by the call that reports them and the moment."""
+    methods: tuple[MethodEnd, ...]
+    parameters: tuple[ParameterEnd, ...]
+    memory: PerInstanceMemory | None
+    """What is kept."""
+    time: str
+    """What gives the time: `Rte_Call_<port>_<operation>`."""
+    ignition: str
+    """What gives the number of the ignition cycle; empty if nothing does."""
+    restored: str
+    """What says whether what is kept could be read; empty if nothing does."""
+    marked: str
+    """What takes that what is kept has changed; empty if nothing does."""
+    area: str
+
+    @property
+    def name(self) -> str:
+        """Of the component type."""
+        return self.component.name
+
+    def runnable(self, role: str, of: str | None = None) -> Runnable | None:
+        """The runnable of a role, of a call or a method."""
+        return next(
+            (each for each in self.component.runnables
+             if each.role == role and (of is None or of in (each.call, each.method))), None
+        )  # fmt: skip
+
+    def ends(self, runnable: Runnable, kind: str) -> tuple[DataEnd, ...]:
+        """What a runnable takes in one way."""
+        known = {each.key: each for each in self.received}
+        keys = ((each.port or "", each.element) for each in runnable.accesses if each.kind == kind)
+        return tuple(known[key] for key in keys if key in known)
+
+
+class ClassicPlan(NamedTuple):
+    """All components."""
+
+    name: str
+    swcs: tuple[SwcPlan, ...]
+    types: Mapping[str, RteType]
+    """Of the RTE, by name, in the order of the document."""

@@ -1,0 +1,34 @@
+"""From Integration JSON to the software components, and to what runs them at a desk."""
+
+from sigcat import codes
+from sigcat.adapter.autosar_classic.arxml.generate import generate as generate_arxml
+from sigcat.adapter.autosar_classic.code.derive import SourceCore, derive
+from sigcat.adapter.autosar_classic.code.generate import generate as generate_components
+from sigcat.adapter.autosar_classic.test_rte.generate import generate as generate_test_rte
+from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.files import GeneratedFile, within
+from sigcat.adapter.source_functions import source_functions
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.integration.autosar_classic.document import read_integration
+from sigcat.limits import Limits
+
+
+@collector_paused()
+def generate(
+    data: bytes, name: str, limits: Limits, release: str | None = None, *, bench: bool = False
+) -> tuple[GeneratedFile, ...]:
+    """ARXML, cores, components and headers of the contract phase, and with `bench` the test RTE.
+
+    Raises InputRefused if the document cannot be used, or a core cannot be generated.
+    """
+    model = read_integration(data, name, limits)
+    functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_CLASSIC, "autosar-classic")
+    planned = plans(functions)
+    plan = derive(model, [SourceCore(one, each.plan) for one, each in zip(functions, planned, strict=True)])
+    return (
+        *within("arxml", generate_arxml(model, release)),
+        *(file for each in planned for file in within("core", core_files(each.plan).files)),
+        *generate_components(model, plan),
+        *(generate_test_rte(model, plan) if bench else ()),
+    )

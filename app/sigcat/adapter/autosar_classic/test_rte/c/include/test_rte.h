@@ -1,0 +1,118 @@
+/*
+ * What the test RTE is made of. Tables are generated from the integration, everything else is the same for all.
+ * One core: a runnable runs to its end. Time is what main gives.
+ */
+#ifndef TEST_RTE_H
+#define TEST_RTE_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "Std_Types.h"
+
+/* -- tables, generated ------------------------------------------------------------------------------------------- */
+
+/* An event that is mapped to a task, in the order in which they run: tasks by priority, events by position. */
+typedef struct {
+    const char *task;
+    const char *name;
+    uint32 component;
+    void (*run)(void);
+    uint64 period; /* ns; 0: it is no timing event */
+    uint64 offset;
+    boolean is_init;
+} TestRte_Event;
+
+typedef enum {
+    TEST_RTE_BOOLEAN, TEST_RTE_UINT8, TEST_RTE_SINT8, TEST_RTE_UINT16, TEST_RTE_SINT16, TEST_RTE_UINT32,
+    TEST_RTE_SINT32, TEST_RTE_UINT64, TEST_RTE_SINT64, TEST_RTE_FLOAT32, TEST_RTE_FLOAT64
+} TestRte_Kind;
+
+typedef struct {
+    const char *name;
+    sint64 number;
+} TestRte_Symbol;
+
+/* A number of a value, and what stands before it in a text. */
+typedef struct {
+    const char *before;
+    TestRte_Kind kind;
+    uint32 offset;
+    const TestRte_Symbol *symbols; /* the last one has no name; NULL: none */
+} TestRte_Number;
+
+typedef struct {
+    uint32 size;
+    uint32 count;
+    const TestRte_Number *numbers;
+    const char *after;
+} TestRte_Shape;
+
+/* What comes from outside: a column of a trace. */
+typedef struct {
+    const char *name;
+    const TestRte_Shape *shape;
+    void (*deliver)(const void *value);
+} TestRte_Input;
+
+typedef struct {
+    const char *name;
+    void *ram;
+    uint32 size;
+} TestRte_Block;
+
+/* A function identifier, and the events whose failure takes its permission away. */
+typedef struct {
+    const char *name;
+    const char *const *events; /* the last one is NULL */
+} TestRte_Inhibition;
+
+extern const TestRte_Event TestRte_Events[];
+extern const uint32 TestRte_EventCount;
+extern const char *const TestRte_Components[];
+extern const char *const TestRte_Functions[];
+extern const uint32 TestRte_ComponentCount;
+extern const TestRte_Input TestRte_Inputs[];
+extern const uint32 TestRte_InputCount;
+extern const TestRte_Block TestRte_Blocks[];
+extern const uint32 TestRte_BlockCount;
+extern const TestRte_Inhibition TestRte_Inhibitions[];
+extern const uint32 TestRte_InhibitionCount;
+void TestRte_ShutDown(void); /* switches the mode of the ECU for all components */
+
+/* -- operating system -------------------------------------------------------------------------------------------- */
+
+uint64 Os_Now(void);
+uint64 Os_NextTime(void); /* when a timing event is due next */
+void Os_Begin(uint64 t); /* the time at which everything starts */
+void Os_Start(void); /* events of the beginning; timing events count from now on */
+void Os_SetTime(uint64 t); /* timing events that are due by then are activated */
+void Os_Activate(uint32 event);
+void Os_Run(void); /* until nothing is activated */
+void Os_EndComponent(uint32 component); /* nothing of it runs any more */
+void Os_EnterArea(uint32 component);
+void Os_ExitArea(uint32 component);
+
+/* -- services, which record what they are told --------------------------------------------------------------------- */
+
+boolean TestRte_OpenRecords(const char *sent, const char *told);
+void TestRte_CloseRecords(void);
+void TestRte_Sent(const char *name, const TestRte_Shape *shape, const void *value);
+void TestRte_Told(const char *service, const char *name, const char *value);
+
+Std_ReturnType TestRte_GetTime(uint64 *time);
+Std_ReturnType TestRte_GetCycle(uint32 *cycle);
+Std_ReturnType Dem_SetEventStatus(const char *event, uint8 status);
+Std_ReturnType WdgM_CheckpointReached(const char *entity, const char *checkpoint);
+Std_ReturnType NvM_GetErrorStatus(const char *block, uint8 *result);
+Std_ReturnType NvM_SetRamBlockStatus(const char *block, boolean has_changed);
+void NvM_ReadAll(const char *folder); /* NULL: nothing was stored */
+void NvM_WriteAll(const char *folder);
+void TestRte_SetCycle(uint32 cycle);
+
+/* -- texts of values ----------------------------------------------------------------------------------------------- */
+
+boolean TestRte_Read(const char *text, const TestRte_Shape *shape, void *value);
+void TestRte_Write(FILE *file, const TestRte_Shape *shape, const void *value);
+
+#endif /* TEST_RTE_H */

@@ -1,0 +1,70 @@
+"""CMakeLists.txt: components, their cores and the code of their functions on the test RTE."""
+
+from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
+from sigcat.adapter.core.plan import CLASS
+from sigcat.function.function_json.code import Macro
+from sigcat.names import screaming_snake_case
+
+
+def code_setting(swc: SwcPlan) -> str:
+    """The setting that says where the paths of the code begin."""
+    return f"{screaming_snake_case(swc.core.function)}_CODE"
+
+
+def cmake(plan: ClassicPlan) -> str:
+    """The whole file."""
+    languages = "C CXX" if any(swc.core.code.signature == CLASS for swc in plan.swcs) else "C"
+    components = "".join(_component(swc) for swc in plan.swcs)
+    sources = " ".join(f"test_rte/Rte_{swc.name}.c" for swc in plan.swcs)
+    objects = " ".join(f"$<TARGET_OBJECTS:swc_{swc.name}>" for swc in plan.swcs)
+    return f"""# {plan.name} on the test RTE of sigcat, at a desk. An ECU is built by its integrator's project.
+cmake_minimum_required(VERSION 3.16)
+project(classic LANGUAGES {languages})
+set(CMAKE_C_STANDARD 99)
+if(NOT DEFINED CMAKE_C_EXTENSIONS)
+  set(CMAKE_C_EXTENSIONS OFF)
+endif()
+set(CMAKE_CXX_STANDARD 17)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+add_compile_options(-ffp-contract=off)
+{components}
+add_executable(test_rte
+  test_rte/main.c test_rte/os.c test_rte/services.c test_rte/values.c test_rte/rte_tables.c
+  {sources}
+  {objects})
+target_include_directories(test_rte PRIVATE test_rte contract core test_rte/include {_folders(plan)})
+target_link_libraries(test_rte PRIVATE m)
+"""
+
+
+def _folders(plan: ClassicPlan) -> str:
+    return " ".join(_include(swc) for swc in plan.swcs)
+
+
+def _include(swc: SwcPlan) -> str:
+    code = swc.code
+    paths = (*(code.sources or ()), *(code.headers or ())) if code else ()
+    folders = dict.fromkeys(
+        [*(path.rpartition("/")[0] for path in paths), *(code.include_folders or () if code else ())]
+    )
+    base = f"${{{code_setting(swc)}}}"
+    return " ".join([f'"{base}"', *(f'"{base}/{folder}"' for folder in folders if folder)])
+
+
+def _component(swc: SwcPlan) -> str:
+    ending = "cpp" if swc.core.code.signature == CLASS else "c"
+    base = f"${{{code_setting(swc)}}}"
+    sources = "".join(f'\n  "{base}/{path}"' for path in (swc.code.sources or () if swc.code else ()))
+    macros = [f'"{each.name}{"" if each.value is None else f"={each.value}"}"' for each in _macros(swc)]
+    defined = f"\ntarget_compile_definitions(swc_{swc.name} PRIVATE {' '.join(macros)})" if macros else ""
+    return f"""
+set({code_setting(swc)} "" CACHE PATH "Where the code of {swc.core.function} is")
+add_library(swc_{swc.name} OBJECT swc/{swc.name}.{ending} core/{swc.core.function}_adapter.{ending}{sources})
+target_include_directories(swc_{swc.name} PRIVATE contract core test_rte/include {_include(swc)}){defined}
+"""
+
+
+def _macros(swc: SwcPlan) -> tuple[Macro, ...]:
+    return swc.code.definitions or () if swc.code else ()

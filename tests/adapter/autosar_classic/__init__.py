@@ -1,0 +1,1 @@
+"""Software components for AUTOSAR Classic, and the test RTE that runs them."""

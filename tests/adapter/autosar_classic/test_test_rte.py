@@ -1,0 +1,179 @@
+"""Components on the test RTE: what they send is what the simulation sends, and services are told what docs/reference/adapter.md says."""
+
+import shutil
+
+import pytest
+
+from sigcat.adapter.toolchain import toolchain
+from sigcat.comparison.running.runner import Drive, Kill
+from tests.adapter.autosar_classic.generated import (
+    APPLICATIONS,
+    CASES,
+    DRIVE,
+    ECOCONTROL,
+    EXAMPLES,
+    RUNNERS,
+    SECOND,
+    built,
+    files,
+    play,
+    subject,
+    written,
+)
+from tests.adapter.core.judges import SANITIZERS, sanitizers
+
+pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake, which builds the test RTE")
+ROWS = {
+    "every_datatype_with_all_its_digits": ("function.yaml",),
+    "members_of_a_class": ("function.yaml",),
+    "methods_that_the_trace_answers": ("function.yaml",),
+    "one_function_feeds_another": ("filter.yaml", "counter.yaml"),
+    "structs_and_queues": ("function.yaml",),
+}
+
+
+def _both(paths, drive, folder):
+    whole = subject(paths)
+    found = []
+    for runner in RUNNERS:
+        made = runner.build(whole, folder / runner.name, toolchain())
+        recording = runner.play(made, whole, drive)
+        assert recording.last_words == ""
+        found.append(recording.sent)
+    return found
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_every_bit_is_that_of_the_simulation(name, tmp_path):
+    paths = [CASES / name / each for each in ROWS[name]]
+    simulated, sent = _both(paths, Drive(CASES / name / "trace.csv", _length(CASES / name / "trace.csv")), tmp_path)
+    assert any(simulated.values())
+    assert sent == simulated
+
+
+def _length(trace):
+    times = [float(line.split(",")[0]) for line in trace.read_text().splitlines()[1:]]
+    return round((times[-1] - times[0]) * SECOND)
+
+
+def test_wheel_speeds_are_those_of_the_simulation(tmp_path):
+    folder = EXAMPLES / "wheel_speed_calculation"
+    simulated, sent = _both([folder / "function.yaml"], Drive(folder / "drive.csv", 10 * SECOND), tmp_path)
+    assert sent == simulated
+
+
+def test_a_function_that_is_gone_says_nothing_more_and_others_go_on(tmp_path):
+    drive = Drive(DRIVE, 40 * SECOND, kills=(Kill("EcoControlMpc", 37 * SECOND),))
+    simulated, sent = _both(ECOCONTROL, drive, tmp_path)
+    assert sent == simulated
+    proposals = sent["Vehicle.ADAS.EcoControl.AccelerationProposal"]
+    assert max(time for time, _ in proposals) < 37 * SECOND
+    assert max(time for time, _ in sent["Vehicle.ADAS.EcoControl.AccelerationRequest"]) > 39 * SECOND
+
+
+@pytest.fixture(scope="module")
+def ecocontrol(tmp_path_factory):
+    """EcoControl, with sanitizers where there are some."""
+    flags = SANITIZERS if sanitizers() else ()
+    return built(written(tmp_path_factory.mktemp("ecocontrol"), ECOCONTROL), ECOCONTROL, *flags)
+
+
+@pytest.fixture(scope="module")
+def missing(ecocontrol):
+    """The brake pressure comes until 6 s, and again from 8 s on."""
+    rows = ["time,Vehicle.Chassis.Brake.CylP,Vehicle.Chassis.Steering.WhlAg,CoreAcc_Mode_In", "0,1,0,ACTIVE"]
+    for k in range(1, 200):
+        time = k * 0.05
+        rows.append(f"{time:.3f},{'' if 6 <= time < 8 else 1},0,")
+    return play(ecocontrol, "\n".join(rows) + "\n", 10 * SECOND)
+
+
+def test_the_dem_is_told_the_verdicts_of_the_core(missing):
+    """§6: the first verdict, then each change; PREFAILED and HEALING are no verdicts. It is told what others are sent."""
+    told = [(time, value) for time, name, value in missing.of("DEM") if name == "CoreAcc_BrakePressureTimeout_ErrorSts"]
+    sent = [
+        (time, {"0": "PASSED", "1": "FAILED"}[value])
+        for time, value in missing.sent["CoreAcc_BrakePressureTimeout_ErrorSts"]
+    ]
+    assert [value for _, value in told] == ["PASSED", "FAILED", "PASSED"]
+    assert told == sent
+    failed, healed = told[1][0], told[2][0]
+    assert 6.2 * SECOND < failed < 7 * SECOND
+    assert healed > 8 * SECOND
+
+
+def test_others_are_inhibited_while_an_error_is_failed(missing):
+    dem = [(time, value) for time, name, value in missing.of("DEM") if name == "CoreAcc_BrakePressureTimeout_ErrorSts"]
+    fim = [(time, value) for time, name, value in missing.of("FiM") if "AccReqInvalid" in name]
+    assert fim == [(dem[1][0], "INHIBITED"), (dem[2][0], "PERMITTED")]
+
+
+def test_the_watchdog_manager_is_told_of_each_call(missing):
+    """§10: a checkpoint before and after each call, and none of a call that the mode excludes."""
+    told = [value for _, name, value in missing.of("WdgM") if name.startswith("CoreAcc")]
+    assert told == ["Step_Begin", "Step_End"] * (len(told) // 2)
+    assert len(told) // 2 == len(missing.sent["Vehicle.ADAS.EcoControl.AccelerationRequest"])
+    mpc = [value for _, name, value in missing.of("WdgM") if name.startswith("EcoControlMpc")]
+    assert mpc == []  # OFF from its beginning to its end
+
+
+def test_what_is_kept_is_there_in_the_next_ignition_cycle(ecocontrol, tmp_path):
+    """§6: an error that failed in the cycle before is counted, and counts are kept."""
+    trace = "time,CoreAcc_Mode_In\n0,ACTIVE\n3,\n"
+    first = play(ecocontrol, trace, 3 * SECOND, "-n", str(tmp_path), "-i", "1")
+    assert ("CoreAcc_Stored", "CHANGED") in [(name, value) for _, name, value in first.of("NvM")]
+    kept = (tmp_path / "CoreAcc_Stored.nvm").read_bytes()
+    play(ecocontrol, trace, 3 * SECOND, "-n", str(tmp_path), "-i", "2")
+    again = (tmp_path / "CoreAcc_Stored.nvm").read_bytes()
+    assert int.from_bytes(kept[:4], "little") == 1
+    assert int.from_bytes(again[:4], "little") == 2
+    occurrences, cycles = ([int.from_bytes(data[at : at + 2], "little") for data in (kept, again)] for at in (6, 8))
+    assert occurrences == [1, 2]  # the brake pressure never came
+    assert cycles == [0, 1]
+
+
+def test_a_value_that_cannot_be_read_is_told_with_its_line(ecocontrol, tmp_path):
+    with pytest.raises(AssertionError, match=r"line 3: Vehicle\.Speed fast"):
+        play(ecocontrol, "time,Vehicle.Speed\n0,1\n1,fast\n", SECOND)
+
+
+@pytest.mark.skipif(not sanitizers(), reason="sanitizers of the compiler")
+def test_sanitizers_find_nothing_in_a_component_with_everything(tmp_path):
+    paths = (APPLICATIONS / "full/function.yaml",)
+    program = built(written(tmp_path, paths), paths, *SANITIZERS)
+    played = play(program, "time,Full_Mode_In\n0,ON\n1,\n", SECOND)
+    assert played.of("WdgM")
+
+
+MUTANTS = {
+    "what comes is taken again at each step": ("if (Rte_IsUpdated_Chassis_Brake_CylP_CylP() != FALSE) {", "{"),
+    "nothing is taken": (
+        "Rte_Read_Chassis_Brake_CylP_CylP(&value) == RTE_E_OK",
+        "Rte_Read_Chassis_Brake_CylP_CylP(&value) != RTE_E_OK",
+    ),
+    "copies are taken that never came": ("Rte_IStatus_Step_Vehicle_Speed_Speed() != RTE_E_NEVER_RECEIVED", "FALSE"),
+    "the mode is not taken": ("if (mode != RTE_TRANSITION_", "if (mode == RTE_TRANSITION_"),
+    "a call that is due is forgotten": ("is_due = CoreAcc_Swc_Due.Step;", "is_due = FALSE;"),
+    "outputs are not sent": ("if (CoreAcc_Adapter_Instance.publish.AccReq) {", "if (FALSE) {"),
+    "what is sent is sent again": ("    CoreAcc_Adapter_Published(&CoreAcc_Adapter_Instance);", ""),
+    "supervision never looks": ("    CoreAcc_Adapter_Start(&CoreAcc_Adapter_Instance, t);", ""),
+}
+
+
+@pytest.mark.parametrize("name", MUTANTS)
+def test_a_component_that_is_wrong_is_found(name, tmp_path, ecocontrol):
+    """The drive sees what a fault in the component does: the tests above can fail."""
+    old, new = MUTANTS[name]
+    text = files(ECOCONTROL)["swc/CoreAcc.c"]
+    assert old in text
+    program = built(written(tmp_path, ECOCONTROL, {"swc/CoreAcc.c": text.replace(old, new)}), ECOCONTROL)
+    spoilt = "\n".join(_without_brake(line) for line in DRIVE.read_text().splitlines()) + "\n"
+    assert play(program, spoilt, 30 * SECOND).sent != play(ecocontrol, spoilt, 30 * SECOND).sent
+
+
+def _without_brake(line):
+    """From 20 s to 22 s, no brake pressure comes."""
+    time, *cells = line.split(",", 4)
+    if time != "time" and 20 <= float(time) < 22:
+        cells[2] = ""
+    return ",".join([time, *cells])
