@@ -28,6 +28,10 @@ TREE_ENDINGS = (".vspec", ".yaml", ".yml")
 ENDINGS = (*TREE_ENDINGS, ".json")
 
 
+RUN_COLUMNS = ("time", "call")
+"""What the header of a run begins with, as `sigcat simulate` writes it; no trace has the second column by itself."""
+
+
 class DocumentKind(NamedTuple):
     """One kind of the documents that are made for functions, or of functions."""
 
@@ -58,6 +62,12 @@ INTEGRATION_JSON = (
         frozenset(("FunctionInformation",)),
         "Integration JSON for AUTOSAR adaptive",
         "Run `sigcat generate arxml` on it.",
+    ),
+    DocumentKind(
+        "integration json",
+        frozenset(("ApplicationInformation",)),
+        "Integration JSON for AUTOSAR Classic",
+        "Run `sigcat generate autosar-classic` on it.",
     ),
     DocumentKind(
         "integration json",

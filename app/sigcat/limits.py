@@ -100,6 +100,12 @@ FUNCTION_PROBLEMS = 1_000
 EXPRESSION_CHARACTERS = 1_000
 """Characters of a C expression that a value is held in (`variable`)."""
 
+FORMULA_CHARACTERS = 1_000
+"""Characters of a formula that a network's value is converted with (`math`)."""
+
+FORMULA_DEPTH = 64
+"""Parentheses, signs and operators inside each other in a formula."""
+
 # -- C code that is imported -------------------------------------------------------------------------------------------
 
 CODE_FILES = 2_000
@@ -127,6 +133,42 @@ TRACE_ROW_BYTES = 4 * 1024 * 1024
 
 TRACE_FINDINGS = 100
 """Findings in one trace; after that it is not read on."""
+
+RUN_CALLS = 10_000_000
+"""Cyclic calls in one simulation: a day of a function that runs every 10 ms has 8.6 million."""
+
+LOG_LINE_BYTES = 64 * 1024
+"""Bytes of one line of a CAN log; a longer one is left out."""
+
+LOG_CONTAINER_BYTES = 32 * 1024 * 1024
+"""Bytes that one container of a BLF log may have, packed or unpacked; tools write containers of 128 KiB."""
+
+LOG_FINDINGS = 100
+"""Lines of a CAN log that are no frames and are told one by one; of more, their number is given."""
+
+LOG_IDENTIFIERS = 10_000
+"""Identifiers of frames that are counted one by one; those of others together."""
+
+RUN_BYTES = 16 * 1024 * 1024
+"""Bytes of a stored run that a page draws; ten minutes of EcoControl have 0.7 MB."""
+
+COMPARISON_BYTES = 8 * 1024 * 1024
+"""Bytes of a stored comparison that a page shows; that of EcoControl has less than 1 MB."""
+
+RUN_HEADER_BYTES = 256 * 1024
+"""Bytes of the first row of a CSV file in a folder of functions, by which a run is known."""
+
+RUNS = 200
+"""Stored runs of one folder of functions, in the order of their names; those after them are left out."""
+
+RUN_SIGNALS = 8
+"""Signals in one picture of a run."""
+
+RUN_STATUSES = 100
+"""Errors, safety reactions and modes in one picture of a run."""
+
+RUN_CHANGES = 20
+"""Changes of one of them that a page lists."""
 
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
@@ -156,11 +198,8 @@ ANSWER_FINDINGS = 1_000
 
 # -- proposals ("Did you mean …?") ----------------------------------------------------------------------------------
 
-PROPOSALS = 100
-"""Proposals for names in one file or layer: each compares a name with all others. With more wrong names, another tree was meant."""
-
 COMPARED_NAMES = 1_000_000
-"""Names that one piece of work of the service compares for proposals; about a second. After that there are none."""
+"""Names that are compared for proposals in one file, layer, or piece of work of the service: about a second. After that there are none: with so many wrong names, another tree was meant."""
 
 PROPOSAL_CHARACTERS = 500
 """Characters of a name that is compared with others for a proposal."""

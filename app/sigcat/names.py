@@ -4,7 +4,12 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from math import inf
 
+from sigcat.limits import COMPARED_NAMES
+
+IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
+"""What AUTOSAR takes for the name of an element."""
 _MUCH_FARTHER = 12.0
 _CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"
 
@@ -60,12 +65,11 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
-    budget = _comparisons.get()
-    if budget is not None and budget.left <= 0:
+    budget = _comparisons.get(_UNBOUNDED)
+    if budget.left <= 0:
         return ()
     choices = {candidate: candidate.lower() for candidate in candidates}
-    if budget is not None:
-        budget.left -= len(choices)
+    budget.left -= len(choices)
     matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
     near = tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
     return near or _completed(name.lower(), choices, limit)
@@ -74,21 +78,37 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
 class _Budget:
     """Comparisons of names that a piece of work may still make."""
 
-    def __init__(self, left: int) -> None:
+    def __init__(self, left: float) -> None:
         self.left = left
 
 
-_comparisons: ContextVar[_Budget | None] = ContextVar("comparisons", default=None)
+_comparisons: ContextVar[_Budget] = ContextVar("comparisons")
+_UNBOUNDED = _Budget(inf)
 
 
 @contextmanager
-def bounded_proposals(comparisons: int) -> Iterator[None]:
-    """Within it, names are compared about so often in all; what is wrong after that is still found, without a proposal."""
-    token = _comparisons.set(_Budget(comparisons))
+def bounded_proposals(comparisons: int = COMPARED_NAMES) -> Iterator[None]:
+    """Within it, names are compared about so often in all; what is wrong after that is still found, without a proposal.
+
+    A piece of work within another one, such as one file of several, has no more than is left of that.
+    """
+    around = _comparisons.get(_UNBOUNDED)
+    given = min(around.left, comparisons)
+    inner = _Budget(given)
+    token = _comparisons.set(inner)
     try:
         yield
     finally:
+        around.left -= given - inner.left
         _comparisons.reset(token)
+
+
+def may_compare(names: int) -> bool:
+    """Whether this piece of work may compare a name with so many others; they count."""
+    budget = _comparisons.get(_UNBOUNDED)
+    is_left = budget.left > 0
+    budget.left -= names
+    return is_left
 
 
 def _completed(beginning: str, choices: Mapping[str, str], limit: int) -> tuple[str, ...]:

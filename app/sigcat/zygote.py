@@ -94,6 +94,8 @@ def main(descriptor: int, module: str) -> None:
     """Fork as often as it is asked for. The module is imported with the first request."""
     for ignored in (signal.SIGINT, signal.SIGTERM):  # a service finishes its work first
         signal.signal(ignored, signal.SIG_IGN)
+    children: set[int] = set()
+    signal.signal(signal.SIGCHLD, lambda _signal, _frame: _take_leave(children))
     gc.disable()  # what is imported and kept stays
     with socket.socket(fileno=descriptor) as control:
         for request in _requests(control):
@@ -103,11 +105,13 @@ def main(descriptor: int, module: str) -> None:
                     child.keep(_all_of(request.connection))
                     continue
                 child.prepare(request.kind)
-                _wait_for_ended()
                 gc.freeze()
-                if os.fork() == 0:
+                process = os.fork()
+                if process == 0:
+                    signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # what it starts is its own
                     control.close()
                     _live(child, request.connection)
+                children.add(process)
 
 
 def _requests(control: socket.socket) -> Iterator[_Request]:
@@ -119,11 +123,13 @@ def _requests(control: socket.socket) -> Iterator[_Request]:
         yield _Request(is_told, kind.rstrip(b"\0").decode(), socket.socket(fileno=descriptors[0]))
 
 
-def _wait_for_ended() -> None:
-    """Take leave of the children that have ended."""
-    with suppress(ChildProcessError):
-        while os.waitpid(-1, os.WNOHANG) != (0, 0):
-            pass
+def _take_leave(children: set[int]) -> None:
+    """Of the children that have ended, as soon as one does: until then the system keeps a place for each."""
+    for process in tuple(children):
+        with suppress(ChildProcessError):
+            if os.waitpid(process, os.WNOHANG) == (0, 0):
+                continue
+        children.discard(process)
 
 
 def _live(child: Child, connection: socket.socket) -> None:

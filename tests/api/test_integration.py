@@ -62,6 +62,34 @@ def test_a_set_is_a_list_of_functions_of_either_kind(shipped, platform):
     assert [name for name in ("CoreAcc", "EcoControlMpc") if f'"{name}"' not in json.dumps(answer.json())] == []
 
 
+def test_ids_come_from_the_texts_of_id_catalogues(shipped):
+    body = {"functions": [CORE_ACC], "identifiers": ["name,id\nVehicleChassisService,0x4242\n", "name,id\nOther,5\n"]}
+    services = posted(shipped, "/api/v1/integrate/autosar-adaptive", body)
+    assert services.status_code == 200, services.text
+    assert "16962" in services.text
+    assert "16962" not in posted(shipped, "/api/v1/integrate/autosar-adaptive", CORE_ACC).text
+    answer = posted(shipped, "/api/v1/generate/arxml", services.content)
+    earlier = zipfile.ZipFile(io.BytesIO(answer.content)).read("deployment.arxml").decode()
+    again = posted(shipped, "/api/v1/integrate/autosar-adaptive", {**body, "identifiers": [earlier]})
+    assert again.json() == services.json()
+
+
+@pytest.mark.parametrize(
+    ("platform", "identifiers", "told"),
+    [
+        ("autosar-adaptive", ["name,id\nA,x\n"], "identifiers 1"),
+        ("autosar-adaptive", ["name,id\nA,1\n", "name,id\nA,2\n"], "one id in all id catalogues"),
+        ("autosar-adaptive", [{"A": 1}], "`identifiers`, a list of texts"),
+        ("autosar-adaptive", "name,id", "`identifiers`, a list of texts"),
+        ("ros2", ["name,id\nA,1\n"], "nothing else"),
+    ],
+)
+def test_what_is_no_id_catalogue_is_told(shipped, platform, identifiers, told):
+    answer = posted(shipped, f"/api/v1/integrate/{platform}", {"functions": [CORE_ACC], "identifiers": identifiers})
+    assert answer.status_code == 422
+    assert told in answer.text
+
+
 def test_an_archive_has_the_report_and_the_findings_too(shipped):
     answers = [posted(shipped, "/api/v1/integrate/ros2/archive", CORE_ACC) for _ in range(2)]
     assert answers[0].content == answers[1].content
@@ -91,6 +119,19 @@ def test_an_application_is_an_archive_with_the_bench_on_request(shipped):
         "generated",
         "player",
     }
+
+
+def test_packages_are_an_archive_of_the_distribution_that_is_asked_for(shipped):
+    document = posted(shipped, "/api/v1/integrate/ros2", CORE_ACC).content
+    jazzy, humble = (
+        zipfile.ZipFile(io.BytesIO(posted(shipped, f"/api/v1/generate/ros2{query}", document).content))
+        for query in ("", "?distribution=humble")
+    )
+    assert {name.partition("/")[0] for name in jazzy.namelist()} == {
+        "README.md", "core_acc", "core_acc_interfaces", "core_acc_py",
+    }  # fmt: skip
+    assert [b"ROS 2 Jazzy" in jazzy.read("README.md"), b"ROS 2 Humble" in humble.read("README.md")] == [True, True]
+    assert posted(shipped, "/api/v1/generate/ros2?distribution=noetic", document).status_code == 422
 
 
 def test_arxml_is_of_the_release_that_is_asked_for(shipped):

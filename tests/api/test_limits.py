@@ -74,14 +74,6 @@ def test_many_includes_of_a_text_are_refused_together(wide: Ask) -> None:
     assert "250 more includes are not read." in messages
 
 
-def test_names_are_proposed_for_the_first_wrong_paths(wide: Ask) -> None:
-    text = "".join(f"Vehicle.Speed{a}{b}: {{min: 0}}\n" for a in "abcdefghijklmno" for b in "qrstuvwxyz")
-    findings = wide(LINT, "POST", content=text.encode()).json()["findings"]
-    unknown = [finding["fix"] for finding in findings if finding["rule"] == "O101"]
-    assert len(unknown) == 150
-    assert sum("Did you mean" in fix for fix in unknown) == 100
-
-
 def test_of_very_many_wrong_keys_the_first_are_told_and_how_many_more_there_are(wide: Ask) -> None:
     text = "".join(f"k{number}: 1\n" for number in range(2_000))
     report = wide(f"{LINT}?kind=function", "POST", content=text.encode()).json()

@@ -10,11 +10,13 @@ from typing import Any
 
 import jsonschema
 import pytest
+from pydantic import ValidationError
 
 from scripts.openapi import RELEASED, release
 from sigcat.api.application import create_app
 from sigcat.api.openapi_changes import breaking_changes
 from sigcat.api.openapi_document import operations
+from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.platforms.table import PLATFORMS
 from tests.api.conftest import Ask, asker
@@ -33,6 +35,16 @@ def shipped() -> Ask:
 
 def test_the_document_that_is_checked_in_is_the_one_that_is_served(ask: Ask) -> None:
     assert ask("/openapi.json").json() == DOCUMENT, "run `make generate`"
+
+
+def test_the_document_says_who_answers_for_the_service_as_its_operator_stated_it() -> None:
+    stated = Settings(
+        contact_name="Signals", contact_url="https://signals.example/help", contact_email="help@signals.example"
+    )
+    contact = asker(create_app(Library(shipped_sources()), stated))("/openapi.json").json()["info"]["contact"]
+    assert contact == {"name": "Signals", "url": "https://signals.example/help", "email": "help@signals.example"}
+    with pytest.raises(ValidationError, match=r"contact_url(?s:.*)contact_email"):
+        Settings(contact_url="javascript:x", contact_email="nobody")
 
 
 def test_the_document_breaks_no_client_of_the_released_one() -> None:
@@ -86,6 +98,9 @@ IN_THE_ROUND_TRIP = (
     "integrate_functions_archive",
     "generate_arxml",
     "generate_autosar_adaptive",
+    "generate_autosar_classic",
+    "generate_classic_arxml",
+    "generate_ros2",
 )
 """They need a token, or what another operation answers: tests/clients has them."""
 UNFIT = ("export_avro", "export_vhal")

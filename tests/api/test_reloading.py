@@ -103,4 +103,7 @@ def test_functions_are_read_again(tree: Path, tmp_path: Path) -> None:
     (folder / "noise.function.yaml").write_text("function: Noise\n")
     assert ask("/api/v1/functions/reload", "POST").status_code == 401
     answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
-    assert answer == {"functions": [{"id": "noise", "file": "functions/noise.function.yaml"}]}
+    assert answer == {"functions": [{"id": "noise", "file": "functions/noise.function.yaml"}], "runs": []}
+    (folder / "drive.csv").write_text("time,call,Noise_Mode_Out\n")
+    answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
+    assert answer["runs"] == [{"id": "drive", "file": "functions/drive.csv"}]

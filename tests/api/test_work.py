@@ -25,7 +25,7 @@ from sigcat.api.tokens import new_token
 from sigcat.api.work import worker
 from sigcat.api.work.queue import WorkQueue
 from sigcat.api.work.references import Work, pickled, unpickled
-from sigcat.api.work.refusals import Busy, WorkFailed
+from sigcat.api.work.refusals import BeyondShare, Busy, WorkFailed
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.hosting.library import Library
 from sigcat.catalogue.hosting.variants import expanded_of, find_hosted
@@ -33,7 +33,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from tests.api.conftest import SOURCES
-from tests.processes import is_running
+from tests.processes import PROC, is_running
 from tests.waiting import DEADLINE, wait_until
 
 MEBIBYTE = 1024 * 1024
@@ -86,8 +86,9 @@ def test_one_client_has_at_most_its_share_and_others_get_through() -> None:
     async def greedy() -> list[str]:
         crowd = Crowd(Turns(at_once=2, waiting=6, share=0.5))
         tasks = await crowd.come("greedy", "greedy", "greedy", "greedy")
-        with pytest.raises(Busy, match="One client may have 4"):
+        with pytest.raises(BeyondShare, match="One client may have 4") as refused:
             await crowd.work("greedy")
+        assert (refused.value.status_code, refused.value.headers) == (429, {"Retry-After": "2"})
         tasks += await crowd.come("modest")
         begun = list(crowd.begun)
         crowd.ending.set()
@@ -212,6 +213,21 @@ def test_a_worker_does_one_piece_of_work_after_another(queue: WorkQueue) -> None
     assert done(queue, os.getpid) == first
 
 
+def models_are_built() -> bool:
+    from sigcat.function.declaration.declaration import Declaration
+    from sigcat.function.function_json.data_interfaces import Signal
+
+    return Declaration.__pydantic_complete__ and Signal.__pydantic_complete__
+
+
+def test_a_worker_does_not_build_models_again(queue: WorkQueue) -> None:
+    async def asked() -> Any:
+        await queue.warm(["sigcat.function.function_file"], ())
+        return await queue.of("somebody").run(models_are_built)
+
+    assert run(asked())
+
+
 def test_what_work_refuses_reaches_who_asked_for_it(queue: WorkQueue) -> None:
     with pytest.raises(InputRefused, match="Refused") as refused:
         done(queue, refuse)
@@ -259,6 +275,13 @@ def test_a_worker_that_somebody_killed_is_replaced(queue: WorkQueue) -> None:
     os.kill(process, signal.SIGKILL)
     wait_until(lambda: not is_running(process), "it is killed")
     assert done(queue, len, b"next") == 4
+
+
+@pytest.mark.skipif(not PROC.is_dir(), reason="Linux, which shows what is left of a process")
+def test_nothing_is_left_of_a_worker_that_ended_whether_or_not_there_is_more_work(queue: WorkQueue) -> None:
+    process = done(queue, os.getpid)
+    os.kill(process, signal.SIGKILL)
+    wait_until(lambda: not (PROC / str(process)).exists(), "the zygote takes leave of it")
 
 
 def test_so_is_the_zygote(queue: WorkQueue) -> None:

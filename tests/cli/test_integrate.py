@@ -118,6 +118,7 @@ def test_every_format_has_a_schema(name, capsys):
     [
         (("generate", "arxml", "function.json", "-o", "out"), "Function JSON"),
         (("generate", "arxml", "ros2.json", "-o", "out"), "Integration JSON for ROS 2"),
+        (("generate", "ros2", "autosar-adaptive.json", "-o", "out"), "Integration JSON for AUTOSAR adaptive"),
         (("integrate", "ros2", "autosar-adaptive.json"), "Integration JSON for AUTOSAR adaptive"),
         (("integrate", "ros2", str(ROOT_FILE)), "a vspec file"),
         (("function", "build", str(ROOT_FILE)), "a vspec file"),

@@ -41,6 +41,26 @@ def test_an_overlay_is_checked_over_the_tree_that_is_named(lint):
     assert lint(GOOD.replace("Vehicle", "Truck"), "-s", "tree.vspec")[0] == 0
 
 
+def test_an_overlay_is_checked_over_the_tree_near_this_folder(lint):
+    Path("vspec").mkdir()
+    Path("vspec/units.yaml").write_text(
+        "mm:\n  definition: A unit.\n  unit: millimetre\n  quantity: length\n  allowed-datatypes: [numeric]\n"
+    )
+    Path("vspec/quantities.yaml").write_text("length:\n  definition: How long.\n")
+    tree = "Vehicle:\n  type: branch\n  description: A vehicle.\n" + GOOD.replace("float", "uint8")
+    Path("vspec/tree.vspec").write_text(tree, encoding="utf-8")
+    status, output = lint("Vehicle.X:\n  type: sensor\n  datatype: string\n")
+    assert (status, "O103" in output) == (1, True)
+    length = GOOD.replace("Vehicle.X", "Vehicle.Y").replace("An x", "A y") + "  unit: mm\n"
+    assert lint(length) == (0, "No findings.\n")
+    assert "'km'" in lint(length.replace("mm", "km"))[1]
+
+
+def test_a_text_with_a_root_of_its_own_is_a_tree(lint):
+    assert lint("Boat:\n  type: branch\n  description: A boat.\n" + GOOD.replace("Vehicle", "Boat"))[0] == 0
+    assert "V021" in lint("Vehcle:\n  type: branch\n  description: A boat.\n")[1]
+
+
 def test_the_configuration_counts_and_a_comment_suppresses(lint):
     Path("sigcat.toml").write_text('[lint]\nignore = ["V001"]\n', encoding="utf-8")
     assert lint(BAD)[0] == 0

@@ -78,6 +78,7 @@ OVERWRITING = {
     "a file of a linted folder": ("lint", "tree", "-o", "tree/part.vspec"),
     "a linted file, as baseline": ("lint", "tree/tree.vspec", "--write-baseline", "tree/tree.vspec"),
     "the tree of a linted overlay": ("lint", "overlay.vspec", "-s", "tree", "-o", "tree/part.vspec"),
+    "the tree of a linted function": ("lint", "function.yaml", "-s", "tree", "-o", "tree/part.vspec"),
     "the configuration of a lint": ("lint", "overlay.vspec", "-o", "sigcat.toml"),
     "the rules of a lint": ("lint", "overlay.vspec", "-o", "rules.yaml"),
     "the baseline that is compared with": ("lint", "tree", "--baseline", "known.json", "--write-baseline", "known.json"),
@@ -140,8 +141,8 @@ def test_what_a_generator_writes_into_a_folder_is_not_what_it_reads(folder, caps
     """The name of the input is that of a generated file."""
     assert main(["integrate", "autosar-adaptive", "function.yaml", "-o", "integration.json"]) == 0
     assert main(["generate", "arxml", "integration.json", "-o", "arxml"]) == 0
-    shutil.copy("integration.json", next(Path("arxml").iterdir()))
-    generated = next(Path("arxml").iterdir())
+    generated = Path("arxml/types.arxml")
+    shutil.copy("integration.json", generated)
     before = contents(folder)
     assert main(["generate", "arxml", str(generated), "-o", "arxml"]) == 2
     assert "is read by this command" in capsys.readouterr().err
@@ -152,8 +153,8 @@ def test_the_report_of_a_generator_is_none_of_its_files(folder):
     assert main(["integrate", "autosar-adaptive", "function.yaml", "-o", "integration.json"]) == 0
     assert main(["generate", "arxml", "integration.json", "-o", "arxml"]) == 0
     before = contents(folder)
-    generated = str(next(Path("arxml").iterdir()))
-    assert main(["generate", "arxml", "integration.json", "-o", "arxml", "--report", generated]) == 2
+    for generated in ("arxml/types.arxml", "arxml/.sigcat-generated"):
+        assert main(["generate", "arxml", "integration.json", "-o", "arxml", "--report", generated]) == 2
     assert contents(folder) == before
 
 

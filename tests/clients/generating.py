@@ -33,10 +33,12 @@ def running_service() -> Iterator[str]:
     command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
     with subprocess.Popen(command, cwd=ROOT, env=_ENVIRONMENT, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
-        match = re.search(r"http://\S+", process.stdout.readline())
-        assert match, "the service did not start"
-        yield match.group()
-        process.terminate()
+        try:
+            match = re.search(r"http://\S+", process.stdout.readline())
+            assert match, "the service did not start"
+            yield match.group()
+        finally:
+            process.terminate()
 
 
 def check_python_client(address: str, folder: Path) -> None:

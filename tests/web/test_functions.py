@@ -17,6 +17,7 @@ from sigcat.web.views.code_view import code_view
 from sigcat.web.views.generated_documents import VIEWS
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
+from tests.needs import IS_SLOW_RUN
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +83,7 @@ def test_what_is_made_from_a_function_is_read_and_downloaded(site: Ask, view: st
     page = site(f"/functions/core_acc?view={view}").text
     addresses = re.findall(r'href="(/functions/core_acc/files/[^"]+)"', page)
     assert addresses
-    for address in addresses:
+    for address in addresses if IS_SLOW_RUN else addresses[:: len(addresses) // 5 + 1]:
         file = site(address)
         assert file.status_code == 200
         assert file.headers["content-disposition"].startswith("attachment")
@@ -120,7 +121,9 @@ def test_ecocontrol_is_wired(site: Ask) -> None:
     page = site("/wiring").text
     assert "EcoControlMpc_Step" in page
     addresses = re.findall(r'href="(/wiring/files/[^"]+)"', page)
-    assert {site(address.replace("&amp;", "&")).status_code for address in addresses} == {200}
+    of_views = {address.partition("?")[0].partition(".")[0]: unescape(address) for address in addresses}
+    assert len(of_views) > 4
+    assert {site(address).status_code for address in of_views.values()} == {200}
 
 
 def test_sets_are_bounded(site: Ask) -> None:

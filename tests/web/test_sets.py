@@ -125,6 +125,7 @@ def test_views_of_a_set_are_tabs(site: Ask, proposing: str) -> None:
     assert "&lt;AUTOSAR" in site("/wiring?f=core_acc&view=arxml").text
     assert "&lt;AUTOSAR" in connected(site, ("mpc.json", proposing), view="arxml").text
     assert "ara::exec::ExecutionClient" in site("/wiring?f=core_acc&view=application").text
+    assert "builtin_interfaces/Time stamp" in site("/wiring?f=core_acc&view=ros2-packages").text
     assert site("/wiring?view=nope").status_code == 404
 
 

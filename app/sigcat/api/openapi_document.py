@@ -10,6 +10,7 @@ from fastapi.openapi.utils import get_openapi
 from sigcat.api.answers.negotiation import JSON, YAML
 from sigcat.api.answers.problems import KINDS, PROBLEM
 from sigcat.api.openapi_shapes import answered, in_order, parameter, written
+from sigcat.api.settings import Settings
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.platforms.table import PLATFORMS
 
@@ -25,8 +26,10 @@ TAGS = {
     "operation": "Health, and what an operator does.",
     "rules": "The rules for names and fields.",
 }
-_EVERYWHERE = (422, 500, 503)
-"""Statuses of any operation: an unknown parameter, a failure, a service that stops or has too much to do."""
+_EVERYWHERE = (422, 429, 500, 503)
+"""Statuses of any operation: an unknown parameter, more than a client's share, a failure, a service that stops or is busy."""
+_LATER = ("429", "503")
+"""Statuses that say when to come again."""
 _CLOSED = "A token is needed, where the operator closed reading"
 _RETRY_AFTER = {"Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}}}
 _FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
@@ -66,12 +69,18 @@ def openapi_document(app: FastAPI) -> Document:
             description=app.description,
             routes=app.routes,
             tags=[{"name": name, "description": text} for name, text in TAGS.items()],
-            contact={"name": "The operator of the service"},
+            contact=_contact(app.state.settings),
             license_info={"name": "Apache 2.0", "url": "https://www.apache.org/licenses/LICENSE-2.0"},
             servers=[{"url": "/", "description": "Where the document comes from."}],
         )
         app.openapi_schema = completed(document)
     return app.openapi_schema
+
+
+def _contact(settings: Settings) -> dict[str, str]:
+    """Who answers for the service, as far as its operator says."""
+    stated = {"name": settings.contact_name, "url": settings.contact_url, "email": settings.contact_email}
+    return {name: value for name, value in stated.items() if value}
 
 
 def completed(document: Document) -> Document:
@@ -110,7 +119,8 @@ def _add_problems(responses: dict[str, Any], *, is_open: bool) -> None:
         responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
     if not is_open:
         responses.setdefault("401", {"description": _CLOSED, **deepcopy(PROBLEM)})
-    responses["503"]["headers"] = _RETRY_AFTER
+    for busy in _LATER:
+        responses[busy]["headers"] = _RETRY_AFTER
 
 
 def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str, Any]]]:

@@ -9,8 +9,9 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
 from sigcat.names import nearest
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import lint_catalogue
-from sigcat.rules.record import Rule, load_rules
+from sigcat.rules.record import Rule
 from sigcat.rules.rule_set import RuleSet
 
 
@@ -45,4 +46,4 @@ class ServiceRules:
 
 def service_rules(folder: Path) -> ServiceRules:
     """The rules of the files in a folder. Raises InputRefused with everything that is wrong with them."""
-    return ServiceRules(load_rules(folder))
+    return ServiceRules(compiled_rules(folder))

@@ -35,6 +35,17 @@ class Settings(BaseModel):
         description="Path below which a proxy offers the service, such as `/sigcat`.",
         pattern=r"^(/[\w.~-]+)*$",
     )
+    contact_name: str = Field(
+        default="The operator of the service", description="Who answers for the service; the OpenAPI document names it."
+    )
+    contact_url: str = Field(
+        default="",
+        description="Address of a page where they are reached; stands there too.",
+        pattern=r"^(https?://\S+)?$",
+    )
+    contact_email: str = Field(
+        default="", description="Their address for mail; stands there too.", pattern=r"^([^@\s]+@[^@\s]+)?$"
+    )
     trusted_proxies: Texts = Field(
         default=(),
         description="Addresses of proxies whose `X-Forwarded-For` and `X-Forwarded-Proto` are believed; `*`: all.",
@@ -76,7 +87,7 @@ class Settings(BaseModel):
     body_seconds: float = Field(default=20.0, description="Seconds in which a body has to arrive; later: 408.", gt=0)
     bodies_bytes: int = Field(
         default=24 * _MEBIBYTE,
-        description="Bytes of bodies that are held at once, of one client a quarter; more: 503 with `Retry-After`.",
+        description="Bytes of bodies that are held at once (more: 503), of one client a quarter (more: 429).",
         ge=1,
     )
     nesting: int = Field(
@@ -125,7 +136,7 @@ class Settings(BaseModel):
     client_share: float = Field(
         default=0.5,
         description="Part of them, under way and waiting, that one client (token, else address) may have, at least one; "
-        "more: 503 with `Retry-After`.",
+        "more: 429 with `Retry-After`.",
         gt=0,
         le=1,
     )

@@ -4,6 +4,7 @@ Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that -
 """
 
 import argparse
+import atexit
 import gc
 import os
 import sys
@@ -26,6 +27,8 @@ COMMANDS = (
     "integrate",
     "generate",
     "simulate",
+    "compare",
+    "gateway",
     "schema",
     "rule",
     "pull",
@@ -40,7 +43,7 @@ _MODULES = {"try": "try_overlay"}
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status. Nothing that a user does ends in a traceback."""
-    gc.set_threshold(50_000, 20)  # most of what a command makes stays to its end: looked through less often
+    set_up_process()
     if sys.stdout is None:  # closed by the caller, as `>&-` does
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:
@@ -64,6 +67,13 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
         return _failed(f"internal error: {type(error).__name__}: {error} (SIGCAT_DEBUG=1 shows where)", 2)
     return status
+
+
+def set_up_process() -> None:
+    """Spare a short process what a long one may need."""
+    gc.set_threshold(1_000_000, 20)  # most of what a command makes stays to its end: seldom looked through
+    atexit.register(gc.freeze)  # what is left at the end need not be looked through
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # it would look for some in every package installed
 
 
 def parser_of(wanted: str) -> argparse.ArgumentParser:

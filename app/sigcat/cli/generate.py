@@ -4,8 +4,9 @@ import argparse
 from pathlib import Path
 
 from sigcat.cli import generate_core
+from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
 from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_output, make_folder, refuse_overwriting
+from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.errors import existing_file
 from sigcat.platforms.platform import Generator, Options, Platform
 from sigcat.platforms.table import PLATFORMS
@@ -30,14 +31,15 @@ def _add_kind(
         description=f"Write {generator.title} for {generator.target}: {generator.contents}.",
     )
     one.add_argument("integration", type=Path, metavar="INTEGRATION", help=f"Integration JSON for {platform.title}")
-    add_output(one, "-o", "--output", required=True, metavar="DIR", help="folder to write to")
+    add_folder(one)
     add_output(one, "--report", metavar="FILE", help="where each field went: .json, or else a Markdown table")
     if generator.releases:
         one.add_argument(
-            "--release",
+            f"--{generator.release_word}",
+            dest="release",
             choices=generator.releases,
-            metavar="RELEASE",
-            help=f"{', '.join(generator.releases)} (default: that of the Integration JSON)",
+            metavar=generator.release_word.upper(),
+            help=f"{', '.join(generator.releases)} (default: {generator.default_release or 'that of the Integration JSON'})",
         )
     if generator.has_bench:
         help_text = f"add what builds and runs it without {platform.title}: for desks and tests, not for vehicles"
@@ -53,12 +55,8 @@ def run(arguments: argparse.Namespace) -> int:
     source = existing_file(arguments.integration)
     options = Options(getattr(arguments, "release", None), getattr(arguments, "bench", False))
     files = arguments.generator.generate(source.read_bytes(), str(source), DEFAULT_LIMITS, options)
-    refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
-    make_folder(arguments.output)
-    for folder in sorted({(arguments.output / file.name).parent for file in files}):
-        folder.mkdir(parents=True, exist_ok=True)
-    for file in files:
-        write_bytes(file.data, arguments.output / file.name)
+    refuse_overwriting(arguments, written=paths_in(arguments.output, files))
+    write_generated(files, arguments.output, arguments.generator.name, is_whole=True, force=arguments.force)
     if arguments.report is not None:
         report = arguments.generator.report(source.read_bytes(), str(source), DEFAULT_LIMITS)
         write_bytes(written_as(report, arguments.report.suffix), arguments.report)

@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_output, make_folder, refuse_overwriting
+from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
+from sigcat.cli.output_options import refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import existing_file
 
@@ -21,7 +21,7 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
         ),
     )
     one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
-    add_output(one, "-o", "--output", required=True, metavar="DIR", help="folder to write to")
+    add_folder(one)
     add_tree_options(one)
     one.set_defaults(run=run)
 
@@ -36,8 +36,6 @@ def run(arguments: argparse.Namespace) -> int:
     files, warnings = cores(functions)
     for finding in (*findings, *warnings):
         print(finding.line_of_text, file=sys.stderr)
-    refuse_overwriting(arguments, written=[arguments.output / file.name for file in files])
-    make_folder(arguments.output)
-    for file in files:
-        write_bytes(file.data, arguments.output / file.name)
+    refuse_overwriting(arguments, written=paths_in(arguments.output, files))
+    write_generated(files, arguments.output, "core", is_whole=False, force=arguments.force)
     return 0

@@ -1,7 +1,6 @@
 """`sigcat lint [PATH...]`."""
 
 import argparse
-import atexit
 import gc
 import os
 import sys
@@ -12,15 +11,16 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.output_options import FORMATS, add_output, refuse_overwriting
-from sigcat.cli.tree_options import add_many
-from sigcat.errors import InputRefused, UsageError
+from sigcat.cli.tree_options import add_dbc, add_many
+from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from sigcat.catalogue.hosting.source import Source
+    from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.findings import Finding
-    from sigcat.rules.linting.options import LintOptions, LintResult
+    from sigcat.rules.linting.options import CheckedFunctions, LintOptions, LintResult
 
 _INPUT, _INPUT_NAME = Path("-"), "standard input"
 
@@ -70,6 +70,7 @@ def _add_context(parser: argparse.ArgumentParser) -> None:
     add_many(group, "-u", "--units", "units beside those of the tree")
     add_many(group, "-q", "--quantities", "quantities beside those of the tree")
     add_many(group, "-t", "--types", "struct types")
+    add_dbc(group, "CAN database (DBC) that mappings are held against")
     group.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
 
 
@@ -97,7 +98,6 @@ def lint(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if any is more than a note. Raises UsageError where nothing could be linted."""
     was_enabled = gc.isenabled()
     gc.disable()  # loading and linting make no garbage worth the search for it
-    atexit.register(gc.freeze)  # nor does what is left at the end need to be looked through
     try:
         return _lint(arguments)
     except InputRefused as error:  # the configuration, the rules or the baseline: nothing was linted
@@ -130,9 +130,11 @@ def _lint(arguments: argparse.Namespace) -> int:
 
 
 def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argparse.Namespace) -> "LintResult":
-    """Lint standard input: functions, or an overlay over the tree of the options, or else the shipped one."""
+    """Lint standard input: functions, a tree of its own, or an overlay as it would be in this folder."""
     from sigcat.catalogue.hosting.source import load
-    from sigcat.file_kind import holds_function
+    from sigcat.file_kind import holds_function, root_branch, root_name
+    from sigcat.rules.linting.context import tree_near
+    from sigcat.rules.linting.discovery import is_other_root
     from sigcat.rules.linting.options import LintResult
     from sigcat.rules.linting.posted import lint_text
     from sigcat.rules.linting.selection import rules_for, selected
@@ -143,12 +145,16 @@ def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argp
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
     text = sys.stdin.buffer.read()
     if holds_function(text):
-        findings = tuple(_check_functions(options, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False))
+        findings, beside = _check_functions(options, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
     else:
         every_rule = rules_for(options)
         rules, known = RuleSet(selected(every_rule, options)), frozenset(rule.id for rule in every_rule)
-        findings = lint_text(text, _INPUT_NAME, load(_tree(options)), rules, options=options, known=known)
-    return LintResult(findings, ())
+        options = _with_tree(options.base or tree_near(root_name(text), _INPUT.absolute()), options)
+        is_tree = bool(own := root_branch(text)) and is_other_root(own, options.base)
+        tree = load(_tree(options))
+        findings = lint_text(text, _INPUT_NAME, tree, rules, is_tree=is_tree, options=options, known=known)
+        beside = _names(tree)
+    return LintResult(tuple(findings), (), beside)
 
 
 def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOptions":
@@ -169,6 +175,7 @@ def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOpt
         units=(*options.units, *arguments.units),
         quantities=(*options.quantities, *arguments.quantities),
         types=(*options.types, *arguments.types),
+        dbc=(*options.dbc, *map(existing_file, arguments.dbc)),
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
     )
     return options._replace(check_functions=partial(_check_functions, options))
@@ -177,7 +184,14 @@ def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOpt
 def _configured(options: "LintOptions") -> "Iterator[Path]":
     """The configuration and the files that it names."""
     yield from (path for path in (options.file, options.baseline, options.base) if path is not None)
-    yield from (*options.rule_files, *options.overlays, *options.units, *options.quantities, *options.types)
+    yield from (
+        *options.rule_files,
+        *options.overlays,
+        *options.units,
+        *options.quantities,
+        *options.types,
+        *options.dbc,
+    )
 
 
 def _with_tree(tree: Path | None, options: "LintOptions") -> "LintOptions":
@@ -197,14 +211,20 @@ def _codes(given: list[str]) -> tuple[str, ...]:
 
 def _check_functions(
     options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
-) -> "Sequence[Finding]":
+) -> "CheckedFunctions":
     """Check function files against the tree with the overlays of the options; loaded only when there are any."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.function import code_files
     from sigcat.function.sets.check_set import check_functions
+    from sigcat.rules.linting.options import CheckedFunctions
 
     is_there = code_files.is_on_disk if is_on_disk else None
-    return check_functions(files, load(_tree(options)), is_whole=is_whole, is_there=is_there)
+    tree = load(_tree(options))
+    return CheckedFunctions(check_functions(files, tree, is_whole=is_whole, is_there=is_there), _names(tree))
+
+
+def _names(tree: "Catalogue") -> tuple[str, ...]:
+    return tuple(file.name for file in tree.files)
 
 
 def _tree(options: "LintOptions") -> "Source":

@@ -3,6 +3,7 @@
 import errno
 import os
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -43,6 +44,38 @@ def write_bytes(data: bytes, output: Path | None) -> None:
         raise UsageError(f"{target.parent}: there is no such folder")
     else:
         _replace(target, data)
+
+
+def write_lines(lines: Iterable[str], output: Path | None) -> None:
+    """Write lines as they come, however many: to standard output, or to a file that appears when all are there."""
+    if output is None or str(output) == "-":
+        sys.stdout.writelines(lines)
+        return
+    if output.is_dir():
+        raise UsageError(must_be_a_file(output))
+    target = Path(os.path.realpath(output))
+    if output.exists() and not output.is_file():
+        _write_lines_to(output, lines)
+    elif not target.parent.is_dir():
+        raise UsageError(f"{target.parent}: there is no such folder")
+    else:
+        _replace_by_lines(target, lines)
+
+
+def _write_lines_to(output: Path, lines: Iterable[str]) -> None:
+    with output.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(lines)
+
+
+def _replace_by_lines(target: Path, lines: Iterable[str]) -> None:
+    temporary = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        _write_lines_to(temporary, lines)
+        if target.exists():
+            temporary.chmod(target.stat().st_mode & 0o777)
+        temporary.replace(target)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def _replace(target: Path, data: bytes) -> None:

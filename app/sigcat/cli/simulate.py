@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
+from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.cli.output import write_bytes, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from sigcat.runs.prepare import Prepared
     from sigcat.runs.recording.trace_file import Trace
     from sigcat.runs.simulate import Settings
+    from sigcat.runs.stored_file import Stored, StoredFile
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -69,7 +71,8 @@ def simulate(arguments: argparse.Namespace) -> int:
 
     found: list[Finding] = []
     try:
-        return _simulate(arguments, found)
+        with ended_by_signals():
+            return _simulate(arguments, found)
     except InputRefused as refused:
         found += refused.findings
         raise
@@ -82,14 +85,15 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
-    from sigcat.runs.stored_file import stored_text
+    from sigcat.runs.stored_file import EMPTY, stored_text
     from sigcat.runs.written import check_plotted, signals_of, written
 
     forms = _forms(arguments)
     tools = toolchain()
     prepared, trace = _prepared(arguments, found)
     check_plotted(arguments.plot, signals_of(prepared, trace))
-    simulated = run(prepared, trace, _settings(arguments, prepared), tools)
+    stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
+    simulated = run(prepared, trace, _settings(arguments, stored.values), tools)
     _told(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
@@ -98,7 +102,7 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     if simulated.stop is not None:
         raise simulated.stop
     if arguments.stored is not None:
-        write_text(stored_text(simulated.kept, prepared.connections.members), arguments.stored)
+        write_text(stored_text(simulated.kept, prepared.connections.members, stored.others), arguments.stored)
     return 0
 
 
@@ -144,13 +148,18 @@ def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
         found.append(finding)
 
 
-def _settings(arguments: argparse.Namespace, prepared: "Prepared") -> "Settings":
+def _stored(path: Path, prepared: "Prepared") -> "StoredFile":
+    """What functions keep in a file, which need not be there. Raises UsageError."""
+    from sigcat.runs.stored_file import EMPTY, read_stored
+
+    if not path.exists():
+        return EMPTY
+    return read_stored(existing_file(path).read_bytes(), str(path), prepared.numbers.kept, prepared.connections.members)
+
+
+def _settings(arguments: argparse.Namespace, stored: "Stored") -> "Settings":
     from sigcat.runs.recording.times import NANOSECONDS
     from sigcat.runs.simulate import Settings
-    from sigcat.runs.stored_file import read_stored
 
     duration = None if arguments.duration is None else round(arguments.duration * NANOSECONDS)
-    path, kept = arguments.stored, prepared.numbers.kept
-    is_there = path is not None and path.exists()
-    stored = read_stored(path.read_bytes(), str(path), kept, prepared.connections.members) if is_there else {}
     return Settings(duration, arguments.ignition_cycle, arguments.step_limit, stored, tells_memory=arguments.memory)

@@ -44,6 +44,11 @@ def add_many(group: argparse._ArgumentGroup, short: str, name: str, text: str, m
     )
 
 
+def add_dbc(group: argparse._ActionsContainer, text: str) -> None:
+    """Add --dbc, which may be repeated."""
+    group.add_argument("--dbc", type=Path, action="append", default=[], metavar="FILE", help=f"{text}; may be repeated")
+
+
 def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, lenient: bool = False) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 

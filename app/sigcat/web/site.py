@@ -17,6 +17,7 @@ from sigcat.web.pages import (
     api_reference,
     catalogue_pages,
     change_pages,
+    comparison_pages,
     function_pages,
     rule_pages,
     set_pages,
@@ -25,7 +26,16 @@ from sigcat.web.pages import (
 from sigcat.web.rendering import problem_page
 from sigcat.web.security_headers import SecurityHeaders
 
-_PAGES = (function_pages, set_pages, try_pages, change_pages, catalogue_pages, rule_pages, api_reference)
+_PAGES = (
+    comparison_pages,
+    function_pages,
+    set_pages,
+    try_pages,
+    change_pages,
+    catalogue_pages,
+    rule_pages,
+    api_reference,
+)
 _STATIC = Path(__file__).parent / "static"
 
 
@@ -34,7 +44,13 @@ def create_site(
 ) -> FastAPI:
     """The API with the browser pages. Without functions given: those that sigcat ships."""
     app = create_app(library, settings, functions)
-    app.state.modules_of_work += [change_pages.__name__, set_pages.__name__, try_pages.__name__]
+    app.state.modules_of_work += [
+        comparison_pages.__name__,
+        function_pages.__name__,
+        change_pages.__name__,
+        set_pages.__name__,
+        try_pages.__name__,
+    ]
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")

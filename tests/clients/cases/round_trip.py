@@ -10,7 +10,14 @@ from sigcat_client.api.catalogues import get_node, get_tree, list_catalogues, li
 from sigcat_client.api.changes import diff_catalogues, try_overlay
 from sigcat_client.api.exports import export_csv, export_json, export_ros2interface, export_yaml
 from sigcat_client.api.functions import build_function_json, validate_function
-from sigcat_client.api.integration import generate_arxml, generate_autosar_adaptive, integrate_functions
+from sigcat_client.api.integration import (
+    generate_arxml,
+    generate_autosar_adaptive,
+    generate_autosar_classic,
+    generate_classic_arxml,
+    generate_ros2,
+    integrate_functions,
+)
 from sigcat_client.api.lint import lint
 from sigcat_client.models import (
     CatalogueList,
@@ -22,6 +29,7 @@ from sigcat_client.models import (
     NodePage,
     PlatformName,
     Problem,
+    Ros2Distribution,
     SearchPage,
     Severity,
     TreeNode,
@@ -110,6 +118,16 @@ def build(client: Client, catalogue: str, declaration: Path) -> None:
     assert arxml.content.startswith(b"PK"), arxml.content
     application = generate_autosar_adaptive.sync_detailed(client=client, body=file(integrated.content), bench=True)
     assert application.content.startswith(b"PK"), application.content
+    classic = integrate_functions.sync_detailed(PlatformName("autosar-classic"), client=client, body=file(text))
+    classic_arxml = generate_classic_arxml.sync_detailed(client=client, body=file(classic.content))
+    assert classic_arxml.content.startswith(b"PK"), classic_arxml.content
+    components = generate_autosar_classic.sync_detailed(client=client, body=file(classic.content), bench=True)
+    assert components.content.startswith(b"PK"), components.content
+    for_ros = integrate_functions.sync_detailed(PlatformName("ros2"), client=client, body=file(text))
+    packages = generate_ros2.sync_detailed(
+        client=client, body=file(for_ros.content), distribution=Ros2Distribution("humble")
+    )
+    assert packages.content.startswith(b"PK"), packages.content
 
 
 if __name__ == "__main__":

@@ -52,3 +52,9 @@ const arxml = answered(await sigcat.generateArxml({ body: file(JSON.stringify(in
 assert.equal((await arxml.text()).slice(0, 2), 'PK');
 const application = answered(await sigcat.generateAutosarAdaptive({ body: file(JSON.stringify(integrated)), query: { bench: true } }));
 assert.equal((await application.text()).slice(0, 2), 'PK');
+const classic = answered(await sigcat.integrateFunctions({ path: { platform: 'autosar-classic' }, body: text }));
+const classicArxml = answered(await sigcat.generateClassicArxml({ body: file(JSON.stringify(classic)) }));
+assert.equal((await classicArxml.text()).slice(0, 2), 'PK');
+const forRos = answered(await sigcat.integrateFunctions({ path: { platform: 'ros2' }, body: text }));
+const packages = answered(await sigcat.generateRos2({ body: file(JSON.stringify(forRos)), query: { distribution: 'humble' } }));
+assert.equal((await packages.text()).slice(0, 2), 'PK');

@@ -132,7 +132,7 @@ def test_a_function_is_read_in_every_form(open_page: Opener, use: Use) -> None:
         ("ROS 2", '"FunctionName": "CoreAcc"'),
         ("ARXML", "<AUTOSAR"),
     ):
-        use(page.get_by_role("navigation", name="Views").get_by_role("link", name=name))
+        use(page.get_by_role("navigation", name="Views").get_by_role("link", name=name, exact=True))
         expect(page.locator("main")).to_contain_text(text)
     with page.expect_download() as kept:
         use(page.get_by_role("link", name="Download").first)
@@ -158,7 +158,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     expect(page.locator("h1")).to_have_text("Posted functions")
     expect(page.locator(".wire.mismatched")).to_have_count(1)
     expect(page.locator(".findings").first).to_contain_text("must be km/h")
-    use(page.get_by_role("button", name="ROS 2"))
+    use(page.get_by_role("button", name="ROS 2", exact=True))
     expect(page.locator("#made ~ .notice")).to_have_text("It cannot be made.")
     expect(page.locator("#made ~ .findings")).to_contain_text("must have one datatype and unit")
     use(page.get_by_role("button", name="AUTOSAR adaptive"))
@@ -222,7 +222,7 @@ def test_a_function_with_mistakes_is_mended_on_the_page_and_its_arxml_kept(open_
         assert wrong in field.evaluate("field => field.value.slice(field.selectionStart).split('\\n')[0]")
         put(field, field.input_value().replace(wrong, right))
         expect(finding).to_have_count(0)
-    use(page.get_by_role("button", name="ARXML"))
+    use(page.get_by_role("button", name="ARXML", exact=True))
     assert height_of(field) == height
     with page.expect_download() as kept:
         use(page.get_by_role("button", name="Download interfaces.arxml"))

@@ -12,7 +12,8 @@ PAGES = (
     "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError", "/search/interfaces?q=wheel",
     "/functions?catalogue=interfaces", "/functions/core_acc?catalogue=interfaces",
     "/functions/core_acc?view=source&catalogue=interfaces", "/functions/core_acc?view=ros2&catalogue=interfaces",
-    "/wiring?catalogue=interfaces", "/changes?old=vss&new=interfaces", "/try?kind=function&catalogue=interfaces",
+    "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
+    "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes?old=vss&new=interfaces", "/try?kind=function&catalogue=interfaces",
     "/rules", "/rules/I201", "/units/interfaces", "/catalogues/interfaces", "/docs", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 

@@ -1,5 +1,7 @@
 """Findings as one types, and the pages of functions by keyboard and mouse."""
 
+import re
+
 from playwright.sync_api import expect
 
 from tests.web.in_browser.conftest import Opener, put
@@ -88,6 +90,23 @@ def test_paths_of_a_function_are_those_of_instances(open_page: Opener) -> None:
     field.fill("components: [{data: [{path: Vehicle.Cabin.Door.Row1")
     field.press_sequentially(".")
     expect(page.get_by_role("option")).to_have_text(["DriverSide branch", "PassengerSide branch"])
+
+
+def test_paths_of_a_tree_are_the_branches_that_it_has_itself(open_page: Opener) -> None:
+    page = open_page("/try?kind=tree&catalogue=interfaces")
+    field = page.get_by_role("textbox", name="Tree")
+    options = page.get_by_role("listbox", name="Completions").get_by_role("option")
+    field.fill(
+        "Boat:\n  type: branch\nBoat.Deck: {type: branch}\nBoat.Cabin.Light:\n  type: sensor\nBoat.Speed: {type: sensor}\n"
+    )
+    field.press_sequentially("Bo")
+    expect(options).to_have_text(["Boat branch"])
+    field.press("Enter")
+    expect(options).to_have_text(["Deck branch", "Cabin branch"])
+    field.press_sequentially("C")
+    field.press("Enter")
+    expect(field).to_have_value(re.compile(r"\nBoat\.Cabin\.$"))
+    expect(options).to_have_count(0)
 
 
 def test_what_an_overlay_does_follows_what_one_types(open_page: Opener) -> None:

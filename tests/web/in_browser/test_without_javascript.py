@@ -5,14 +5,15 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Page, expect
 
+from sigcat.data import EXAMPLES
 from tests.web.in_browser.conftest import Opener, Windows
 
 PAGES = {
     "/tree/interfaces/Vehicle.Speed": "Attributes", "/tree/lost": "has no tree", "/search/small?q=speed": "results",
     "/search/small?q=sped": "Did you mean", "/functions?catalogue=interfaces": "CoreAcc", "/functions/core_acc?catalogue=interfaces": "Signals out",
     "/functions/core_acc?view=source&catalogue=interfaces": "function: CoreAcc", "/functions/core_acc?view=arxml&catalogue=interfaces": "&lt;AUTOSAR",
-    "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
-    "/try?catalogue=interfaces": "errors", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
+    "/functions/core_acc?view=run&catalogue=interfaces": "STANDBY", "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
+    "/functions/sets/ecocontrol/compare": "What must hold", "/try?catalogue=interfaces": "errors", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
     "/catalogues/small": "Layers", "/docs": "curl", "/problems/busy": "Retry-After", "/tree/small/Vehicle.Sped": "Did you mean",
 }  # fmt: skip
 
@@ -55,6 +56,21 @@ def test_changes_are_compared_by_a_button(open_page: Opener) -> None:
     expect(page.locator(".tally")).to_contain_text("breaking")
 
 
+def test_signals_of_a_run_are_chosen_by_a_button(open_page: Opener) -> None:
+    page = open_page("/functions/core_acc?catalogue=interfaces", java_script_enabled=False)
+    page.get_by_role("link", name="Run", exact=True).click()
+    page.get_by_role("checkbox", name="AccelerationRequest").uncheck()
+    page.get_by_role("checkbox", name="AccelerationProposal received").check()
+    page.get_by_role("button", name="Draw").click()
+    drawn = page.locator("svg.run text.strong")
+    expect(drawn.nth(0)).to_have_text("Vehicle.ADAS.EcoControl.Status")
+    expect(drawn.nth(1)).to_have_text("Vehicle.ADAS.EcoControl.AccelerationProposal [m/s²]")
+    expect(page.get_by_role("checkbox", name="AccelerationRequest")).not_to_be_checked()
+    with page.expect_download() as download:
+        page.get_by_role("link", name="Download").click()
+    assert download.value.path().read_bytes() == (EXAMPLES / "ecocontrol" / "run.csv").read_bytes()
+
+
 def test_functions_of_ones_own_are_connected_by_a_button(open_page: Opener) -> None:
     page = open_page("/wiring?catalogue=interfaces", java_script_enabled=False)
     page.get_by_text("Functions of your own").click()
@@ -66,7 +82,7 @@ def test_functions_of_ones_own_are_connected_by_a_button(open_page: Opener) -> N
 def test_a_text_is_checked_and_its_documents_kept_by_buttons(open_page: Opener) -> None:
     page = open_page("/try?kind=function&catalogue=interfaces", java_script_enabled=False)
     page.get_by_role("button", name="Check").click()
-    page.get_by_role("button", name="ROS 2").click()
+    page.get_by_role("button", name="ROS 2", exact=True).click()
     assert page.url.endswith("/try#made")
     expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc"')
     page.get_by_role("button", name="Check").click()

@@ -34,6 +34,7 @@ KINDS: dict[int, tuple[str, str]] = {
     413: ("too-large", "Body too large"),
     415: ("unsupported-media-type", "Unsupported media type"),
     422: ("input-refused", "The input cannot be used"),
+    429: ("beyond-share", "Too many requests of one client"),
     431: ("head-too-large", "Headers too large"),
     500: ("internal-error", "Internal error"),
     503: ("busy", "Service busy"),

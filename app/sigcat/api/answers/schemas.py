@@ -128,10 +128,18 @@ class FunctionFile(Schema):
     file: str
 
 
+class FunctionRun(Schema):
+    """A stored run beside the functions that the service hosts."""
+
+    id: str = Field(description="Name in addresses of the pages of its functions.")
+    file: str
+
+
 class FunctionFileList(Schema):
     """The functions that the service hosts, those of one's own first."""
 
     functions: list[FunctionFile]
+    runs: list[FunctionRun]
 
 
 class NodeSummary(Schema):

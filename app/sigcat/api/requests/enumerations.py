@@ -12,10 +12,16 @@ from sigcat.names import either
 def enumeration(name: str, values: Collection[str], description: str) -> Any:
     """A type with these values, which has a schema of this name: generated clients would make one up."""
 
+    described = Field(description=description, json_schema_extra={"enum": list(values)})
+    return TypeAliasType(name, Annotated[str, described, one_of(values)])
+
+
+def one_of(values: Collection[str]) -> AfterValidator:
+    """What refuses any other value: for an operation that takes some values of an enumeration only."""
+
     def known(value: str) -> str:
         if value not in values:
             raise ValueError(f"must be {either(values)}, not {value[:100]!r}")
         return value
 
-    described = Field(description=description, json_schema_extra={"enum": list(values)})
-    return TypeAliasType(name, Annotated[str, described, AfterValidator(known)])
+    return AfterValidator(known)

@@ -1,7 +1,7 @@
 """Function files in the body of a request: one as it stands, or a set in a JSON object."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from sigcat import codes
@@ -12,6 +12,7 @@ from sigcat.limits import REQUEST_FUNCTIONS, Limits
 
 SET = "a JSON object with `functions`, a list of Function JSON objects and of texts of `function.yaml`"
 
+_FURTHER = {"deployment": "`deployment`", "identifiers": "`identifiers`, a list of texts,"}
 File = tuple[bytes, str]
 """Content and name."""
 
@@ -22,16 +23,23 @@ class PostedFunctions(NamedTuple):
     files: tuple[File, ...]
     deployment: File | None
     is_set: bool
+    identifiers: tuple[File, ...] = ()
+    """Id catalogues, as CSV or ARXML."""
 
 
-def posted_functions(text: bytes, name: str, limits: Limits, *, deployment: bool = False) -> PostedFunctions:
-    """The files of a body; with `deployment`, a set may have one. Raises InputRefused if it is no set and no file."""
-    parts = _set_of(text, name, limits, ("functions", "deployment") if deployment else ("functions",))
+def posted_functions(text: bytes, name: str, limits: Limits, *, further: Sequence[str] = ()) -> PostedFunctions:
+    """The files of a body; a set may have `further` keys: `deployment`, `identifiers`. Raises InputRefused."""
+    parts = _set_of(text, name, limits, ("functions", *further))
     if parts is None:
         return PostedFunctions(((text, name),), None, is_set=False)
     files = tuple(_file(part, f"{name}, function {number}") for number, part in enumerate(parts["functions"], 1))
     stated = parts.get("deployment")
-    return PostedFunctions(files, None if stated is None else _file(stated, f"{name}, deployment"), is_set=True)
+    deployment = None if stated is None else _file(stated, f"{name}, deployment")
+    catalogues = enumerate(parts.get("identifiers", ()), 1)
+    identifiers = tuple(
+        (part.encode("utf-8", "replace"), f"{name}, identifiers {number}") for number, part in catalogues
+    )
+    return PostedFunctions(files, deployment, is_set=True, identifiers=identifiers)
 
 
 def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Mapping[str, Any] | None:
@@ -46,12 +54,17 @@ def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Ma
         return None
     given = value["functions"]
     unknown = sorted(set(value) - set(keys))
-    if unknown or not isinstance(given, list) or not 1 <= len(given) <= REQUEST_FUNCTIONS:
-        more = ", and `deployment` if wanted" if "deployment" in keys else ""
+    is_right = isinstance(given, list) and 1 <= len(given) <= REQUEST_FUNCTIONS
+    if unknown or not is_right or not _are_texts(value.get("identifiers", [])):
+        more = "".join(f", {_FURTHER[key]} if wanted" for key in keys[1:])
         message = f"A set has `functions`, a list of 1 to {REQUEST_FUNCTIONS}{more}; nothing else."
-        at = (unknown[0],) if unknown else ("functions",)
+        at = (unknown[0],) if unknown else ("identifiers",) if is_right else ("functions",)
         raise InputRefused(message, (document.finding(codes.FIELD_UNKNOWN, at, message),))
     return value
+
+
+def _are_texts(value: Any) -> bool:
+    return isinstance(value, list) and len(value) <= REQUEST_FUNCTIONS and all(isinstance(part, str) for part in value)
 
 
 def _file(part: Any, name: str) -> File:

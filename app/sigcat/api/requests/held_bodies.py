@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from sigcat.api.work.refusals import Busy
+from sigcat.api.work.refusals import BeyondShare, Busy
 
 _SHARE = 4
 """One client may hold this part of all, so that several have to come together to keep others out."""
@@ -30,7 +30,8 @@ class HeldBodies:
             if self._by_client.total() + size > self._most:
                 raise Busy(f"The service holds {self._most:,} bytes of bodies already. Try again later.")
             if self._by_client[client] + size > self._most // _SHARE:
-                raise Busy(f"One client may have {self._most // _SHARE:,} bytes of bodies under way. Try again later.")
+                share = f"{self._most // _SHARE:,} bytes of bodies"
+                raise BeyondShare(f"One client may have {share} under way. Try again later.")
             held += size
             self._by_client[client] += size
 

@@ -11,7 +11,7 @@ from sigcat.api.answers import schemas
 from sigcat.api.answers.archives import ZIP, archive
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
-from sigcat.api.requests.enumerations import enumeration
+from sigcat.api.requests.enumerations import enumeration, one_of
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -19,7 +19,7 @@ from sigcat.findings import Finding
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_json, to_markdown
 from sigcat.limits import NAME_CHARACTERS, Limits
-from sigcat.names import camel_case, snake_case
+from sigcat.names import camel_case, either, snake_case
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
@@ -30,7 +30,7 @@ router = APIRouter(prefix="/api/v1", tags=["integration"])
 
 _BODY = (
     f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
-    "from the defaults."
+    "from the defaults, and, where the platform has ids, `identifiers`, a list of id catalogues as texts of CSV or ARXML."
 )
 
 
@@ -82,7 +82,9 @@ async def integrate_functions_archive(
 
 
 def _add_generator(platform: Platform, generator: Generator, releases: Any) -> None:
-    """The route of a generator: each has an address of its own. `releases` is the type of the platform's releases."""
+    """The route of a generator: each has an address of its own. `releases` is the type that its releases are of."""
+
+    default = generator.default_release or "that of the Integration JSON"
 
     async def generate_files(
         text: PostedText,
@@ -90,8 +92,11 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
         queue: TheWorkQueue,
         name: FileName = f"{platform.name}.json",
         release: Annotated[
-            releases | None,
-            Query(description="Release of the platform; that of the Integration JSON if absent."),
+            Annotated[releases, one_of(generator.releases)] | None,
+            Query(
+                alias=generator.release_word,
+                description=f"{generator.release_word.capitalize()} of {platform.title}; {default} if absent.",
+            ),
         ] = None,
         bench: Annotated[
             bool,
@@ -117,14 +122,18 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
     )(generate_files)
 
 
-def _add_generators(platform: Platform) -> None:
-    names = {name: None for generator in platform.generators for name in generator.releases}
-    releases = enumeration(f"{camel_case(platform.name)}Release", names, f"A release of {platform.title}.")
-    for generator in platform.generators:
+def _add_generators(word: str) -> None:
+    """Those of all platforms that have one word for what they call releases: a parameter of one name has one type."""
+    pairs = [(p, g) for p in PLATFORMS.values() for g in p.generators if g.release_word == word]
+    names = {name: None for _, generator in pairs for name in generator.releases}
+    owner = camel_case(pairs[0][0].name)
+    titles = dict.fromkeys(platform.title for platform, _ in pairs)
+    releases = enumeration(f"{owner}{word.capitalize()}", names, f"A {word} of {either(titles)}.")
+    for platform, generator in pairs:
         _add_generator(platform, generator, releases)
 
 
-for each in PLATFORMS.values():
+for each in dict.fromkeys(g.release_word for platform in PLATFORMS.values() for g in platform.generators):
     _add_generators(each)
 
 
@@ -166,9 +175,13 @@ def get_schema(
 def _integrated(
     text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, is_whole: bool = False
 ) -> Response:
-    posted = posted_functions(text, name, limits, deployment=True)
+    with_identifiers = PLATFORMS[platform].with_identifiers
+    further = ("deployment", "identifiers") if with_identifiers else ("deployment",)
+    posted = posted_functions(text, name, limits, further=further)
     functions, findings = read_functions(posted.files, catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
+    if with_identifiers and posted.identifiers:
+        deployment = with_identifiers(deployment, posted.identifiers, limits)
     integrated = integrate(PLATFORMS[platform], functions, deployment)
     count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}
     if not is_whole:

@@ -32,6 +32,9 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
     dependencies=list(needs("reload")),
 )
 async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFileList:
-    """Read the function files of the configured folders again. What is wrong with one, its page says."""
+    """Read the function files of the configured folders again, and see which runs are there. What is wrong with one, its page says."""
     files = await queue.run_here(functions.reload)
-    return schemas.FunctionFileList(functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files])
+    return schemas.FunctionFileList(
+        functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files],
+        runs=[schemas.FunctionRun(id=each.id, file=each.name) for each in functions.runs],
+    )

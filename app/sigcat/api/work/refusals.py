@@ -10,8 +10,16 @@ RETRY_SECONDS = 2
 class Busy(HTTPException):
     """The service cannot do the work now; the header says when to ask again."""
 
+    status = HTTPStatus.SERVICE_UNAVAILABLE
+
     def __init__(self, detail: str) -> None:
-        super().__init__(HTTPStatus.SERVICE_UNAVAILABLE, detail, headers={"Retry-After": str(RETRY_SECONDS)})
+        super().__init__(self.status, detail, headers={"Retry-After": str(RETRY_SECONDS)})
+
+
+class BeyondShare(Busy):
+    """One client has asked for more than its share: for others there is room."""
+
+    status = HTTPStatus.TOO_MANY_REQUESTS
 
 
 class WorkFailed(HTTPException):

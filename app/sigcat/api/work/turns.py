@@ -5,7 +5,7 @@ from collections import Counter, deque
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
-from sigcat.api.work.refusals import Busy
+from sigcat.api.work.refusals import BeyondShare, Busy
 
 _Waiting = deque["asyncio.Future[None]"]
 
@@ -29,7 +29,7 @@ class Turns:
 
     @asynccontextmanager
     async def turn(self, client: str) -> AsyncIterator[None]:
-        """Wait for the turn of a client, and have it. Raises Busy where too many wait, or too many of this client."""
+        """Wait for the turn of a client, and have it. Raises as `refuse_more` does."""
         self.refuse_more(client)
         await self._begin(client)
         try:
@@ -38,11 +38,11 @@ class Turns:
             self._end(client)
 
     def refuse_more(self, client: str) -> None:
-        """Raises Busy where too many wait, or too many of this client."""
+        """Raises Busy where too many wait, BeyondShare where too many of this client do."""
         if self.pending >= self._most:
             raise Busy("The queue of the service is full. Try again later.")
         if self._working[client] + len(self._waiting.get(client, ())) >= self._most_for_one:
-            raise Busy(
+            raise BeyondShare(
                 f"One client may have {self._most_for_one} requests of this kind under way. Wait for their answers first."
             )
 

@@ -17,10 +17,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from pydantic import BaseModel
+
 from sigcat.api.work.references import unpickled
 from sigcat.catalogue.exporting.vss_tools.processes import keep_warm
 from sigcat.errors import SigcatError
-from sigcat.limits import COMPARED_NAMES
 from sigcat.names import bounded_proposals
 from sigcat.zygote import read_message, write_message
 
@@ -60,10 +61,19 @@ def keep(data: bytes) -> None:
     told: Told = pickle.loads(data)  # noqa: S301 - from the service that started this process
     for name in told.modules:
         importlib.import_module(name)
+    _build_models_below(BaseModel)
     _kept.update(told.values)
     for number in told.forgotten:
         _kept.pop(number, None)
     gc.collect()
+
+
+def _build_models_below(model: type[BaseModel]) -> None:
+    """Build models here that are otherwise built when they are first used: each worker would do so again."""
+    for below in model.__subclasses__():
+        if below.model_config.get("defer_build") and not below.__pydantic_complete__:
+            below.model_rebuild()
+        _build_models_below(below)
 
 
 def prepare(kind: str) -> None:
@@ -94,7 +104,7 @@ def _next_work(connection: socket.socket) -> io.BytesIO | None:
 
 def _outcome(work: io.BytesIO, warm: "_Memory", memory: int) -> Outcome:
     try:
-        with _bounded_memory(warm.data + memory), bounded_proposals(COMPARED_NAMES):
+        with _bounded_memory(warm.data + memory), bounded_proposals():
             function, arguments, options = unpickled(work, _kept)
             result = function(*arguments, **options)
     except MemoryError as error:

@@ -1,22 +1,34 @@
 """Pages of the functions that the service hosts."""
 
-from fastapi import APIRouter, Request
-from fastapi.responses import JSONResponse, Response
+from typing import Annotated, NamedTuple
 
-from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary
+from fastapi import APIRouter, Depends, Query, Request
+from fastapi.concurrency import run_in_threadpool
+from fastapi.responses import FileResponse, JSONResponse, Response
+
+from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheWorkQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import InputRefused, NotFound
 from sigcat.function.function_json.model import to_json
+from sigcat.function.hosted_runs import HostedRun, HostedRuns, run_named
 from sigcat.function.hosting import FunctionLibrary, HostedFunction, function_over, functions_over
-from sigcat.names import nearest
+from sigcat.limits import NAME_CHARACTERS
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
 from sigcat.web.views.code_view import code_view
 from sigcat.web.views.function_sets import known_sets
-from sigcat.web.views.generated_documents import VIEWS, GeneratedDocument, attached, chosen_view, documents_of
+from sigcat.web.views.generated_documents import (
+    VIEWS,
+    GeneratedDocument,
+    attached,
+    chosen_view,
+    document_named,
+    documents_of,
+)
 from sigcat.web.views.needed_overlays import Need, need_of
+from sigcat.web.views.run_view import RunView, run_view
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter()
@@ -31,6 +43,7 @@ def show_functions(request: Request, hosted: NamedCatalogue, functions: TheFunct
         hosted=hosted,
         functions=_over(functions, hosted),
         sets=known_sets(functions.files),
+        comparisons=functions.comparisons,
         needs=_needs(functions, hosted, library),
     )
 
@@ -48,10 +61,41 @@ def list_functions(hosted: NamedCatalogue, functions: TheFunctions, library: The
             "ok": each.function is not None,
             "findings": len(each.findings),
             "needs": list(needs[each.id].overlays) if each.id in needs else [],
+            "runs": [run.id for run in functions.runs_of(each)],
         }
         for each in _over(functions, hosted)
     ]
     return JSONResponse({"functions": listed})
+
+
+class ShownRun(NamedTuple):
+    """A run that a page shows."""
+
+    run: HostedRun
+    view: RunView
+
+
+async def _shown_run(
+    hosted: NamedCatalogue,
+    functions: TheFunctions,
+    queue: TheWorkQueue,
+    function_id: str,
+    view: str = "",
+    run: Annotated[str, Query(max_length=NAME_CHARACTERS, description="Id of a run; without it, the first.")] = "",
+    signal: Annotated[list[str] | None, Query(description="Signals to draw; without any, the first ones.")] = None,
+) -> ShownRun | None:
+    """The run that is asked for, read in a worker; None where another view is."""
+    if view != "run":
+        return None
+    chosen = await run_in_threadpool(_function, functions, hosted, function_id.removesuffix(".json"))
+    runs = functions.runs_of(chosen)
+    if not runs or chosen.resolved is None:
+        return None
+    wanted = run_named(run, runs)
+    return ShownRun(wanted, await queue.run(run_view, chosen.resolved, wanted, tuple(signal or ())))
+
+
+TheRun = Annotated[ShownRun | None, Depends(_shown_run)]
 
 
 @router.get("/functions/{function_id}")
@@ -61,15 +105,16 @@ def show_function(
     functions: TheFunctions,
     library: TheLibrary,
     function_id: str,
+    run: TheRun,
     view: str = "interfaces",
 ) -> Response:
-    """A function: its interfaces, its source with findings, its documents. With `.json` after its id, Function JSON."""
+    """A function: its interfaces, source with findings, runs, documents. With `.json` after its id, Function JSON."""
     chosen = _function(functions, hosted, function_id.removesuffix(".json"))
     if function_id.endswith(".json"):
         return _as_json(chosen)
     function = chosen.function
-    source = {"source": "As written" if chosen.file.is_json else "Declaration"}
-    views = {"interfaces": "Interfaces", **source, **VIEWS} if function else source
+    runs = functions.runs_of(chosen) if run or view != "run" else ()
+    views = _views(chosen, runs)
     shown = chosen_view(view, views) if function or view != "interfaces" else "source"
     return page(
         request,
@@ -86,7 +131,36 @@ def show_function(
         code=code_view(function) if function else None,
         source=source_view(shown_text(chosen.file.data), chosen.findings),
         documents=documents_of(chosen.resolved, shown) if chosen.resolved and shown in VIEWS else (),
+        runs=runs,
+        run=run,
     )
+
+
+def _views(chosen: HostedFunction, runs: HostedRuns) -> dict[str, str]:
+    """The views of a function, with what each is called."""
+    source = {"source": "As written" if chosen.file.is_json else "Declaration"}
+    recorded = {"run": "Run" if len(runs) == 1 else "Runs"} if runs else {}
+    return {"interfaces": "Interfaces", **source, **recorded, **VIEWS} if chosen.function else source
+
+
+@router.get("/functions/{function_id}/runs.json")
+def list_runs(hosted: NamedCatalogue, functions: TheFunctions, function_id: str) -> Response:
+    """The stored runs of a function as data."""
+    chosen = _function(functions, hosted, function_id)
+    listed = [{"id": run.id, "file": run.name, "columns": run.columns} for run in functions.runs_of(chosen)]
+    return JSONResponse({"runs": listed})
+
+
+@router.get("/functions/{function_id}/runs/{run_id}")
+def download_run(hosted: NamedCatalogue, functions: TheFunctions, function_id: str, run_id: str) -> Response:
+    """A stored run as it is."""
+    chosen = _function(functions, hosted, function_id)
+    run = run_named(run_id, functions.runs_of(chosen))
+    try:
+        status = run.path.stat()
+    except OSError:
+        raise NotFound(f"The run {run_id[:100]!r} is no longer there.") from None
+    return FileResponse(run.path, media_type="text/csv", filename=f"{run.id}.csv", stat_result=status)
 
 
 @router.get("/functions/{function_id}/files/{document_id}")
@@ -95,10 +169,8 @@ def download_document(hosted: NamedCatalogue, functions: TheFunctions, function_
     chosen = _function(functions, hosted, function_id)
     if document_id == "source":
         return attached(_source_of(chosen))
-    known = {document.id: document for document in documents_of(chosen.resolved)} if chosen.resolved else {}
-    if document_id not in known:
-        raise NotFound(f"There is no document {document_id!r} of {chosen.name}.", nearest(document_id[:100], known))
-    return attached(known[document_id])
+    resolved = chosen.resolved
+    return attached(document_named(document_id, lambda view: documents_of(resolved, view) if resolved else ()))
 
 
 def _over(functions: FunctionLibrary, hosted: Hosted) -> tuple[HostedFunction, ...]:

@@ -1,7 +1,7 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
 from collections.abc import Iterable, Sequence
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import JSONResponse, Response
@@ -19,12 +19,12 @@ from sigcat.api.requests.dependencies import (
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.errors import NotFound, UsageError
+from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.hosted_comparisons import HostedComparisons
 from sigcat.function.hosting import HostedFiles, functions_over
 from sigcat.limits import PAGE_FUNCTIONS, Limits
-from sigcat.names import nearest
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
@@ -40,7 +40,14 @@ from sigcat.web.views.function_sets import (
     hosted_set,
     known_sets,
 )
-from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, attached, chosen_view, integrations_of
+from sigcat.web.views.generated_documents import (
+    SET_VIEWS,
+    GeneratedDocument,
+    attached,
+    chosen_view,
+    document_named,
+    integrations_of,
+)
 from sigcat.web.views.source_view import SourceView, shown_text, source_view
 from sigcat.web.visits import Visit, visit_of
 
@@ -58,6 +65,7 @@ class Asked(NamedTuple):
     hosted: Hosted
     files: HostedFiles
     limits: Limits
+    comparisons: HostedComparisons
 
     @property
     def catalogue(self) -> Catalogue:
@@ -76,7 +84,9 @@ async def show_wiring(
     view: str = "files",
 ) -> Response:
     """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
-    asked = Asked(visit_of(request), hosted, hosted_functions.files, settings_of(request).limits)
+    asked = Asked(
+        visit_of(request), hosted, hosted_functions.files, settings_of(request).limits, hosted_functions.comparisons
+    )
     return await queue.run(_shown, asked, _chosen(functions, asked.files), view, is_writing=write)
 
 
@@ -85,7 +95,8 @@ async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQu
     """The same page for posted functions, together with the hosted ones that are named. Nothing of them is kept."""
     form = await read_form(body, request.headers.get("content-type", ""))
     hosted = await form_catalogue(form, library, queue)
-    asked = Asked(visit_of(request), hosted, functions_of(request).files, settings_of(request).limits)
+    known = functions_of(request)
+    asked = Asked(visit_of(request), hosted, known.files, settings_of(request).limits, known.comparisons)
     return await queue.run(_posted, asked, form)
 
 
@@ -144,7 +155,6 @@ def _page(
     view: str,
     is_writing: bool = False,
 ) -> Response:
-    findings = together.findings
     functions = functions_over(asked.files, asked.catalogue)
     sets = known_sets(asked.files)
     return page_for(
@@ -153,16 +163,13 @@ def _page(
         hosted=asked.hosted,
         functions=functions,
         sets=sets,
+        comparisons=asked.comparisons,
         set_title="" if own else next((title for title, ids in sets.items() if set(ids) == set(chosen)), ""),
         chosen=chosen,
         own=own,
         is_writing=is_writing or (bool(own) and not together.functions),
         own_text=as_text(own),
-        findings=findings[:_MOST_FINDINGS],
-        finding_total=len(findings),
-        counts=finding_counts(findings),
-        sources=_sources(own, findings),
-        anchors={file.name: _anchor(index) for index, file in enumerate(own)},
+        **_findings(together.findings, own),
         wiring=together.wiring,
         conversions=signal_conversions,
         diagram=wiring_diagram(together.wiring),
@@ -173,6 +180,17 @@ def _page(
         made_from=[function.name for function in together.whole],
         ids={each.name: each.id for each in functions if each.id in chosen},
     )
+
+
+def _findings(findings: Sequence[Finding], own: Sequence[PostedFile]) -> dict[str, Any]:
+    """What is wrong, and the lines of posted files where it is."""
+    return {
+        "findings": findings[:_MOST_FINDINGS],
+        "finding_total": len(findings),
+        "counts": finding_counts(findings),
+        "sources": _sources(own, findings),
+        "anchors": {file.name: _anchor(index) for index, file in enumerate(own)},
+    }
 
 
 def _sources(files: Sequence[PostedFile], findings: Sequence[Finding]) -> list[tuple[str, str, SourceView]]:
@@ -209,11 +227,7 @@ def _documents(functions: Sequence[ResolvedFunction], view: str = "") -> Sequenc
 
 
 def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Response:
-    known = {document.id: document for document in _documents(functions) if document.text}
-    if document_id not in known:
-        near = nearest(document_id[:100], known)
-        raise NotFound(f"There is no document {document_id[:100]!r} of these functions.", near)
-    return attached(known[document_id])
+    return attached(document_named(document_id, lambda view: _documents(functions, view)))
 
 
 def _as_data(together: FunctionSet) -> dict[str, object]:

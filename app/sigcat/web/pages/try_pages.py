@@ -23,7 +23,7 @@ from sigcat.catalogue.hosting.variants import choice_of, expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.data import OVERLAYS
-from sigcat.errors import NotFound, UsageError
+from sigcat.errors import UsageError
 from sigcat.file_kind import holds_function, is_json
 from sigcat.findings import Finding
 from sigcat.function.declaration.scaffold import scaffold
@@ -31,7 +31,6 @@ from sigcat.function.function_file import check_function_json, checked_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosting import FILE, HostedFiles, file_of
 from sigcat.limits import Limits
-from sigcat.names import nearest
 from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, form_catalogue, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
@@ -39,7 +38,7 @@ from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
-from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, documents_of
+from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, document_named, documents_of
 from sigcat.web.views.overlay_draft import adding_draft, changing_draft
 from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text, source_view
@@ -150,11 +149,7 @@ def _posted_data(form: Form) -> bytes:
 
 
 def _download(function: ResolvedFunction | None, document_id: str) -> Response:
-    known = {document.id: document for document in documents_of(function) if document.text} if function else {}
-    if document_id not in known:
-        near = nearest(document_id[:100], known)
-        raise NotFound(f"There is no document {document_id[:100]!r} of this text.", near)
-    return attached(known[document_id])
+    return attached(document_named(document_id, lambda view: documents_of(function, view) if function else ()))
 
 
 def _judged(asked: Asked, kind: Kind, data: bytes) -> Tried:

@@ -70,6 +70,7 @@ failure.querySelector("[data-dismiss]").addEventListener("click", settle);
 // -- asking -----------------------------------------------------------------------------------------------------------
 
 const reasonOf = ({ status }) => {
+  if (status === 429) return "Too much is asked from here at once.";
   if (status === 503) return "The service is busy.";
   return status >= 500 ? `The service failed (${status}).` : `The service has no answer to this (${status}).`;
 };

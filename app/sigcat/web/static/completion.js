@@ -6,9 +6,10 @@ const LINE = 20; // as the style sheet has it
 const EDGE = 12;
 
 /** What stands before the caret and asks for a completion: (kind, what is typed of it). */
+const KEY = ["path", /^["']?([A-Za-z]\w*(?:\.\w*)*)$/];
 const ASKED = {
-  overlay: [["path", /^["']?([A-Za-z]\w*(?:\.\w*)*)$/]],
-  tree: [],
+  overlay: [KEY],
+  tree: [KEY],
   function: [["path", /\bpath:\s*["']?([A-Za-z]\w*(?:\.\w*)*)$/], ["path", /^\s+["']?([A-Za-z]\w*\.[\w.]*)$/]],
 };
 const EVERYWHERE = [["unit", /\bunit:\s*["']?([^\s,}"'#]*)$/], ["datatype", /\bdatatype:\s*["']?([\w.[\]]*)$/]];
@@ -19,6 +20,16 @@ const fitting = (offers, typed) => {
   const begin = offers.filter(({ name }) => name.toLowerCase().startsWith(sought));
   const hold = offers.filter(({ name, words = "" }) => !name.toLowerCase().startsWith(sought) && `${name} ${words}`.toLowerCase().includes(sought));
   return [...begin, ...(sought ? hold : [])];
+};
+
+/** Branches that a text writes right below another one: a tree has no others. */
+const writtenBelow = (branch, text) => {
+  const written = [...text.matchAll(/^["']?([A-Za-z]\w*(?:\.\w+)*)["']?[ \t]*:(?=\s|$)([^\n]*(?:\n[ \t][^\n]*)*)/gm)];
+  const branches = written.filter(([, , values]) => /\btype:\s*["']?branch\b/.test(values)).map(([, path]) => path);
+  const above = written.flatMap(([, path]) => path.split(".").slice(0, -1).map((_, end, names) => names.slice(0, end + 1).join(".")));
+  const start = branch && `${branch}.`;
+  const below = [...branches, ...above].filter((path) => path.startsWith(start) && !path.slice(start.length).includes("."));
+  return [...new Set(below)].map((path) => ({ name: path.slice(start.length), isBranch: true, hint: "branch" }));
 };
 
 export const mountCompletion = (form, text) => {
@@ -63,6 +74,7 @@ export const mountCompletion = (form, text) => {
   /** What the catalogue has; it is asked once for each branch. */
   const offersOf = (kind, typed) => {
     const branch = kind === "path" ? typed.slice(0, Math.max(0, typed.lastIndexOf("."))) : "";
+    if (kind === "path" && form.dataset.try === "tree") return writtenBelow(branch, text.value);
     const key = `${kind} ${branch}`;
     if (!known.has(key)) known.set(key, { path: () => childrenOf(branch), unit: units, datatype: datatypes }[kind]());
     return known.get(key);

@@ -57,7 +57,7 @@ export const mountTry = () => {
       } else {
         const lead = new DOMParser().parseFromString(page, "text/html").querySelector(".lead");
         outcome.querySelector("[data-tally]").textContent = lead?.textContent ?? "The text could not be checked.";
-        if (response.status === 503) timer = setTimeout(check, 1000 * (Number(response.headers.get("Retry-After")) || 2));
+        if ([429, 503].includes(response.status)) timer = setTimeout(check, 1000 * (Number(response.headers.get("Retry-After")) || 2));
       }
     } catch (error) {
       if (error.name === "AbortError") return;

@@ -1,6 +1,6 @@
 """The documents that are made from functions, each to be read, copied and downloaded."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
@@ -22,7 +22,7 @@ class GeneratedDocument(NamedTuple):
     """A document. Its text is empty if it could not be made; the findings say why."""
 
     id: str
-    """Name in addresses."""
+    """Name in addresses: its view, and below that its file, so that no other view is made to find it."""
     view: str
     """Documents of one view are shown together."""
     file: str
@@ -33,19 +33,26 @@ class GeneratedDocument(NamedTuple):
 
 
 JSON = "application/json"
-_SHOWN_ELSEWHERE = ("arxml/", "core/")
+_SHOWN_ELSEWHERE = frozenset(("arxml", "core"))
 """Folders of files that have a view of their own."""
 FUNCTION_JSON = "function-json"
 CORE = "core"
-SET_VIEWS = {
-    CORE: "Core in C",
-    **{platform.name: platform.title for platform in PLATFORMS.values()},
-    **{
+_GENERATED = [(platform, generator) for platform in PLATFORMS.values() for generator in platform.generators]
+_FIRST_OF_A_TITLE = {generator.title: platform for platform, generator in reversed(_GENERATED)}
+
+
+def _views_of(platform: Platform) -> Mapping[str, str]:
+    """The Integration JSON of a platform, then what is generated from it; a title that another one has says of which it is."""
+    titles = {
         generator.view or generator.name: generator.title
-        for platform in PLATFORMS.values()
+        if _FIRST_OF_A_TITLE[generator.title] is platform
+        else f"{generator.title}, {platform.title}"
         for generator in platform.generators
-    },
-}
+    }
+    return {platform.name: platform.title, **titles}
+
+
+SET_VIEWS = {CORE: "Core in C", **{k: v for platform in PLATFORMS.values() for k, v in _views_of(platform).items()}}
 """The views of a set of functions, with what each is called."""
 VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
 """Those of one function."""
@@ -80,6 +87,15 @@ def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str 
     )
 
 
+def document_named(given: str, made: Callable[[str], Iterable[GeneratedDocument]]) -> GeneratedDocument:
+    """The document that an address or a form names, of those of a view. Raises NotFound with the nearest ones."""
+    view = given.partition(".")[0]
+    known = {document.id: document for document in (made(view) if view in VIEWS else ()) if document.text}
+    if given not in known:
+        raise NotFound(f"There is no document {given[:100]!r}.", nearest(given[:100], known or VIEWS))
+    return known[given]
+
+
 def attached(document: GeneratedDocument) -> Response:
     """The document as a file to be kept."""
     disposition = f"attachment; filename*=UTF-8''{quote(document.file, safe='')}"
@@ -98,8 +114,8 @@ def _core(function: ResolvedFunction) -> tuple[GeneratedDocument, ...]:
         files, findings = cores((function,))
     except InputRefused as refused:
         name = f"{function.name}_adapter"
-        return (GeneratedDocument(name, CORE, name, "", "", tuple(refused.findings)),)
-    made = [GeneratedDocument(file.name, CORE, file.name, "text/plain", _text(file.data)) for file in files]
+        return (GeneratedDocument(f"{CORE}.{name}", CORE, name, "", "", tuple(refused.findings)),)
+    made = [GeneratedDocument(f"{CORE}.{file.name}", CORE, file.name, "text/plain", _text(file.data)) for file in files]
     return (made[0]._replace(findings=findings), *made[1:])
 
 
@@ -122,9 +138,11 @@ def _generated(
     except InputRefused as refused:
         return (GeneratedDocument(view, view, "", "", "", tuple(refused.findings)),)
     return tuple(
-        GeneratedDocument(file.name.replace("/", "."), view, file.name, generator.media_type, _text(file.data))
+        GeneratedDocument(
+            f"{view}.{file.name.replace('/', '.')}", view, file.name, generator.media_type, _text(file.data)
+        )
         for file in files
-        if not file.name.startswith(_SHOWN_ELSEWHERE)
+        if _SHOWN_ELSEWHERE.isdisjoint(file.name.split("/"))
     )
 
 
