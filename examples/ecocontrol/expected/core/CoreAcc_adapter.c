@@ -188,7 +188,6 @@ void CoreAcc_Adapter_Receive_EgoVehSpd(CoreAcc_Adapter *self, float value, uint6
 {
     self->received.EgoVehSpd.value = value;
     (void)CoreAcc_Adapter_Now(self, t);
-    self->received.EgoVehSpd.reception.is_there = true;
 }
 
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
@@ -196,7 +195,6 @@ void CoreAcc_Adapter_Receive_SetSpd(CoreAcc_Adapter *self, float value, uint64_t
 {
     self->received.SetSpd.value = value;
     (void)CoreAcc_Adapter_Now(self, t);
-    self->received.SetSpd.reception.is_there = true;
 }
 
 /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
@@ -431,53 +429,45 @@ static void CoreAcc_Adapter_CloseWindows(CoreAcc_Adapter *self, uint64_t t)
     }
 }
 
-/* The error has failed: one more occurrence. */
-static void CoreAcc_Adapter_Fail(CoreAcc_Adapter_Error *error, CoreAcc_Adapter_Counts *counts)
-{
-    error->state = CORE_ACC_ADAPTER_FAILED;
-    if (counts->occurrences < UINT16_MAX) {
-        counts->occurrences++;
-    }
-}
-
 /* The table of states. may_heal: the reset condition holds. */
-static void CoreAcc_Adapter_Update(CoreAcc_Adapter_Error *error, CoreAcc_Adapter_Counts *counts,
-    CoreAcc_Adapter_Verdict verdict, bool is_dependency_failed,
-    bool may_heal, uint64_t maturation, uint64_t reset, uint64_t t)
+static CoreAcc_Adapter_ErrorState CoreAcc_Adapter_Next(const CoreAcc_Adapter_Error *error,
+    CoreAcc_Adapter_Verdict verdict, bool may_heal)
 {
-    if (is_dependency_failed) {
-        if ((error->state != CORE_ACC_ADAPTER_FAILED) && (error->state != CORE_ACC_ADAPTER_HEALING)) {
-            CoreAcc_Adapter_Fail(error, counts);
-        }
-        error->state = CORE_ACC_ADAPTER_FAILED;
-    } else if (verdict == CORE_ACC_ADAPTER_PRESENT) {
-        if ((error->state == CORE_ACC_ADAPTER_NOT_TESTED) || (error->state == CORE_ACC_ADAPTER_PASSED)) {
-            error->before = error->state;
-            error->state = CORE_ACC_ADAPTER_PREFAILED;
-            error->since = t;
-        }
-        if (error->state == CORE_ACC_ADAPTER_HEALING) {
-            error->state = CORE_ACC_ADAPTER_FAILED;
-        }
-        if ((error->state == CORE_ACC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-            CoreAcc_Adapter_Fail(error, counts);
-        }
+    const bool has_failed = CoreAcc_Adapter_HasFailed(error);
+    CoreAcc_Adapter_ErrorState next = error->state;
+
+    if (verdict == CORE_ACC_ADAPTER_PRESENT) {
+        next = has_failed ? CORE_ACC_ADAPTER_FAILED : CORE_ACC_ADAPTER_PREFAILED;
+    } else if ((verdict == CORE_ACC_ADAPTER_ABSENT) && !has_failed) {
+        next = CORE_ACC_ADAPTER_PASSED;
     } else if (verdict == CORE_ACC_ADAPTER_ABSENT) {
-        if ((error->state == CORE_ACC_ADAPTER_NOT_TESTED) || (error->state == CORE_ACC_ADAPTER_PREFAILED)) {
-            error->state = CORE_ACC_ADAPTER_PASSED;
-        }
-        if ((error->state == CORE_ACC_ADAPTER_FAILED) && may_heal) {
-            error->state = CORE_ACC_ADAPTER_HEALING;
-            error->since = t;
-        }
-        if ((error->state == CORE_ACC_ADAPTER_HEALING) && !may_heal) {
-            error->state = CORE_ACC_ADAPTER_FAILED;
-        }
-        if ((error->state == CORE_ACC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-            error->state = CORE_ACC_ADAPTER_PASSED;
-        }
+        next = may_heal ? CORE_ACC_ADAPTER_HEALING : CORE_ACC_ADAPTER_FAILED;
     } else {
         /* not evaluated */
+    }
+    return next;
+}
+
+/* The next state; PREFAILED and HEALING end when their time has passed. */
+static void CoreAcc_Adapter_Update(CoreAcc_Adapter_Error *error, CoreAcc_Adapter_Counts *counts,
+    CoreAcc_Adapter_ErrorState next, uint64_t maturation,
+    uint64_t reset, uint64_t t)
+{
+    const bool had_failed = CoreAcc_Adapter_HasFailed(error);
+
+    if (next != error->state) {
+        error->before = error->state;
+        error->state = next;
+        error->since = t;
+    }
+    if ((error->state == CORE_ACC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
+        error->state = CORE_ACC_ADAPTER_FAILED;
+    }
+    if ((error->state == CORE_ACC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
+        error->state = CORE_ACC_ADAPTER_PASSED;
+    }
+    if (CoreAcc_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
+        counts->occurrences++;
     }
     counts->is_tested = counts->is_tested || (error->state != CORE_ACC_ADAPTER_NOT_TESTED);
     counts->has_failed = counts->has_failed || CoreAcc_Adapter_HasFailed(error);
@@ -487,8 +477,9 @@ static void CoreAcc_Adapter_Update(CoreAcc_Adapter_Error *error, CoreAcc_Adapter
 static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
     const CoreAcc_Adapter_Verdict verdict = self->Step.in.BrkCylP.clock.verdict;
+    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.BrakePressureTimeout, verdict, true);
 
-    CoreAcc_Adapter_Update(&self->error.BrakePressureTimeout, &self->stored.BrakePressureTimeout, verdict, false, true,
+    CoreAcc_Adapter_Update(&self->error.BrakePressureTimeout, &self->stored.BrakePressureTimeout, next,
         UINT64_C(200000000), UINT64_C(500000000), t);
     self->error.BrakePressureTimeout.is_confirmed = (self->stored.BrakePressureTimeout.occurrences > 0U);
     if ((self->error.BrakePressureTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
@@ -506,8 +497,9 @@ static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self,
 static void CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
     const CoreAcc_Adapter_Verdict verdict = self->Step.in.SteerWhlAg.clock.verdict;
+    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.SteeringAngleTimeout, verdict, true);
 
-    CoreAcc_Adapter_Update(&self->error.SteeringAngleTimeout, &self->stored.SteeringAngleTimeout, verdict, false, true,
+    CoreAcc_Adapter_Update(&self->error.SteeringAngleTimeout, &self->stored.SteeringAngleTimeout, next,
         UINT64_C(200000000), UINT64_C(500000000), t);
     self->error.SteeringAngleTimeout.is_confirmed = (self->stored.SteeringAngleTimeout.occurrences > 0U);
     if ((self->error.SteeringAngleTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
@@ -532,10 +524,12 @@ static void CoreAcc_Adapter_Evaluate_ProposalTimeout(CoreAcc_Adapter *self, uint
     verdict = CoreAcc_Adapter_Worse(verdict,
         (self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.is_there)
         ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED);
-    CoreAcc_Adapter_Update(&self->error.ProposalTimeout, &self->stored.ProposalTimeout, verdict,
-        (self->received.EcoControlMpc_NoSolutionError_ErrorSts.value != 0U)
-        || (self->received.EcoControlMpc_DeadlineError_ErrorSts.value != 0U), true,
-        UINT64_C(1500000000), UINT64_C(500000000), t);
+    const CoreAcc_Adapter_ErrorState next = ((self->received.EcoControlMpc_NoSolutionError_ErrorSts.value != 0U)
+        || (self->received.EcoControlMpc_DeadlineError_ErrorSts.value != 0U))
+        ? CORE_ACC_ADAPTER_FAILED : CoreAcc_Adapter_Next(&self->error.ProposalTimeout, verdict, true);
+
+    CoreAcc_Adapter_Update(&self->error.ProposalTimeout, &self->stored.ProposalTimeout, next, UINT64_C(1500000000),
+        UINT64_C(500000000), t);
     self->error.ProposalTimeout.is_confirmed = (self->stored.ProposalTimeout.occurrences > 0U);
     if ((self->error.ProposalTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
         && (self->error.ProposalTimeout.state != CORE_ACC_ADAPTER_PREFAILED)) {
@@ -553,8 +547,9 @@ static void CoreAcc_Adapter_Evaluate_AliveError(CoreAcc_Adapter *self, uint64_t 
 {
     CoreAcc_Adapter_JudgeWindows_Step(self);
     const CoreAcc_Adapter_Verdict verdict = self->Step.alive.verdict;
-    CoreAcc_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, verdict, false, false,
-        UINT64_C(0), UINT64_C(0), t);
+    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.AliveError, verdict, false);
+
+    CoreAcc_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, next, UINT64_C(0), UINT64_C(0), t);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     if ((self->error.AliveError.state != CORE_ACC_ADAPTER_NOT_TESTED)
         && (self->error.AliveError.state != CORE_ACC_ADAPTER_PREFAILED)) {
@@ -748,11 +743,9 @@ void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
     CoreAcc_Adapter_Take_Step_SpdLimUnit(self);
     CoreAcc_Adapter_Take_Step_HstVehALgtFild(self);
     /* Vehicle.Speed [km/h] */
-    core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd = self->received.EgoVehSpd.reception.is_there
-        ? ((double)self->received.EgoVehSpd.value * 0.2777777777777778) : 0.0;
+    core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd = ((double)self->received.EgoVehSpd.value * 0.2777777777777778);
     /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-    core_inputs.bus_ACCIn.Bus_Cust.SetSpd = self->received.SetSpd.reception.is_there
-        ? (float)((double)self->received.SetSpd.value * 0.2777777777777778) : 0.0F;
+    core_inputs.bus_ACCIn.Bus_Cust.SetSpd = (float)((double)self->received.SetSpd.value * 0.2777777777777778);
     /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
     core_inputs.bus_ACCIn.Bus_Obj.ObjDst = self->received.ObjDst.value;
     CoreAcc_Adapter_Take_Step_EcoAccProp(self);
@@ -883,6 +876,8 @@ static void CoreAcc_Adapter_SetInitialValues(CoreAcc_Adapter *self)
     self->error.ProposalTimeout.is_confirmed = (self->stored.ProposalTimeout.occurrences > 0U);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     self->received.EnaGACC.value = false;
+    self->received.EgoVehSpd.value = 0.0F;
+    self->received.SetSpd.value = 0.0F;
     self->received.ObjDst.value = 0.0F;
     self->mode.now = 0U;
     CoreAcc_Adapter_Load_ALatMax(self);

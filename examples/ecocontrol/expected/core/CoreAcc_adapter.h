@@ -54,8 +54,8 @@ typedef enum {
 /* An error. */
 typedef struct {
     CoreAcc_Adapter_ErrorState state;
-    CoreAcc_Adapter_ErrorState before; /* that of before PREFAILED */
-    uint64_t since; /* when PREFAILED or HEALING began */
+    CoreAcc_Adapter_ErrorState before; /* the last one */
+    uint64_t since; /* when it began */
     CoreAcc_Adapter_Verdict variable; /* what the function says */
     bool is_confirmed; /* for the fault memory */
     bool is_sent;

@@ -146,7 +146,6 @@ void EcoControlMpc_Adapter_Receive_EgoSpd(EcoControlMpc_Adapter *self, float val
 {
     self->received.EgoSpd.value = value;
     (void)EcoControlMpc_Adapter_Now(self, t);
-    self->received.EgoSpd.reception.is_there = true;
 }
 
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
@@ -154,7 +153,6 @@ void EcoControlMpc_Adapter_Receive_SetSpd(EcoControlMpc_Adapter *self, float val
 {
     self->received.SetSpd.value = value;
     (void)EcoControlMpc_Adapter_Now(self, t);
-    self->received.SetSpd.reception.is_there = true;
 }
 
 /* Vehicle.ADAS.Map.Horizon.Altitude [m] */
@@ -322,54 +320,45 @@ static bool EcoControlMpc_Adapter_Runs_Step(uint8_t mode)
     return (mode != 0U /* OFF */);
 }
 
-/* The error has failed: one more occurrence. */
-static void EcoControlMpc_Adapter_Fail(EcoControlMpc_Adapter_Error *error, EcoControlMpc_Adapter_Counts *counts)
-{
-    error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-    if (counts->occurrences < UINT16_MAX) {
-        counts->occurrences++;
-    }
-}
-
 /* The table of states. may_heal: the reset condition holds. */
-static void EcoControlMpc_Adapter_Update(EcoControlMpc_Adapter_Error *error, EcoControlMpc_Adapter_Counts *counts,
-    EcoControlMpc_Adapter_Verdict verdict, bool is_dependency_failed,
-    bool may_heal, uint64_t maturation, uint64_t reset, uint64_t t)
+static EcoControlMpc_Adapter_ErrorState EcoControlMpc_Adapter_Next(const EcoControlMpc_Adapter_Error *error,
+    EcoControlMpc_Adapter_Verdict verdict, bool may_heal)
 {
-    if (is_dependency_failed) {
-        if ((error->state != ECO_CONTROL_MPC_ADAPTER_FAILED) && (error->state != ECO_CONTROL_MPC_ADAPTER_HEALING)) {
-            EcoControlMpc_Adapter_Fail(error, counts);
-        }
-        error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-    } else if (verdict == ECO_CONTROL_MPC_ADAPTER_PRESENT) {
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_NOT_TESTED) || (error->state == ECO_CONTROL_MPC_ADAPTER_PASSED)) {
-            error->before = error->state;
-            error->state = ECO_CONTROL_MPC_ADAPTER_PREFAILED;
-            error->since = t;
-        }
-        if (error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) {
-            error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-        }
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-            EcoControlMpc_Adapter_Fail(error, counts);
-        }
+    const bool has_failed = EcoControlMpc_Adapter_HasFailed(error);
+    EcoControlMpc_Adapter_ErrorState next = error->state;
+
+    if (verdict == ECO_CONTROL_MPC_ADAPTER_PRESENT) {
+        next = has_failed ? ECO_CONTROL_MPC_ADAPTER_FAILED : ECO_CONTROL_MPC_ADAPTER_PREFAILED;
+    } else if ((verdict == ECO_CONTROL_MPC_ADAPTER_ABSENT) && !has_failed) {
+        next = ECO_CONTROL_MPC_ADAPTER_PASSED;
     } else if (verdict == ECO_CONTROL_MPC_ADAPTER_ABSENT) {
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
-            || (error->state == ECO_CONTROL_MPC_ADAPTER_PREFAILED)) {
-            error->state = ECO_CONTROL_MPC_ADAPTER_PASSED;
-        }
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_FAILED) && may_heal) {
-            error->state = ECO_CONTROL_MPC_ADAPTER_HEALING;
-            error->since = t;
-        }
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) && !may_heal) {
-            error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-        }
-        if ((error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-            error->state = ECO_CONTROL_MPC_ADAPTER_PASSED;
-        }
+        next = may_heal ? ECO_CONTROL_MPC_ADAPTER_HEALING : ECO_CONTROL_MPC_ADAPTER_FAILED;
     } else {
         /* not evaluated */
+    }
+    return next;
+}
+
+/* The next state; PREFAILED and HEALING end when their time has passed. */
+static void EcoControlMpc_Adapter_Update(EcoControlMpc_Adapter_Error *error, EcoControlMpc_Adapter_Counts *counts,
+    EcoControlMpc_Adapter_ErrorState next, uint64_t maturation,
+    uint64_t reset, uint64_t t)
+{
+    const bool had_failed = EcoControlMpc_Adapter_HasFailed(error);
+
+    if (next != error->state) {
+        error->before = error->state;
+        error->state = next;
+        error->since = t;
+    }
+    if ((error->state == ECO_CONTROL_MPC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
+        error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
+    }
+    if ((error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
+        error->state = ECO_CONTROL_MPC_ADAPTER_PASSED;
+    }
+    if (EcoControlMpc_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
+        counts->occurrences++;
     }
     counts->is_tested = counts->is_tested || (error->state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED);
     counts->has_failed = counts->has_failed || EcoControlMpc_Adapter_HasFailed(error);
@@ -379,8 +368,10 @@ static void EcoControlMpc_Adapter_Update(EcoControlMpc_Adapter_Error *error, Eco
 static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter *self, uint64_t t)
 {
     const EcoControlMpc_Adapter_Verdict verdict = self->Step.in.HorizonAlt.clock.verdict;
+    const EcoControlMpc_Adapter_ErrorState next = EcoControlMpc_Adapter_Next(&self->error.HorizonTimeout, verdict,
+        true);
 
-    EcoControlMpc_Adapter_Update(&self->error.HorizonTimeout, &self->stored.HorizonTimeout, verdict, false, true,
+    EcoControlMpc_Adapter_Update(&self->error.HorizonTimeout, &self->stored.HorizonTimeout, next,
         UINT64_C(2000000000), UINT64_C(1000000000), t);
     self->error.HorizonTimeout.is_confirmed = (self->stored.HorizonTimeout.occurrences > 0U);
     if ((self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
@@ -398,9 +389,10 @@ static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter 
 static void EcoControlMpc_Adapter_Evaluate_DeadlineError(EcoControlMpc_Adapter *self, uint64_t t)
 {
     const EcoControlMpc_Adapter_Verdict verdict = self->Step.deadline;
+    const EcoControlMpc_Adapter_ErrorState next = EcoControlMpc_Adapter_Next(&self->error.DeadlineError, verdict, true);
 
-    EcoControlMpc_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, verdict, false, true,
-        UINT64_C(1000000000), UINT64_C(0), t);
+    EcoControlMpc_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, next, UINT64_C(1000000000),
+        UINT64_C(0), t);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
     if ((self->error.DeadlineError.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
         && (self->error.DeadlineError.state != ECO_CONTROL_MPC_ADAPTER_PREFAILED)) {
@@ -421,8 +413,10 @@ static void EcoControlMpc_Adapter_Evaluate_NoSolutionError(EcoControlMpc_Adapter
     verdict = EcoControlMpc_Adapter_Worse(verdict,
         (self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
         ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED);
-    EcoControlMpc_Adapter_Update(&self->error.NoSolutionError, &self->stored.NoSolutionError, verdict,
-        EcoControlMpc_Adapter_HasFailed(&self->error.HorizonTimeout), true,
+    const EcoControlMpc_Adapter_ErrorState next = (EcoControlMpc_Adapter_HasFailed(&self->error.HorizonTimeout))
+        ? ECO_CONTROL_MPC_ADAPTER_FAILED : EcoControlMpc_Adapter_Next(&self->error.NoSolutionError, verdict, true);
+
+    EcoControlMpc_Adapter_Update(&self->error.NoSolutionError, &self->stored.NoSolutionError, next,
         UINT64_C(1000000000), UINT64_C(0), t);
     self->error.NoSolutionError.is_confirmed = (self->stored.NoSolutionError.occurrences > 0U);
     if ((self->error.NoSolutionError.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
@@ -593,11 +587,9 @@ void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t
         self->Step.entered, UINT64_C(2000000000), 1U, false, now);
     self->code.mpc_inputs.EnaMpc = self->received.EnaMpc.value; /* Vehicle.ADAS.EcoControl.IsEnabled */
     /* Vehicle.Speed [km/h] */
-    self->code.mpc_inputs.EgoSpd = self->received.EgoSpd.reception.is_there
-        ? (float)((double)self->received.EgoSpd.value * 0.2777777777777778) : 0.0F;
+    self->code.mpc_inputs.EgoSpd = (float)((double)self->received.EgoSpd.value * 0.2777777777777778);
     /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-    self->code.mpc_inputs.SetSpd = self->received.SetSpd.reception.is_there
-        ? (float)((double)self->received.SetSpd.value * 0.2777777777777778) : 0.0F;
+    self->code.mpc_inputs.SetSpd = (float)((double)self->received.SetSpd.value * 0.2777777777777778);
     EcoControlMpc_Adapter_Take_Step_HorizonAlt(self);
     EcoControlMpc_Adapter_Write_VehM(self);
     EcoControlMpc_Adapter_Write_HorizonStep(self);
@@ -727,6 +719,8 @@ static void EcoControlMpc_Adapter_SetInitialValues(EcoControlMpc_Adapter *self)
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
     self->error.NoSolutionError.is_confirmed = (self->stored.NoSolutionError.occurrences > 0U);
     self->received.EnaMpc.value = false;
+    self->received.EgoSpd.value = 0.0F;
+    self->received.SetSpd.value = 0.0F;
     self->mode.now = 0U;
     EcoControlMpc_Adapter_Load_VehM(self);
     EcoControlMpc_Adapter_Load_HorizonStep(self);

@@ -153,7 +153,6 @@ void WheelSpeedCalculation_Adapter_Receive_WhlRotFL(WheelSpeedCalculation_Adapte
 {
     self->received.WhlRotFL.value = value;
     (void)WheelSpeedCalculation_Adapter_Now(self, t);
-    self->received.WhlRotFL.reception.is_there = true;
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
@@ -161,7 +160,6 @@ void WheelSpeedCalculation_Adapter_Receive_WhlRotFR(WheelSpeedCalculation_Adapte
 {
     self->received.WhlRotFR.value = value;
     (void)WheelSpeedCalculation_Adapter_Now(self, t);
-    self->received.WhlRotFR.reception.is_there = true;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
@@ -169,7 +167,6 @@ void WheelSpeedCalculation_Adapter_Receive_WhlRotRL(WheelSpeedCalculation_Adapte
 {
     self->received.WhlRotRL.value = value;
     (void)WheelSpeedCalculation_Adapter_Now(self, t);
-    self->received.WhlRotRL.reception.is_there = true;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
@@ -177,7 +174,6 @@ void WheelSpeedCalculation_Adapter_Receive_WhlRotRR(WheelSpeedCalculation_Adapte
 {
     self->received.WhlRotRR.value = value;
     (void)WheelSpeedCalculation_Adapter_Now(self, t);
-    self->received.WhlRotRR.reception.is_there = true;
 }
 
 void WheelSpeedCalculation_Adapter_Receive_Mode_In(WheelSpeedCalculation_Adapter *self, uint8_t value, uint64_t t)
@@ -441,58 +437,45 @@ static void WheelSpeedCalculation_Adapter_Report_Terminate(WheelSpeedCalculation
     }
 }
 
-/* The error has failed: one more occurrence. */
-static void WheelSpeedCalculation_Adapter_Fail(WheelSpeedCalculation_Adapter_Error *error,
-    WheelSpeedCalculation_Adapter_Counts *counts)
-{
-    error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-    if (counts->occurrences < UINT16_MAX) {
-        counts->occurrences++;
-    }
-}
-
 /* The table of states. may_heal: the reset condition holds. */
-static void WheelSpeedCalculation_Adapter_Update(WheelSpeedCalculation_Adapter_Error *error,
-    WheelSpeedCalculation_Adapter_Counts *counts, WheelSpeedCalculation_Adapter_Verdict verdict,
-    bool is_dependency_failed,
-    bool may_heal, uint64_t maturation, uint64_t reset, uint64_t t)
+static WheelSpeedCalculation_Adapter_ErrorState WheelSpeedCalculation_Adapter_Next(
+    const WheelSpeedCalculation_Adapter_Error *error, WheelSpeedCalculation_Adapter_Verdict verdict, bool may_heal)
 {
-    if (is_dependency_failed) {
-        if ((error->state != WHEEL_SPEED_CALCULATION_ADAPTER_FAILED)
-            && (error->state != WHEEL_SPEED_CALCULATION_ADAPTER_HEALING)) {
-            WheelSpeedCalculation_Adapter_Fail(error, counts);
-        }
-        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-    } else if (verdict == WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT) {
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-            || (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PASSED)) {
-            error->before = error->state;
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED;
-            error->since = t;
-        }
-        if (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) {
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-        }
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-            WheelSpeedCalculation_Adapter_Fail(error, counts);
-        }
+    const bool has_failed = WheelSpeedCalculation_Adapter_HasFailed(error);
+    WheelSpeedCalculation_Adapter_ErrorState next = error->state;
+
+    if (verdict == WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT) {
+        next = has_failed ? WHEEL_SPEED_CALCULATION_ADAPTER_FAILED : WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED;
+    } else if ((verdict == WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT) && !has_failed) {
+        next = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
     } else if (verdict == WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT) {
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-            || (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
-        }
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_FAILED) && may_heal) {
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_HEALING;
-            error->since = t;
-        }
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) && !may_heal) {
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-        }
-        if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-            error->state = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
-        }
+        next = may_heal ? WHEEL_SPEED_CALCULATION_ADAPTER_HEALING : WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
     } else {
         /* not evaluated */
+    }
+    return next;
+}
+
+/* The next state; PREFAILED and HEALING end when their time has passed. */
+static void WheelSpeedCalculation_Adapter_Update(WheelSpeedCalculation_Adapter_Error *error,
+    WheelSpeedCalculation_Adapter_Counts *counts, WheelSpeedCalculation_Adapter_ErrorState next, uint64_t maturation,
+    uint64_t reset, uint64_t t)
+{
+    const bool had_failed = WheelSpeedCalculation_Adapter_HasFailed(error);
+
+    if (next != error->state) {
+        error->before = error->state;
+        error->state = next;
+        error->since = t;
+    }
+    if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
+        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
+    }
+    if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
+        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
+    }
+    if (WheelSpeedCalculation_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
+        counts->occurrences++;
     }
     counts->is_tested = counts->is_tested || (error->state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED);
     counts->has_failed = counts->has_failed || WheelSpeedCalculation_Adapter_HasFailed(error);
@@ -507,8 +490,11 @@ static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculat
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRL.range);
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRR.range);
     verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->error.RangeError.variable);
-    WheelSpeedCalculation_Adapter_Update(&self->error.RangeError, &self->stored.RangeError, verdict, false, true,
-        UINT64_C(50000000), UINT64_C(1000000000), t);
+    const WheelSpeedCalculation_Adapter_ErrorState next = WheelSpeedCalculation_Adapter_Next(&self->error.RangeError,
+        verdict, true);
+
+    WheelSpeedCalculation_Adapter_Update(&self->error.RangeError, &self->stored.RangeError, next, UINT64_C(50000000),
+        UINT64_C(1000000000), t);
     self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences >= 3U);
     if ((self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
         && (self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
@@ -526,8 +512,11 @@ static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculat
 {
     WheelSpeedCalculation_Adapter_JudgeWindows_Step(self);
     const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.alive.verdict;
-    WheelSpeedCalculation_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, verdict, false, false,
-        UINT64_C(0), UINT64_C(0), t);
+    const WheelSpeedCalculation_Adapter_ErrorState next = WheelSpeedCalculation_Adapter_Next(&self->error.AliveError,
+        verdict, false);
+
+    WheelSpeedCalculation_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, next, UINT64_C(0),
+        UINT64_C(0), t);
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     if ((self->error.AliveError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
         && (self->error.AliveError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
@@ -544,8 +533,10 @@ static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculat
 static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.deadline;
+    const WheelSpeedCalculation_Adapter_ErrorState next =
+        WheelSpeedCalculation_Adapter_Next(&self->error.DeadlineError, verdict, false);
 
-    WheelSpeedCalculation_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, verdict, false, false,
+    WheelSpeedCalculation_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, next,
         UINT64_C(20000000), UINT64_C(0), t);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
     if ((self->error.DeadlineError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
@@ -563,9 +554,11 @@ static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalcu
 static void WheelSpeedCalculation_Adapter_Evaluate_SequenceError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     const WheelSpeedCalculation_Adapter_Verdict verdict = self->checkpoint.Step;
+    const WheelSpeedCalculation_Adapter_ErrorState next =
+        WheelSpeedCalculation_Adapter_Next(&self->error.SequenceError, verdict, false);
 
-    WheelSpeedCalculation_Adapter_Update(&self->error.SequenceError, &self->stored.SequenceError, verdict, false, false,
-        UINT64_C(0), UINT64_C(0), t);
+    WheelSpeedCalculation_Adapter_Update(&self->error.SequenceError, &self->stored.SequenceError, next, UINT64_C(0),
+        UINT64_C(0), t);
     self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
     if ((self->error.SequenceError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
         && (self->error.SequenceError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
@@ -755,17 +748,13 @@ void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
     /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFL = self->received.WhlRotFL.reception.is_there
-        ? (float)((double)self->received.WhlRotFL.value * 0.017453292519943295) : 0.0F;
+    whl_in.WhlRotFL = (float)((double)self->received.WhlRotFL.value * 0.017453292519943295);
     /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFR = self->received.WhlRotFR.reception.is_there
-        ? (float)((double)self->received.WhlRotFR.value * 0.017453292519943295) : 0.0F;
+    whl_in.WhlRotFR = (float)((double)self->received.WhlRotFR.value * 0.017453292519943295);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRL = self->received.WhlRotRL.reception.is_there
-        ? (float)((double)self->received.WhlRotRL.value * 0.017453292519943295) : 0.0F;
+    whl_in.WhlRotRL = (float)((double)self->received.WhlRotRL.value * 0.017453292519943295);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRR = self->received.WhlRotRR.reception.is_there
-        ? (float)((double)self->received.WhlRotRR.value * 0.017453292519943295) : 0.0F;
+    whl_in.WhlRotRR = (float)((double)self->received.WhlRotRR.value * 0.017453292519943295);
     WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Write_TireDiaRear(self);
     WheelSpeedCalculation_Adapter_Write_SpdMax(self);
@@ -908,6 +897,10 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
     self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
     self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
+    self->received.WhlRotFL.value = 0.0F;
+    self->received.WhlRotFR.value = 0.0F;
+    self->received.WhlRotRL.value = 0.0F;
+    self->received.WhlRotRR.value = 0.0F;
     self->mode.now = 1U;
     WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Load_TireDiaRear(self);

@@ -54,8 +54,8 @@ typedef enum {
 /* An error. */
 typedef struct {
     WheelSpeedCalculation_Adapter_ErrorState state;
-    WheelSpeedCalculation_Adapter_ErrorState before; /* that of before PREFAILED */
-    uint64_t since; /* when PREFAILED or HEALING began */
+    WheelSpeedCalculation_Adapter_ErrorState before; /* the last one */
+    uint64_t since; /* when it began */
     WheelSpeedCalculation_Adapter_Verdict variable; /* what the function says */
     bool is_confirmed; /* for the fault memory */
     bool is_sent;
