@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test format lint types imports tests bench generate pictures clients fuzz slow trust sbom audit lock clean run-autosar
+.PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit lock clean run-autosar run-ros2 ros2
 
 help:  ## list the commands
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -13,7 +13,11 @@ help:  ## list the commands
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
 
-test: format lint types imports tests  ## everything that must hold
+test: format lint types imports tests  ## what a developer waits for: formatting, lint, types, import directions, tests
+
+real: .venv/dev  ## the tests that take longer: every page in a browser, what is generated built and run, attacks
+	$(BIN)/python scripts/browser.py
+	$(BIN)/pytest -n auto -m real
 
 format: .venv/dev
 	$(BIN)/ruff format --check .
@@ -29,13 +33,23 @@ imports: .venv/dev
 
 tests: .venv/dev
 	$(BIN)/python scripts/browser.py
-	$(BIN)/pytest -n auto
+	$(BIN)/pytest -n auto -m "not real"
 
 bench: .venv/dev  ## measure, each figure beside its reference
 	$(BIN)/python -m bench
 
+ros2:  ## real ROS 2 Jazzy (without rclcpp) for tests, in .venv-ros2; needs Python 3.11 and a C++ compiler
+	@$(PYTHON) -m scripts.ros2_environment
+
 run-autosar: .venv/dev  ## EcoControl as three processes over SOME/IP: generate, build, play the drive, compare with the simulation
 	$(BIN)/python -m scripts.run_autosar
+
+run-ros2: .venv/dev ros2  ## EcoControl as ROS 2 nodes in C++ and Python: generate, build, play the drive in lock step, compare with the simulation
+	$(BIN)/python -m scripts.run_ros2
+
+kpi: .venv/dev ros2  ## EcoControl on every platform: behaviour, timing, load and effort beside the paper's; the report is in build/kpi
+	@mkdir -p build
+	$(BIN)/sigcat compare examples/ecocontrol -o examples/ecocontrol/comparison.json -o build/kpi
 
 pictures: .venv/dev  ## picture every page into docs/pictures
 	$(BIN)/python scripts/pictures.py
@@ -70,7 +84,7 @@ lock:  ## pin the newest versions that pyproject.toml allows
 	rm -rf .venv-lock
 
 clean:
-	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis dist build
+	rm -rf .venv .venv-ros2 .mypy_cache .pytest_cache .ruff_cache .hypothesis dist build
 
 .venv/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "sigcat needs Python 3.11 or newer; set PYTHON=python3.12 or so")'

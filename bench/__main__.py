@@ -8,10 +8,13 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from bench import browser, core, lint, rows, service, transport
+from bench import browser, comparison, core, cycles, gateway, lint, ros2, rows, service, stored_run, transport
 from bench.rows import Bench, Missing, Row
 
-ROWS = {**rows.ROWS, **lint.ROWS, **core.ROWS, **transport.ROWS, **browser.ROWS}
+ROWS = {
+    **rows.ROWS, **lint.ROWS, **core.ROWS, **stored_run.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
+    **browser.ROWS,
+}  # fmt: skip
 SERVICE = {"service"}
 """All rows of the service are measured together: they share two server processes."""
 

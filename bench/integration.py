@@ -6,6 +6,8 @@ The set is the one of the paper's case study, 3 executables, 18 services and 162
 import sys
 from pathlib import Path
 
+from sigcat.cli import set_up_process
+
 SIGNALS = 9
 """Signals of a service: 18 services have 162 events."""
 BRANCHES = 5
@@ -112,6 +114,7 @@ STAGES = {"derive": derive_all, "floor": copy_all}
 def main() -> int:
     """Run one stage."""
     stage, folder = sys.argv[1:]
+    set_up_process()
     STAGES[stage](Path(folder))
     return 0
 

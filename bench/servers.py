@@ -60,10 +60,10 @@ class Server(NamedTuple):
 
 
 @contextmanager
-def server(code: str, *arguments: str) -> Iterator[Server]:
-    """A server on the first core; this process moves to the last one. Its log goes to a file, as in production."""
+def server(code: str, *arguments: str, is_on_one_core: bool = True) -> Iterator[Server]:
+    """A server on the first core, or on all; this process moves to the last one. Its log goes to a file, as in production."""
     cores = sorted(os.sched_getaffinity(0))
-    pin = f"import os; os.sched_setaffinity(0, [{cores[0]}])\n" if len(cores) > 1 else ""
+    pin = f"import os; os.sched_setaffinity(0, [{cores[0]}])\n" if len(cores) > 1 and is_on_one_core else ""
     if pin:
         os.sched_setaffinity(0, cores[-1:])
     with (

@@ -9,7 +9,7 @@ from statistics import median
 
 from bench.measuring import ROOT, command, interleaved
 from bench.rows import Bench, Missing, Row
-from scripts.run_autosar import own_network
+from sigcat.comparison.running.processes import own_network
 
 EVENTS = 3000
 """At 1 kHz."""
@@ -20,7 +20,7 @@ _CODE = {"CORE_ACC_CODE": _EXAMPLES / "core_acc", "ECO_CONTROL_MPC_CODE": _EXAMP
 
 def event(bench: Bench) -> Row:
     """Vehicle.Speed from Send, by the receive handler, to GetOutput of CoreAcc."""
-    network = _needed_network()
+    network = needed_network()
     programs = _build(bench.folder)
     adapter: list[float] = []
 
@@ -43,7 +43,7 @@ def event(bench: Bench) -> Row:
 ROWS = {"event": event}
 
 
-def _needed_network() -> Sequence[str]:
+def needed_network() -> Sequence[str]:
     """What gives the programs a network of their own, if they can be built at all."""
     if not which("cmake") or not (os.environ.get("CXX") or which("c++")):
         raise Missing("CMake and a C++ compiler: install cmake and g++")

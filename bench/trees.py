@@ -1,5 +1,6 @@
 """Trees made for measuring: as many signals as wanted, with words, units and ranges as in real ones."""
 
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
@@ -69,6 +70,11 @@ speed: {definition: Distance by time.}
 relation: {definition: A part of a whole.}
 voltage: {definition: Difference of electric potential.}
 """
+
+
+def copied(tree: Path, folder: Path) -> Path:
+    """A copy of a shipped tree, which is parsed as one's own is: what is shipped is kept parsed."""
+    return Path(shutil.copytree(tree, folder / tree.name, dirs_exist_ok=True))
 
 
 def flat(folder: Path, signals: int) -> Path:

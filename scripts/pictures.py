@@ -77,6 +77,11 @@ def write_functions(page: Page) -> None:
     page.get_by_text("Functions of your own").click()
 
 
+def show_timing(page: Page) -> None:
+    """Scroll to the distributions."""
+    page.locator("#timing").evaluate("heading => window.scrollTo(0, heading.getBoundingClientRect().top - 60)")
+
+
 _SIGNAL = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationRequest"
 _ERROR = "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError"
 _OVERLAID = "/tree/interfaces/Vehicle.Acceleration.Longitudinal"
@@ -85,6 +90,9 @@ PAGES = (
     Picture("node", _OVERLAID, is_shown=True),
     Picture("wiring", "/wiring", is_shown=True),
     Picture("changes", "/changes?old=vss&new=interfaces", is_shown=True),
+    Picture("comparison", "/functions/sets/ecocontrol/compare", is_shown=True, prepare=show_timing),
+    Picture("comparison-top", "/functions/sets/ecocontrol/compare", "dark"),
+    Picture("comparison-narrow", "/functions/sets/ecocontrol/compare", width=360, height=780),
     Picture("tree-dark", _ERROR, "dark"),
     Picture("tree-narrow", "/tree/interfaces/Vehicle.Cabin.HVAC", width=360, height=780),
     Picture("tree-wall", _SIGNAL, width=2560, height=1440),
@@ -101,6 +109,8 @@ PAGES = (
     Picture("function-dark", "/functions/core_acc", "dark"),
     Picture("functions-elsewhere", "/functions?catalogue=vss"),
     Picture("function-findings", "/functions/core_acc?catalogue=vss"),
+    Picture("function-run", "/functions/wheel_speed_calculation?view=run", height=1200),
+    Picture("function-run-narrow", "/functions/core_acc?view=run", "dark", 360, 780),
     Picture("function-arxml", "/functions/core_acc?view=arxml"),
     Picture("function-wall", "/functions/core_acc", width=2560, height=1440),
     Picture("function-narrow", "/functions/core_acc", width=360, height=780),

@@ -4,26 +4,20 @@ Generates the applications, builds them with the bench runtime, plays the record
 what they send against `sigcat simulate`.
 """
 
-import csv
-import json
 import os
-import struct
 import subprocess
 import sys
-from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
+from scripts import recordings
+from scripts.recordings import DRIVE, EXAMPLES, WHOLE_DRIVE, Sent, bits, recorded
+from sigcat.comparison.running.processes import Process, launched, own_network
+
 HERE = Path(__file__).parents[1]
-EXAMPLES = HERE / "examples"
-DRIVE = EXAMPLES / "ecocontrol/drive.csv"
 INTEGRATION = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
 CODE = {"CORE_ACC_CODE": EXAMPLES / "core_acc", "ECO_CONTROL_MPC_CODE": EXAMPLES / "eco_control_mpc"}
 EXECUTABLES = ("CoreAccExecutable", "EcoControlMpcExecutable")
-WHOLE_DRIVE = 600
-
-Sent = Mapping[str, list[tuple[int, str]]]
-"""What was sent, by name: times in ns and values."""
 
 
 def main() -> int:
@@ -32,10 +26,10 @@ def main() -> int:
     folder = HERE / "build/autosar"
     generate_into(folder)
     build(folder)
-    recorded = run(folder, seconds)
+    sent = run(folder, seconds)
     expected = simulated(folder, seconds)
-    wrong = differences(recorded, expected)
-    print(f"{seconds} s, {sum(map(len, recorded.values()))} values over SOME/IP")
+    wrong = differences(sent, expected)
+    print(f"{seconds} s, {sum(map(len, sent.values()))} values over SOME/IP")
     print("\n".join(wrong) or "bit for bit what `sigcat simulate` sends")
     return 1 if wrong else 0
 
@@ -66,65 +60,33 @@ def _run(*command: str) -> None:
         raise RuntimeError(f"{' '.join(command)}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
 
 
-def has_own_network() -> bool:
-    """Whether a process may have a network of its own."""
-    return own_network() is not None
-
-
-def own_network() -> Sequence[str] | None:
-    """The command that gives a process a network of its own; None where it may not have one."""
-    for command in (("unshare", "-n"), ("unshare", "-Urn")):
-        try:
-            if subprocess.run([*command, "true"], check=False, capture_output=True).returncode == 0:
-                return command
-        except OSError:
-            return None
-    return None
-
-
 def run(folder: Path, seconds: int) -> Sent:
     """What the processes send while the drive is played to them."""
-    recorded = folder / "recorded.csv"
-    script = [sys.executable, str(HERE / "scripts/bench_run.py"), str(folder / "build"), *EXECUTABLES]
-    _run(*(own_network() or ()), *script, "--", str(DRIVE), str(recorded), str(seconds))
-    with recorded.open(newline="", encoding="utf-8") as file:
-        return _by_name((int(row["time"]), row["name"], row["value"]) for row in csv.DictReader(file))
+    recording, programs = folder / "recorded.csv", folder / "build"
+    environment = {**os.environ, "BENCH_PLAYER": "40000"}
+    processes = [Process(name, (str(programs / name / name),), environment) for name in EXECUTABLES]
+    command = (str(programs / "player/player"), str(DRIVE), str(recording), str(seconds))
+    outcome = launched(processes, Process("player", command, environment), folder / "run", own_network() or ())
+    if outcome.last_words:
+        raise RuntimeError(outcome.last_words)
+    return recorded(recording)
 
 
 def simulated(folder: Path, seconds: int) -> Sent:
     """What `sigcat simulate` sends, without safety reactions: no service has them."""
-    out = folder / "simulated.csv"
-    functions = [str(EXAMPLES / name / "function.yaml") for name in ("core_acc", "eco_control_mpc")]
-    sigcat = [sys.executable, "-m", "sigcat.cli", "simulate", *functions, "--trace", str(DRIVE)]
-    _run(*sigcat, "--duration", str(seconds), "-o", str(out))
-    return _by_name(_simulated_values(out))
+    sent = recordings.simulated(folder / "simulated.csv", seconds)
+    return {name: values for name, values in sent.items() if not name.endswith("_SftyCondSts")}
 
 
-def _simulated_values(path: Path) -> Iterator[tuple[int, str, str]]:
-    with path.open(newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            time = round(float(row.pop("time")) * 1e9)
-            for name, value in row.items():
-                if value and name != "call" and not name.endswith("_SftyCondSts"):
-                    yield time, name, value
-
-
-def _by_name(values: Iterator[tuple[int, str, str]]) -> Sent:
-    found: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
-    for time, name, value in values:
-        found[name].append((time, value))
-    return found
-
-
-def differences(recorded: Sent, expected: Sent) -> list[str]:
+def differences(sent: Sent, expected: Sent) -> list[str]:
     """What was sent otherwise than expected.
 
     A field has a value from the beginning, so that its first value, and the first verdict of an error that depends on one,
     may come earlier than in the simulation: of fields, what comes after their first value counts.
     """
     found = []
-    for name in sorted({*recorded, *expected}):
-        both = [_counted(name, sent.get(name, [])) for sent in (recorded, expected)]
+    for name in sorted({*sent, *expected}):
+        both = [_counted(name, each.get(name, [])) for each in (sent, expected)]
         if both[0] != both[1]:
             first = next((pair for pair in zip(*both, strict=False) if pair[0] != pair[1]), "one is longer")
             found.append(f"{name}: {len(both[0])} values, not {len(both[1])}; {first}")
@@ -133,15 +95,9 @@ def differences(recorded: Sent, expected: Sent) -> list[str]:
 
 def _counted(name: str, sent: list[tuple[int, str]]) -> list[tuple[int, object]]:
     if name.startswith("Vehicle."):
-        return [(time, _bits(value)) for time, value in sent]
+        return [(time, bits(value)) for time, value in sent]
     changes = [each for at, each in enumerate(sent) if at == 0 or each[1] != sent[at - 1][1]]
     return list(changes[1:]) if changes and changes[0][1] in ("PASSED", "OFF") else list(changes)
-
-
-def _bits(value: str) -> object:
-    """The bits of a float."""
-    number = json.loads(value)
-    return struct.pack("<f", number) if isinstance(number, float | int) else number
 
 
 if __name__ == "__main__":

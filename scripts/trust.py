@@ -2,12 +2,13 @@
 
 import argparse
 import json
+import re
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import UTC, datetime
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
@@ -17,6 +18,7 @@ from sigcat import __version__
 from tests.judges import JUDGES, Judge
 
 ROOT = Path(__file__).parents[1]
+_ROS2 = ROOT / "requirements-ros2.txt"
 PAGE = ROOT / "docs" / "explanation" / "trust.md"
 _INTRODUCTION = """# Who says so
 
@@ -25,8 +27,8 @@ judges that others wrote. This page is written by `make trust`, which asks them 
 """
 _LIMITS = """
 A judgement is one comparison: an export, a file, a page, a request. What no test asked is not in the table; what nobody could judge
-yet is [said where it ends](why-sigcat.md#where-it-ends). `make test` asks the same judges, with fewer repetitions, before
-each change.
+yet is [said where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` ask the same judges, with fewer
+repetitions, before each change.
 """
 
 Verdict = Mapping[str, Any]
@@ -36,20 +38,59 @@ def main() -> int:
     """Run the judged tests, or take what a run wrote; write the page. The exit status is that of the tests."""
     parser = argparse.ArgumentParser(prog="python -m scripts.trust", description=__doc__)
     parser.add_argument(
+        "judges",
+        nargs="*",
+        metavar="JUDGE",
+        help=f"ask these alone, and keep what the others said: {', '.join(JUDGES)}",
+    )
+    parser.add_argument(
         "--verdicts", type=Path, metavar="FILE", help="what `pytest --verdicts FILE` wrote; else run it"
     )
-    file = parser.parse_args().verdicts
-    status, verdicts = (0, json.loads(file.read_bytes())) if file else _asked()
+    arguments = parser.parse_args()
+    file, judges = arguments.verdicts, frozenset(arguments.judges)
+    if judges - JUDGES.keys():
+        parser.error(f"there is no judge {', '.join(sorted(judges - JUDGES.keys()))}; there are {', '.join(JUDGES)}")
+    status, verdicts = (0, json.loads(file.read_bytes())) if file else _asked(judges)
+    if judges:
+        said = [verdict for verdict in verdicts if verdict["judge"] in judges]
+        verdicts = [*said, *(each for each in verdicts_of(PAGE.read_text("utf-8")) if each["judge"] not in judges)]
     PAGE.write_text(page(verdicts, datetime.now(UTC).strftime("%Y-%m-%d")), encoding="utf-8")
     return status
 
 
-def _asked() -> tuple[int, Sequence[Verdict]]:
+def _asked(judges: Collection[str]) -> tuple[int, Sequence[Verdict]]:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "verdicts.json"
         command = [sys.executable, "-m", "pytest", "-n", "auto", "-m", "judge", "--verdicts", str(file)]
-        status = subprocess.run(command, cwd=ROOT, check=False).returncode
+        status = subprocess.run([*command, *_files(judges)], cwd=ROOT, check=False).returncode
         return status, json.loads(file.read_bytes())
+
+
+def _files(judges: Collection[str]) -> Sequence[str]:
+    """The files whose tests ask some judges; all if none is named."""
+    mark = re.compile(rf'@judged_by\(\s*"({"|".join(map(re.escape, judges))})"')
+    files = (ROOT / "tests").rglob("test_*.py")
+    return [str(file) for file in files if judges and mark.search(file.read_text("utf-8"))]
+
+
+def verdicts_of(text: str) -> Sequence[Verdict]:
+    """What a page says, as verdicts."""
+    names = {judge.name: key for key, judge in JUDGES.items()}
+    rows = [row.removeprefix("| ").removesuffix(" |").split(" | ") for row in text.splitlines() if row.startswith("| ")]
+    return [
+        {"judge": names[name], "question": question, **_outcome(part)}
+        for name, _, question, counted in rows if name in names
+        for part in counted.split(", ")
+    ]  # fmt: skip
+
+
+_OUTCOME = re.compile(r"(?P<count>[0-9,]+)(?: (?P<outcome>\w+))?")
+
+
+def _outcome(text: str) -> Mapping[str, Any]:
+    match = _OUTCOME.fullmatch(text)
+    assert match, text
+    return {"outcome": match["outcome"] or "passed", "count": int(match["count"].replace(",", ""))}
 
 
 def page(verdicts: Sequence[Verdict], day: str) -> str:
@@ -77,7 +118,11 @@ def _row(judge: str, question: str, found: Mapping[str, int]) -> str:
 
 
 def _version(judge: Judge) -> str:
-    return version(judge.distribution) if judge.distribution else ""
+    try:
+        return version(judge.distribution) if judge.distribution else ""
+    except PackageNotFoundError:  # it is in the environment of ROS 2
+        pinned = re.search(rf"^{judge.distribution}==(\S+)", _ROS2.read_text(encoding="utf-8"), re.MULTILINE)
+        return pinned[1] if pinned else ""
 
 
 def _counted(found: Mapping[str, int]) -> str:

@@ -1,6 +1,7 @@
 """No test sees the settings or releases of who runs it, and a run says at its end what was skipped for want of what."""
 
 import os
+import signal
 import tempfile
 from collections import Counter
 from dataclasses import replace
@@ -10,6 +11,7 @@ from typing import Any
 import hypothesis
 import pytest
 
+from tests import real_parts
 from tests.judges import Verdicts, note
 from tests.needs import OFFICIAL
 
@@ -28,6 +30,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     """Processes that tests start inherit this environment; so do the workers of pytest-xdist."""
     config.addinivalue_line("markers", "judge(name, question): somebody else's judgement; see tests/judges.py")
+    config.addinivalue_line(
+        "markers", "real: what `make real` runs and `make test` leaves out; see tests/real_parts.py"
+    )
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell has it for what it starts in the background
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     os.environ["VSS_RELEASES"] = str(OFFICIAL)
     for name in list(os.environ):
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
@@ -57,8 +64,19 @@ def pytest_itemcollected(item: pytest.Item) -> None:
         item._id = replace(item.id, params=label)  # it gives its label as a name, of which pytest 9.2 makes no id
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Two tests of one name would be one to pytest-xdist."""
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Files without a test that is wanted are not read."""
+    return real_parts.has_none(collection_path, config.option.markexpr) or None
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Two tests of one name would be one to pytest-xdist; who stands for others must be there."""
+    for item in items:
+        real_parts.note(item)
+    is_whole = not config.getoption("lf", default=False) and not any("::" in argument for argument in config.args)
+    if is_whole and (missing := real_parts.missing(items)):
+        raise pytest.UsageError(f"tests/real_parts.py names tests that are not there: {', '.join(missing)}")
     doubled = [name for name, count in Counter(item.nodeid for item in items).items() if count > 1]
     if doubled:
         raise pytest.UsageError(f"Tests must have names of their own: {', '.join(doubled)}")
@@ -78,6 +96,8 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     """One line for each thing that was missing; what the judges said goes into the file that was named."""
     if file := config.getoption("--verdicts"):
         _VERDICTS.write(file)
+    if line := real_parts.left_out(config.option.markexpr):
+        terminalreporter.write_line(line)
     reasons = Counter(reason_of(report) for report in terminalreporter.stats.get("skipped", ()))
     for reason, count in sorted(reasons.items()):
         terminalreporter.write_line(f"{count} skipped for want of {reason}")

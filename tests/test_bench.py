@@ -8,11 +8,13 @@ from pathlib import Path
 import pytest
 
 from bench import __main__, browser, measuring, servers, transport, trees
+from bench import ros2 as ros2_row
 from scripts import run_autosar
 from sigcat.adapter.toolchain import toolchain
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
-from tests.needs import CPP_COMPILERS, own_network
+from sigcat.comparison.running import processes
+from tests.needs import CPP_COMPILERS, own_network, ros2, slow
 
 
 @pytest.mark.parametrize("script", [browser._SERVE, servers.SERVICE, servers.FLOOR], ids=["site", "api", "floor"])
@@ -69,6 +71,15 @@ def test_the_programs_of_events_fit_what_is_generated(tmp_path: Path) -> None:
     assert (len(sources), done.stderr) == (2, "")
 
 
+@ros2
+@slow
+def test_the_generated_node_and_the_one_by_hand_answer(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(ros2_row, "TRIPS", 20)
+    built = ros2_row._build(tmp_path)
+    for node in ("reflex/reflex_node", "by_hand/by_hand_node"):
+        assert 0 < ros2_row._measured(built, tmp_path, node)[0] < 1e6
+
+
 @cpp_compiler
 @own_network
 def test_each_datagram_of_the_reference_is_received_after_it_was_sent(tmp_path: Path, monkeypatch) -> None:
@@ -76,5 +87,5 @@ def test_each_datagram_of_the_reference_is_received_after_it_was_sent(tmp_path: 
     for name in ("datagram_sender", "datagram_receiver"):
         source = str(transport.PROGRAMS / f"{name}.cpp")
         subprocess.run([*toolchain().cpp, "-std=c++17", source, "-pthread", "-o", str(tmp_path / name)], check=True)
-    sent, received = transport._times(run_autosar.own_network() or (), tmp_path, "datagram", ("received",))
+    sent, received = transport._times(processes.own_network() or (), tmp_path, "datagram", ("received",))
     assert all(begin < end for begin, end in zip(sent, received, strict=True))

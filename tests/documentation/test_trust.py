@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from scripts.trust import PAGE, page
+from scripts.trust import PAGE, page, verdicts_of
 from tests.judges import JUDGES, judged_by
 
 TESTS = Path(__file__).parents[1]
@@ -33,6 +33,13 @@ def test_what_did_not_pass_is_on_the_page():
     assert "| Pages are clean | 1,200, 2 failed |" in text
     assert "Last run: 2026-01-02" in text
     assert "1,200 judgements" in text
+
+
+def test_a_page_says_again_what_it_was_made_of():
+    """So that some judges can be asked anew, and the others keep what they said."""
+    text = PAGE.read_text(encoding="utf-8")
+    (day,) = re.findall(r"Last run: ([0-9-]+)", text)
+    assert page(verdicts_of(text), day) == text
 
 
 def test_a_judge_that_is_not_in_the_table_is_refused():

@@ -1,0 +1,203 @@
+"""Tests by real parts that take minutes: `make real` runs them, and `make test` one or a few that stand for each kind.
+
+Whatever stands at the places of a kind is marked `real`, but for its representatives. So every test is run by `-m real` or by
+`-m "not real"`, and none by both. Without either, pytest runs what it is told to.
+"""
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+USUAL, REAL = "not real", "real"
+"""What `make test` and `make real` say to `pytest -m`."""
+_ROOT = Path(__file__).parents[1]
+
+
+class Kind(NamedTuple):
+    """Real parts of one kind."""
+
+    title: str
+    """What its tests do, in the line that says what was left out."""
+    places: tuple[str, ...]
+    """Folders, files and tests."""
+    representatives: tuple[str, ...]
+    """Tests at these places that every run has: with all their cases, or one case of one."""
+
+
+KINDS = (
+    Kind(
+        "nodes in real ROS 2",
+        (
+            "tests/adapter/ros2/test_composition.py",
+            "tests/adapter/ros2/test_cyclonedds.py",
+            "tests/adapter/ros2/test_environment.py",
+            "tests/adapter/ros2/test_free_running.py",
+            "tests/adapter/ros2/test_interfaces.py::test_rosidl_reads_every_field_with_its_unit",
+            "tests/adapter/ros2/test_life.py",
+            "tests/adapter/ros2/test_lock_step.py",
+            "tests/adapter/ros2/test_parameters.py",
+            "tests/adapter/ros2/test_python_nodes.py",
+            "tests/adapter/ros2/test_python_package.py::test_the_linters_of_ros_find_nothing",
+            "tests/adapter/ros2/test_style.py",
+            "tests/adapter/ros2/test_topics.py",
+        ),
+        (
+            "tests/adapter/ros2/test_environment.py::test_rclpy_starts",
+            "tests/adapter/ros2/test_interfaces.py::test_rosidl_reads_every_field_with_its_unit[ecocontrol]",
+            "tests/adapter/ros2/test_python_package.py::test_the_linters_of_ros_find_nothing[ament_pep257]",
+        ),
+    ),
+    Kind(
+        "every page in a browser",
+        ("tests/web/in_browser",),
+        (
+            "tests/web/in_browser/test_accessibility.py::test_axe_finds_nothing[/search/small?q=speed]",
+            "tests/web/in_browser/test_flows.py::test_branches_are_opened_and_nodes_selected",
+            "tests/web/in_browser/test_layout.py::test_nothing_sticks_out_sideways[/search/interfaces?q=wheel]",
+            "tests/web/in_browser/test_search.py",
+            "tests/web/in_browser/test_service.py",
+        ),
+    ),
+    Kind(
+        "applications over SOME/IP",
+        (
+            "tests/adapter/autosar_adaptive/application/test_e2e.py",
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_a_platform_that_is_given_is_the_one_that_is_used",
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_headers_may_stand_in_one_folder_as_some_generators_write_them",
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_no_compiler_warns_of_adapters_with_little_and_of_names_that_are_easily_taken",
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_no_compiler_warns_of_an_adapter_with_everything",
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_services_may_have_the_names_of_members_and_of_keywords",
+            "tests/adapter/autosar_adaptive/application/test_life.py",
+            "tests/adapter/autosar_adaptive/application/test_run.py",
+            "tests/adapter/autosar_adaptive/bench/test_discovery.py",
+            "tests/adapter/autosar_adaptive/bench/test_e2e.py",
+            "tests/adapter/autosar_adaptive/bench/test_hostile.py",
+            "tests/adapter/autosar_adaptive/bench/test_pysomeip.py",
+            "tests/adapter/autosar_adaptive/bench/test_recovery.py",
+            "tests/adapter/autosar_adaptive/bench/test_runtime.py",
+            "tests/adapter/autosar_adaptive/bench/test_serialization.py",
+            "tests/adapter/autosar_adaptive/bench/test_services.py",
+        ),
+        (
+            "tests/adapter/autosar_adaptive/application/test_generate.py::test_no_compiler_warns_of_adapters_with_little_and_of_names_that_are_easily_taken",
+            "tests/adapter/autosar_adaptive/bench/test_services.py::test_events_of_every_datatype_arrive",
+        ),
+    ),
+    Kind(
+        "components on the test RTE",
+        ("tests/adapter/autosar_classic/test_test_rte.py",),
+        (
+            "tests/adapter/autosar_classic/test_test_rte.py::test_every_bit_is_that_of_the_simulation[one_function_feeds_another]",
+        ),
+    ),
+    Kind(
+        "drives played to every platform",
+        ("tests/comparison/running/test_platforms.py",),
+        ("tests/comparison/running/test_platforms.py::test_what_is_missing_is_told_in_one_line",),
+    ),
+    Kind(
+        "attacks on a service",
+        ("tests/api/test_attacks.py", "tests/api/test_hostile_requests.py", "tests/api/test_work_attacks.py"),
+        (
+            "tests/api/test_hostile_requests.py::test_a_body_that_drips_is_refused",
+            "tests/api/test_hostile_requests.py::test_no_address_in_a_request_is_ever_asked",
+        ),
+    ),
+    Kind(
+        "every operation with requests of any kind",
+        ("tests/api/test_contract.py",),
+        ("tests/api/test_contract.py::test_every_operation_answers_as_its_schema_says[GET /api/v1/catalogues]",),
+    ),
+    Kind(
+        "services that are started, stopped and killed",
+        ("tests/api/test_export_processes.py", "tests/api/test_running.py", "tests/catalogue/hosting/test_killed.py"),
+        (
+            "tests/api/test_export_processes.py::test_an_export_has_the_bytes_of_a_process_of_its_own[csv]",
+            "tests/api/test_running.py::test_each_request_is_a_line_of_json_with_the_id_that_its_problem_carries",
+        ),
+    ),
+    Kind(
+        "trees and exports beside those of vss-tools",
+        (
+            "tests/catalogue/exporting/test_same_bytes.py",
+            "tests/catalogue/test_official_trees.py",
+            "tests/catalogue/test_shipped_tree.py::test_vss_tools_takes_it_without_a_complaint",
+            "tests/function/test_define.py::test_vss_tools_takes_the_overlay_and_the_types_strictly",
+        ),
+        (
+            "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[json -e ASILlevel]",
+            "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[csv -e ASILlevel]",
+        ),
+    ),
+    Kind(
+        "commands as pages, hooks and an installed package run them",
+        (
+            "tests/cli/test_pre_commit.py",
+            "tests/documentation/test_commands.py",
+            "tests/test_generated.py::test_it_is_up_to_date[shown_outputs]",
+            "tests/test_installed.py",
+        ),
+        ("tests/documentation/test_commands.py::test_pages_show_commands",),
+    ),
+    Kind(
+        "functions compiled and run",
+        ("tests/adapter/core/test_equivalence.py", "tests/runs/test_simulate.py"),
+        (
+            "tests/adapter/core/test_equivalence.py::test_functions_at_random",
+            "tests/runs/test_simulate.py::test_an_init_that_crashes_is_told",
+            "tests/runs/test_simulate.py::test_the_drive_of_the_examples_goes_as_it_was_recorded",
+            "tests/runs/test_simulate.py::test_what_functions_keep_is_in_a_file_that_the_next_run_reads",
+            "tests/runs/test_simulate.py::test_what_the_declaration_says_of_the_code_and_is_not_so",
+        ),
+    ),
+)
+
+
+def note(item: pytest.Item) -> None:
+    """Mark a test that `make test` leaves out."""
+    if is_at(item.nodeid, _places()) and not is_at(item.nodeid, _representatives()):
+        item.add_marker("real")
+
+
+def has_none(path: Path, wanted: str) -> bool:
+    """Whether a file or folder has no test of those that are wanted: then it need not be read."""
+    name = path.relative_to(_ROOT).as_posix()
+    if wanted == USUAL:
+        return is_at(name, _places()) and not _are_below(name, _representatives())
+    return wanted == REAL and not is_at(name, _places()) and not _are_below(name, _places())
+
+
+def missing(items: Iterable[pytest.Item]) -> Sequence[str]:
+    """Representatives that are not among the tests of their files, which were collected whole."""
+    names = [item.nodeid for item in items]
+    files = {name.partition("::")[0] for name in names}
+    return [
+        each
+        for each in _representatives()
+        if each.partition("::")[0] in files and not any(is_at(name, [each]) for name in names)
+    ]
+
+
+def left_out(wanted: str) -> str:
+    """What a run has left out, and how to get it, in one line."""
+    return f"left out: {', '.join(kind.title for kind in KINDS)}; `make real` runs these" if wanted == USUAL else ""
+
+
+def _places() -> list[str]:
+    return [place for kind in KINDS for place in kind.places]
+
+
+def _representatives() -> list[str]:
+    return [each for kind in KINDS for each in kind.representatives]
+
+
+def is_at(name: str, places: Iterable[str]) -> bool:
+    """Whether something is one of some places, or below it."""
+    return any(name == place or name.startswith((f"{place}/", f"{place}::", f"{place}[")) for place in places)
+
+
+def _are_below(name: str, places: Iterable[str]) -> bool:
+    """Whether any place is what has the name, or below that."""
+    return any(is_at(place, [name]) for place in places)
