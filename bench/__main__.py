@@ -22,7 +22,8 @@ SERVICE = {"service"}
 def main() -> int:
     """Measure what is asked for. No figure makes it fail: machines differ, and a table tells more than a verdict."""
     arguments = _arguments()
-    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # commands are measured with modules compiled, as installed ones are
+    # commands are measured with modules compiled, as installed ones are
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     lines = []
     for line in _table(arguments.rows, arguments.runs):
         print(line, flush=True)

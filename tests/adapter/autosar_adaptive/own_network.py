@@ -62,6 +62,13 @@ class Program:
             self._await(line, time.monotonic() + within)
         return self
 
+    def tells_in_any_order(self, *wanted: str, within: float = PATIENCE) -> Self:
+        """It says each of these lines, whichever comes first: the peer or two threads decide."""
+        missing, end = set(wanted), time.monotonic() + within
+        while missing:
+            missing.discard(self._next(f"{sorted(missing)}", end))
+        return self
+
     def next_line(self, within: float = PATIENCE) -> str:
         """The next line that it says."""
         try:
@@ -73,15 +80,17 @@ class Program:
         return line
 
     def _await(self, wanted: str, end: float) -> None:
-        while True:
-            try:
-                line = self._queue.get(timeout=max(end - time.monotonic(), 0.0))
-            except queue.Empty:
-                line = None
-            assert line is not None, f"It must say {wanted!r}. {self._all()}"
-            self.told.append(line)
-            if line == wanted:
-                return
+        while self._next(repr(wanted), end) != wanted:
+            pass
+
+    def _next(self, wanted: str, end: float) -> str:
+        try:
+            line = self._queue.get(timeout=max(end - time.monotonic(), 0.0))
+        except queue.Empty:
+            line = None
+        assert line is not None, f"It must say {wanted}. {self._all()}"
+        self.told.append(line)
+        return line
 
     def says_nothing_more(self, within: float) -> None:
         """It is silent for a while."""
