@@ -70,8 +70,9 @@ def _build(folder: Path) -> Path:
 def _times(network: Sequence[str], programs: Path, name: str, received: Sequence[str]) -> list[list[int]]:
     """When each was sent, and each time of its receiver, in ns."""
     files = ("sent", *received)
-    # The receiver tells the sender by the pipe when to begin, and by its end when to end.
-    pair = f"./{name}_receiver {EVENTS} {' '.join(received)} | ./{name}_sender {EVENTS} sent"
+    # The receiver tells the sender by the pipe when to begin, and by its end when to end. Each has a core of its own, as
+    # on a bus: else the system chooses, and two programs that share one take a tenth of the time, by chance.
+    pair = f"{_on(0)}./{name}_receiver {EVENTS} {' '.join(received)} | {_on(-1)}./{name}_sender {EVENTS} sent"
     command(*network, "sh", "-c", f'cd "$0" && ip link set lo up && {pair}', str(programs))()
     times = [[int(line) for line in (programs / file).read_text().split()] for file in files]
     if any(len(each) != EVENTS for each in times):
@@ -79,6 +80,11 @@ def _times(network: Sequence[str], programs: Path, name: str, received: Sequence
             f"not all that {name}_sender sent was received: {dict(zip(files, map(len, times), strict=True))}"
         )
     return times
+
+
+def _on(core: int) -> str:
+    """The words before a command that keep it on one of the cores that there are."""
+    return f"taskset -c {sorted(os.sched_getaffinity(0))[core]} " if which("taskset") else ""
 
 
 def _p50(begins: list[int], ends: list[int]) -> float:
