@@ -228,6 +228,28 @@ def test_a_worker_does_not_build_models_again(queue: WorkQueue) -> None:
     assert run(asked())
 
 
+REHEARSED: list[str] = []
+
+
+def rehearse(what: str) -> None:
+    REHEARSED.append(what)
+
+
+def rehearsed() -> list[str]:
+    return REHEARSED
+
+
+def test_what_was_rehearsed_a_worker_has_and_a_rehearsal_that_fails_is_passed_over(queue: WorkQueue) -> None:
+    rehearsals = [Work(int, ("x",), {}), Work(rehearse, ("overlay",), {})]
+
+    async def asked() -> Any:
+        await queue.warm([__name__], (), rehearsals)
+        return await queue.of("somebody").run(rehearsed)
+
+    assert run(asked()) == ["overlay"]
+    assert REHEARSED == []
+
+
 def test_what_work_refuses_reaches_who_asked_for_it(queue: WorkQueue) -> None:
     with pytest.raises(InputRefused, match="Refused") as refused:
         done(queue, refuse)

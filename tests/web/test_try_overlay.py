@@ -146,3 +146,16 @@ def test_what_is_not_there_cannot_be_changed(site: Ask) -> None:
     answer = site("/try?change=Vehicle.Sped")
     assert answer.status_code == 404
     assert "Vehicle.Speed" in answer.text
+
+
+def test_what_the_service_rehearses_is_what_the_page_does() -> None:
+    """A rehearsal that fails is passed over while the service runs: here it is not."""
+    service = create_site(Library(shipped_sources()))
+    rehearsals = list(service.state.rehearsals())
+    assert [work.function.__name__ for work in rehearsals] == ["compile_templates", "rehearse"]
+    for work in rehearsals:
+        work.function(*work.arguments, **work.options)
+
+
+def test_a_service_without_catalogues_rehearses_no_text() -> None:
+    assert [work.function.__name__ for work in create_site(Library([])).state.rehearsals()] == ["compile_templates"]

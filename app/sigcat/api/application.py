@@ -78,6 +78,7 @@ def create_app(
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.modules_of_work = [*_MODULES_OF_WORK]
+    app.state.rehearsals = tuple
     app.state.work_queue = _queue(settings.heavy_requests, settings)
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
@@ -137,7 +138,7 @@ def _ready_for_work(app: FastAPI) -> Iterator[None]:
     """Workers get ready in the background: the service does not wait for them when it starts."""
     queues: tuple[WorkQueue, ...] = (app.state.work_queue, app.state.export_queue)
     values = [app.state.rules, *(hosted.catalogue for hosted in app.state.library)]
-    warming = asyncio.create_task(queues[0].warm(app.state.modules_of_work, values))
+    warming = asyncio.create_task(queues[0].warm(app.state.modules_of_work, values, app.state.rehearsals()))
     yield
     warming.cancel()
     for queue in queues:

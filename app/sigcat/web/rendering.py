@@ -45,6 +45,12 @@ _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
 
 
+def compile_templates() -> None:
+    """Compile all of them, which otherwise happens to each when it is first rendered: in each worker anew."""
+    for name in _ENVIRONMENT.list_templates():
+        _ENVIRONMENT.get_template(name)
+
+
 def page(request: Request, template: str, status: int = 200, **context: Any) -> HTMLResponse:
     """A page. With `part` in the query only the part of it that changes while one stays on it."""
     return page_for(visit_of(request), template, status, **context)

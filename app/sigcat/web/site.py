@@ -1,6 +1,9 @@
 """The whole service: the API, and pages for people on top of it."""
 
+from collections.abc import Iterator
+from functools import partial
 from http import HTTPStatus
+from itertools import islice
 from pathlib import Path
 
 from fastapi import FastAPI, Request
@@ -11,8 +14,9 @@ from starlette.staticfiles import StaticFiles
 from sigcat.api.answers.problems import ANSWERED, answer_problem, problem_from
 from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.api.work.references import Work
 from sigcat.catalogue.hosting.library import Library
-from sigcat.function.hosting import FunctionLibrary
+from sigcat.function.hosting import FunctionLibrary, HostedFiles
 from sigcat.web.pages import (
     api_reference,
     catalogue_pages,
@@ -23,7 +27,7 @@ from sigcat.web.pages import (
     set_pages,
     try_pages,
 )
-from sigcat.web.rendering import problem_page
+from sigcat.web.rendering import compile_templates, problem_page
 from sigcat.web.security_headers import SecurityHeaders
 
 _PAGES = (
@@ -51,6 +55,7 @@ def create_site(
         set_pages.__name__,
         try_pages.__name__,
     ]
+    app.state.rehearsals = partial(_rehearsals, app, library, settings)
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False)
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
@@ -58,6 +63,14 @@ def create_site(
     for kind in ANSWERED:
         app.add_exception_handler(kind, _answer)
     return app
+
+
+def _rehearsals(app: FastAPI, library: Library, settings: Settings) -> Iterator[Work]:
+    """What makes the first pages of workers slow."""
+    yield Work(compile_templates, (), {})
+    for hosted in islice(library, 1):  # the one over which most try something
+        files: HostedFiles = app.state.functions.files
+        yield Work(try_pages.rehearse, (hosted.catalogue, app.state.rules, files, settings.limits), {})
 
 
 async def _answer(request: Request, error: Exception) -> Response:

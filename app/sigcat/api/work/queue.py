@@ -43,9 +43,9 @@ class WorkQueue:
         """The queue as a client uses it."""
         return ClientQueue(self, client)
 
-    async def warm(self, modules: Iterable[str], values: Iterable[object]) -> None:
-        """Have all workers ready, with the modules and values that work is going to need."""
-        await self._workers.warm(self._at_once, modules, values)
+    async def warm(self, modules: Iterable[str], values: Iterable[object], rehearsals: Iterable[Work] = ()) -> None:
+        """Have all workers ready, with the modules and values that work is going to need, and with some of it rehearsed."""
+        await self._workers.warm(self._at_once, modules, values, rehearsals)
 
     def refuse_more(self, client: str) -> None:
         """Raises Busy if there is no room for work of a client now."""

@@ -56,11 +56,17 @@ class WarmZygote:
             await asyncio.to_thread(self._tell, modules, values)
         return ReadyWork(data, frozenset((*modules, *values)))
 
-    async def warm(self, modules: Iterable[str], values: Iterable[object]) -> None:
-        """Let it have what work is going to need."""
-        self._started()
+    async def warm(self, modules: Iterable[str], values: Iterable[object], rehearsals: Iterable[Work] = ()) -> None:
+        """Let it have what work is going to need, and do once what each worker would do first."""
+        zygote = self._started()
+        work = [pickled(each, self._number_of) for each in rehearsals]
         numbered = {self._number_of(value): value for value in values}
-        await asyncio.to_thread(self._tell, modules, numbered)
+        await asyncio.to_thread(
+            self._tell, modules, {**numbered, **{n: v for each in work for n, v in each.values.items()}}
+        )
+        if work:
+            told = Told(rehearsals=tuple(each.data for each in work))
+            await asyncio.to_thread(zygote.tell, pickle.dumps(told, pickle.HIGHEST_PROTOCOL))
 
     def _started(self) -> Zygote:
         if self._zygote is None or self._zygote.has_ended:

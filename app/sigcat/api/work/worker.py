@@ -45,6 +45,8 @@ class Told(NamedTuple):
     """Values to keep."""
     forgotten: tuple[int, ...] = ()
     """Values that nobody refers to any more."""
+    rehearsals: tuple[bytes, ...] = ()
+    """Work to do once: what that imports, compiles and caches, all later workers have."""
 
 
 class Outcome(NamedTuple):
@@ -65,7 +67,15 @@ def keep(data: bytes) -> None:
     _kept.update(told.values)
     for number in told.forgotten:
         _kept.pop(number, None)
+    for rehearsal in told.rehearsals:
+        _rehearse(rehearsal)
     gc.collect()
+
+
+def _rehearse(data: bytes) -> None:
+    with suppress(Exception):  # it shows when a worker does the same
+        function, arguments, options = unpickled(io.BytesIO(data), _kept)
+        function(*arguments, **options)
 
 
 def _build_models_below(model: type[BaseModel]) -> None:

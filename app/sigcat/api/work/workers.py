@@ -25,9 +25,11 @@ class Workers:
         self._idle: list[_Worker] = []
         weakref.finalize(self, _close, self._idle)
 
-    async def warm(self, count: int, modules: Iterable[str], values: Iterable[object]) -> None:
-        """Have so many workers ready that know these modules and values."""
-        await self._zygote.warm(modules, values)
+    async def warm(
+        self, count: int, modules: Iterable[str], values: Iterable[object], rehearsals: Iterable[Work] = ()
+    ) -> None:
+        """Have so many workers ready that know these modules and values, and what was rehearsed."""
+        await self._zygote.warm(modules, values, rehearsals)
         self._idle += [self._forked() for _ in range(count - len(self._idle))]
 
     async def run(self, work: Work) -> Any:

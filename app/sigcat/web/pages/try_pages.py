@@ -152,12 +152,22 @@ def _download(function: ResolvedFunction | None, document_id: str) -> Response:
     return attached(document_named(document_id, lambda view: documents_of(function, view) if function else ()))
 
 
+def rehearse(catalogue: Catalogue, rules: ServiceRules, files: HostedFiles, limits: Limits) -> None:
+    """Try the text that the page begins with, as whoever types next does."""
+    _outcome(_OVERLAY.encode(), "overlay", catalogue, rules, files, limits)
+
+
 def _judged(asked: Asked, kind: Kind, data: bytes) -> Tried:
-    catalogue, limits = asked.hosted.catalogue, asked.limits
-    result = tried(data, kind, catalogue, asked.rules, limits)
+    return _outcome(data, kind, asked.hosted.catalogue, asked.rules, asked.files, asked.limits)
+
+
+def _outcome(
+    data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, files: HostedFiles, limits: Limits
+) -> Tried:
+    result = tried(data, kind, catalogue, rules, limits)
     if kind != "overlay" or holds_function(data):
         return result
-    return result._replace(outcome=overlay_outcome(data, expanded_of(catalogue), asked.files, limits))
+    return result._replace(outcome=overlay_outcome(data, expanded_of(catalogue), files, limits))
 
 
 def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:

@@ -2,7 +2,7 @@
 import { fail, progress, say, settle } from "./asking.js";
 import { mountCompletion } from "./completion.js";
 
-const PAUSE = 250;
+const PAUSE = 120; // longer than between two keys of a word
 
 export const mountTry = () => {
   const form = document.querySelector("[data-try]");
