@@ -43,6 +43,7 @@ def readable(made: Subject, line: Line) -> Line:
     names = {
         "receive": [item.name for item in made.ports],
         "reject": [item.name for item in made.ports],
+        "lose": [item.name for item in made.ports],
         "set": [item.name for item in made.variables],
         "then": [item.name for item in made.variables],
         "advance": [name for name, _ in made.calls],

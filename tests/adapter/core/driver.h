@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_PENDING 256
+#define MOST_PENDING 4096
 
 static char pending_texts[MOST_PENDING][4096];
 static int pending_variables[MOST_PENDING];

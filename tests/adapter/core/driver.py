@@ -1,6 +1,6 @@
 """The program that drives a generated core: it reads a script, and prints after each line all that can be seen."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from sigcat.adapter.core.c.scope import Scope
@@ -126,7 +126,8 @@ static int is_idle(void)
 
 {_state(subject, own)}
 {_receive(subject, own)}
-{_reject(subject, own)}
+{_told(subject, own, "reject", {port.name for port in subject.plan.ports if port.tells_of_rejection})}
+{_told(subject, own, "lose", {port.name for port in subject.plan.ports if port.tells_of_loss})}
 {_advance(subject, own)}
 {_methods(subject, own)}
 {_parameters(subject, own)}
@@ -210,10 +211,10 @@ def _passed(item: Item) -> str:
     return "&value" if item.leaves[0].place.startswith(".") else "value"
 
 
-def _reject(subject: Subject, own: str) -> str:
-    told = {port.name for port in subject.plan.ports if port.tells_of_rejection}
-    bodies = [f"{own}_Reject_{item.c}(self, t);" if item.c in told else "" for item in subject.ports]
-    return f"""static void reject(int port, uint64_t t)
+def _told(subject: Subject, own: str, word: str, ports: Collection[str]) -> str:
+    """What the core is told of a port, beside values."""
+    bodies = [f"{own}_{word.title()}_{item.c}(self, t);" if item.c in ports else "" for item in subject.ports]
+    return f"""static void {word}(int port, uint64_t t)
 {{
     (void)t;
     switch (port) {{
@@ -358,6 +359,9 @@ _MAIN = """static void execute(const char *word)
     } else if (strcmp(word, "reject") == 0) {
         const int port = (int)next_number();
         reject(port, next_number());
+    } else if (strcmp(word, "lose") == 0) {
+        const int port = (int)next_number();
+        lose(port, next_number());
     } else if (strcmp(word, "next") == 0) {
         const int call = (int)OWN_NextCall(self, next_number());
         printf("call=%d\\n", call);

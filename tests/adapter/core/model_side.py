@@ -71,6 +71,9 @@ class ModelSide:
     def _reject(self, port: int, t: int) -> None:
         self._adapter.reject(self._subject.ports[port].name, t)
 
+    def _lose(self, port: int, t: int) -> None:
+        self._adapter.lose(self._subject.ports[port].name, t)
+
     def _next(self, t: int) -> None:
         call = self._adapter.next_call(t)
         names = [name for name, _ in self._subject.calls]

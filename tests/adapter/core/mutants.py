@@ -52,6 +52,7 @@ MUTANTS = [
         ),
         ("a lost value is not told", r"is_overflown = true;", "is_overflown = false;"),
         ("an overflow is never over", r"\n.*is_overflown = false;", ""),
+        ("a value that the platform lost is not told", r"(_Lose_\w+\((?:.*\n)+?.*is_overflown = )true;", r"\1false;"),
         ("one value less is taken", r"taken < 2U", "taken < 1U"),
         ("one more is counted", r"oldest_n = \(uint8_t\)taken;", "oldest_n = (uint8_t)(taken + 1U);"),
         ("hidden values are counted", r"hid_n = .* \? \(uint8_t\)0 : ", "hid_n = "),

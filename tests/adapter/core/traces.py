@@ -33,6 +33,8 @@ class Tracer:
         self._written = _written(subject)
         told = {port.name for port in subject.plan.ports if port.tells_of_rejection}
         self._rejectable = {index for index, item in enumerate(subject.ports) if item.c in told}
+        lost = {port.name for port in subject.plan.ports if port.tells_of_loss}
+        self._losable = {index for index, item in enumerate(subject.ports) if item.c in lost}
 
     def script(self, lines: int) -> Script:
         """A script of so many lines, or a few more."""
@@ -144,6 +146,8 @@ class Tracer:
                 at = self._time() if t is None else t
                 if port in self._rejectable and self._random.random() < 0.4:
                     yield ("reject", port, at)
+                elif port in self._losable and self._random.random() < 0.1:
+                    yield ("lose", port, at)
                 else:
                     yield ("receive", port, self._port_value(ports[port]), at)
 

@@ -54,6 +54,10 @@ class Adapter:
         """A message of a signal has come that is not accepted."""
         receiving.reject(self.running, port, t)
 
+    def lose(self, port: str, t: int) -> None:
+        """The platform has lost values of a queue."""
+        receiving.lose(self.running, port, t)
+
     def next_call(self, t: int) -> str | None:
         """The call that is due; None if none is."""
         return scheduling.next_call(self.running, t)

@@ -46,6 +46,12 @@ class CallState:
             if each.input.port == port:
                 each.reject()
 
+    def lose(self, port: str) -> None:
+        """Values were lost before they came."""
+        for each in self.inputs:
+            if each.input.port == port:
+                each.lose()
+
     def start(self, t: int) -> None:
         """The first Start."""
         self.activations.start(t)

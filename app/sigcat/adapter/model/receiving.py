@@ -28,6 +28,13 @@ def reject(running: Running, port: str, t: int) -> None:
         call.reject(port)
 
 
+def lose(running: Running, port: str, t: int) -> None:
+    """The platform has lost values of a queue (section 2)."""
+    running.tick(t)
+    for call in running.steps:
+        call.lose(port)
+
+
 def _number(value: Value) -> int:
     return int(numbers_of(value)[0])
 

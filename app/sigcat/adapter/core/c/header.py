@@ -96,6 +96,8 @@ def _functions(scope: Scope) -> list[Lines]:
                     [f"{head};" for head in receive_heads(scope)]),
         _prototypes("A message has come that end-to-end protection does not accept. From any thread, under the lock.",
                     [f"{inputs.reject_head(each, scope)};" for each in plan.ports if each.tells_of_rejection]),
+        _prototypes("Values of a queue were lost before they came here. From any thread, under the lock.",
+                    [f"{inputs.lose_head(each, scope)};" for each in plan.ports if each.tells_of_loss]),
         _prototypes("Which call is due, until none is. Under the lock.",
                     [f"{p}_Call {p}_NextCall({s}, uint64_t t);", f"uint64_t {p}_NextTime(const {p} *self);"]),
         *(_prototypes(f"{call.interface}: all but Run under the lock.", [

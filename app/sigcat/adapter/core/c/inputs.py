@@ -80,9 +80,10 @@ def place_of(call: str, item: Input) -> str:
 
 
 def receive_functions(scope: Scope) -> list[Lines]:
-    """One function for each signal, and one for what of it is not accepted."""
+    """One function for each signal, one for what of it is not accepted, and one for what is lost before."""
     rejections = [_reject(port, scope) for port in scope.plan.ports if port.tells_of_rejection]
-    return [*(_receive(port, scope) for port in scope.plan.ports), *rejections]
+    losses = [_lose(port, scope) for port in scope.plan.ports if port.tells_of_loss]
+    return [*(_receive(port, scope) for port in scope.plan.ports), *rejections, *losses]
 
 
 def receive_head(port: Port, scope: Scope) -> str:
@@ -125,6 +126,22 @@ def _reject(port: Port, scope: Scope) -> Lines:
         *map(lines, told),
     ]
     return function(reject_head(port, scope), body, port.comment)
+
+
+def lose_head(port: Port, scope: Scope) -> str:
+    """The head of the function that is told of values which the platform has lost."""
+    return f"void {scope.prefix}_Lose_{port.name}({scope.self_argument}, uint64_t t)"
+
+
+def _tells_of_loss(item: Input) -> bool:
+    return item.queue is not None and item.queue.overflow_error is not None
+
+
+def _lose(port: Port, scope: Scope) -> Lines:
+    told = [f"{place_of(call, item)}.is_overflown = true;" for call, item in port.consumers if _tells_of_loss(item)]
+    return function(
+        lose_head(port, scope), [lines(f"(void){scope.prefix}_Now(self, t);"), *map(lines, told)], port.comment
+    )
 
 
 def _triggered(name: str, scope: Scope) -> Lines:

@@ -84,6 +84,11 @@ class Port(NamedTuple):
         """Whether a message that is not accepted sets an error."""
         return any(item.e2e_error for _, item in self.consumers)
 
+    @property
+    def tells_of_loss(self) -> bool:
+        """Whether a value that is lost sets an error."""
+        return any(item.queue and item.queue.overflow_error for _, item in self.consumers)
+
 
 class Parameter(NamedTuple):
     """A parameter of one or more calls (section 11)."""

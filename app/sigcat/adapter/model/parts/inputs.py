@@ -83,6 +83,10 @@ class InputState:
         self.was_rejected = True
         self.rejections += 1
 
+    def lose(self) -> None:
+        """Values were lost before they came."""
+        self.lost += 1
+
     def _append(self, numbers: Numbers, queue: Queue) -> None:
         is_full = len(self.waiting) == queue.length
         self.lost += is_full
