@@ -13,6 +13,7 @@ REFERENCE, FOREIGN = "ECUC-REFERENCE-DEF", "ECUC-FOREIGN-REFERENCE-DEF"
 
 TABLE: dict[str, dict[str, tuple[str, Any]]] = {
     "Rte": {
+        "RteInitializationRunnableBatch": (CONTAINER, {}),
         "RteOsInteraction": (CONTAINER, {
             "RteUsedOsActivation": (CONTAINER, {
                 "RteExpectedActivationOffset": (FLOAT, None),
@@ -27,6 +28,7 @@ TABLE: dict[str, dict[str, tuple[str, Any]]] = {
                 "RteActivationOffset": (FLOAT, None),
                 "RteEventRef": (FOREIGN, "RTE-EVENT"),
                 "RteMappedToTaskRef": (REFERENCE, "Os/OsTask"),
+                "RteUsedInitFnc": (REFERENCE, "Rte/RteInitializationRunnableBatch"),
                 "RteUsedOsAlarmRef": (REFERENCE, "Os/OsAlarm"),
                 "RteUsedOsEventRef": (REFERENCE, "Os/OsEvent"),
             }),

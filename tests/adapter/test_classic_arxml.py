@@ -219,6 +219,17 @@ def test_a_cyclic_call_has_its_period_its_task_and_an_alarm():
     assert any("/Os/Alarm_" in path for path in used)
 
 
+def test_init_of_every_component_is_run_by_the_batch_and_by_no_task():
+    model = loaded(made("examples"))
+    for name in ("CoreAcc", "EcoControlMpc"):
+        event = f"{ROOT}/ComponentTypes/{name}/{name}_Behavior/OnInit"
+        mapping = next(
+            each for each in model.get_references_to(event) if each.named_parent.item_name == "OnInit_Mapping"
+        ).named_parent
+        used = [str(e.character_data) for _, e in mapping.elements_dfs if e.element_name == "VALUE-REF"]
+        assert [path.rpartition("/")[2] for path in used if path != event] == ["InitComponents"]
+
+
 def test_values_before_the_first_one_are_what_their_types_mean():
     model = loaded(made("every kind"))
     colour = port_with(model, "A_Colour")

@@ -48,8 +48,12 @@ def document(paths: tuple[Path, ...]) -> bytes:
 @cache
 def files(paths: tuple[Path, ...]) -> Mapping[str, str]:
     """Everything that is generated, with the test RTE."""
-    made = generate(document(paths), "classic.json", DEFAULT_LIMITS, bench=True)
-    return {file.name: file.data.decode() for file in made}
+    return files_of(document(paths))
+
+
+def files_of(changed: bytes) -> Mapping[str, str]:
+    """Those of a document that someone has changed."""
+    return {file.name: file.data.decode() for file in generate(changed, "classic.json", DEFAULT_LIMITS, bench=True)}
 
 
 def written(folder: Path, paths: tuple[Path, ...], changed: Mapping[str, str] | None = None) -> Path:

@@ -1,11 +1,13 @@
 """Components on the test RTE: what they send is what the simulation sends, and services are told what docs/reference/adapter.md says."""
 
+import json
 import shutil
 
 import pytest
 
 from sigcat.adapter.toolchain import toolchain
 from sigcat.comparison.running.runner import Drive, Kill
+from sigcat.comparison.running.simulation import SIMULATION
 from tests.adapter.autosar_classic.generated import (
     APPLICATIONS,
     CASES,
@@ -15,7 +17,9 @@ from tests.adapter.autosar_classic.generated import (
     RUNNERS,
     SECOND,
     built,
+    document,
     files,
+    files_of,
     play,
     subject,
     written,
@@ -24,6 +28,8 @@ from tests.adapter.core.judges import SANITIZERS, sanitizers
 
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake, which builds the test RTE")
 ROWS = {
+    "bursts_that_fill_queues": ("sender.yaml", "taker.yaml"),
+    "events_that_are_debounced": ("function.yaml",),
     "every_datatype_with_all_its_digits": ("function.yaml",),
     "members_of_a_class": ("function.yaml",),
     "methods_that_the_trace_answers": ("function.yaml",),
@@ -54,6 +60,42 @@ def test_every_bit_is_that_of_the_simulation(name, tmp_path):
 def _length(trace):
     times = [float(line.split(",")[0]) for line in trace.read_text().splitlines()[1:]]
     return round((times[-1] - times[0]) * SECOND)
+
+
+def test_what_is_lost_in_a_queue_of_the_rte_is_an_overflow_in_the_same_step(tmp_path):
+    """Such as one that an integrator has made too short: which values are lost is then the RTE's choice, and no secret."""
+    folder = CASES / "bursts_that_fill_queues"
+    paths = tuple(folder / each for each in ROWS[folder.name])
+    as_in_the_core = {"Item": 3, "Frame": 2}
+    changed = json.loads(document(paths))
+    for element in (
+        each for component in changed["Components"] for port in component["Ports"] for each in port["Elements"]
+    ):
+        if "QueueLength" in element and element["Name"] in as_in_the_core:
+            element["QueueLength"] = as_in_the_core[element["Name"]]
+    short = files_of(json.dumps(changed).encode())
+    trace = folder / "trace.csv"
+    played = play(built(written(tmp_path / "short", paths, short), paths), trace, _length(trace))
+    whole = subject(paths)
+    simulated = SIMULATION.play(
+        SIMULATION.build(whole, tmp_path / "simulate", toolchain()), whole, Drive(trace, _length(trace))
+    )
+    for name in ("Taker_Lost_ErrorSts", "Taker_LostFrame_ErrorSts"):
+        assert len(simulated.sent[name]) > 3
+        assert [(time, {"0": "PASSED", "1": "FAILED"}[value]) for time, value in played.sent[name]] == list(
+            simulated.sent[name]
+        )
+
+
+def test_init_of_every_component_comes_before_anything_else():
+    """What one sends in its Init would start another one otherwise, which has had none."""
+    text = files(ECOCONTROL)["test_rte/rte_tables.c"]
+    batch = text[text.index("void Rte_Init_InitComponents(void)") :]
+    assert "TestRte_Run_CoreAcc_Init();" in batch
+    assert "TestRte_Run_EcoControlMpc_Init();" in batch
+    assert "OnInit" not in text
+    start = text[text.index("void TestRte_StartUp(void)") :]
+    assert start.index("Rte_Start()") < start.index("Rte_Init_InitComponents()") < start.index("Rte_StartTiming()")
 
 
 def test_wheel_speeds_are_those_of_the_simulation(tmp_path):

@@ -131,7 +131,7 @@ def test_a_queue_makes_the_element_queued_for_all_sides():
     queued = function("Queued", contract={"DataQList": [queue]})
     model = derive([sender, plain, queued]).model
     assert all(each.elements[0].queued for each in model.sender_receiver_interfaces if each.name == "Vehicle_Hits")
-    assert port(component(model, "Queued"), "Vehicle_Hits").elements[0].queue_length == 7
+    assert port(component(model, "Queued"), "Vehicle_Hits").elements[0].queue_length == 14
     assert port(component(model, "Plain"), "Vehicle_Hits").elements[0].queue_length == 16
     assert accesses(component(model, "Sender"), "Step")["Vehicle_Hits"] == "QueuedSend"
     assert accesses(component(model, "Queued"), "Step")["Vehicle_Hits"] == "QueuedReceive"
@@ -178,18 +178,19 @@ def test_what_is_read_explicitly_is_taken_when_it_comes(core_acc):
     assert ("DataReceived", "Vehicle_Speed") not in starts(core_acc, "Receive")
 
 
-def test_an_event_triggered_step_is_started_by_what_triggers_it():
+def test_what_triggers_a_step_is_taken_when_it_comes_and_the_core_says_what_is_due():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "EventList": "Speed"}
     signals = [at("Vehicle.Speed"), at("Vehicle.Mass")]
     (demo,) = derive([function(signals=signals, call=call)]).model.components
-    assert starts(demo, "Step") == {("DataReceived", "Vehicle_Speed")}
+    assert starts(demo, "Receive") == {("DataReceived", "Vehicle_Speed")}
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive")}
     assert accesses(demo, "Step") | {"Clock": ""} == {"Clock": "", "Vehicle_Speed": "ExplicitRead", "Vehicle_Mass": "ImplicitRead"}  # fmt: skip
 
 
 def test_a_step_that_waits_for_its_debounce_time_is_looked_for_at_each_tick():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "EventList": "Speed", "DebounceDelay": "5"}
     (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)]).model.components
-    assert starts(demo, "Step") == {("DataReceived", "Vehicle_Speed"), ("Timing", 0.001)}
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("Timing", 0.001)}
 
 
 def test_a_rejected_message_is_told_by_the_rte():
@@ -209,10 +210,17 @@ def test_each_call_is_a_runnable_with_a_symbol_of_its_own(core_acc):
 
 
 def test_a_cyclic_step_has_a_timing_event_in_seconds():
-    call = {"Cycletime": 10, "ExecOffset": "2.5", "DebounceDelay": "5"}
+    call = {"Cycletime": 10, "ExecOffset": "2.5"}
     (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)], deployed(autosarClassic={"tick": 500})).model.components  # fmt: skip
     (event,) = [each for each in demo.events if each.kind == "Timing"]
-    assert (event.period, event.offset, runnable(demo, "Step").minimum_start_interval) == (0.01, 0.0025, 0.005)
+    assert (event.period, event.offset) == (0.01, 0.0025)
+
+
+def test_the_rte_holds_no_runnable_back_since_the_core_debounces():
+    call = {"Cycletime": 10, "DebounceDelay": "5"}
+    (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)]).model.components
+    assert {each.minimum_start_interval for each in demo.runnables} == {0}
+    assert starts(demo, "Step") == {("Timing", 0.01), ("Timing", 0.001)}
 
 
 def test_terminate_tells_what_the_core_says_last(core_acc):
@@ -355,6 +363,33 @@ def test_the_shorter_the_period_the_higher_the_priority_of_its_task(whole):
     cyclic = [task for task in whole.ecu.tasks if task.period is not None]
     assert [task.period for task in sorted(cyclic, key=lambda each: -each.priority)] == sorted(task.period for task in cyclic)  # fmt: skip
     assert len({task.priority for task in whole.ecu.tasks}) == len(whole.ecu.tasks)
+
+
+def test_init_of_every_component_runs_before_the_tasks_do(whole):
+    (batch,) = whole.ecu.init_batches
+    assert {(each.component, each.event) for each in batch.events} == {
+        (each.name, "OnInit") for each in whole.components
+    }
+    assert [each.position for each in batch.events] == list(range(1, len(whole.components) + 1))
+    assert "OnInit" not in {event.event for task in whole.ecu.tasks for event in task.events}
+
+
+def test_a_queue_of_the_rte_is_longer_than_that_of_the_core_so_that_the_core_decides_what_is_lost():
+    def queue(length, role):
+        return {
+            "Name": "Hits", "Description": "Hits.", "Role": role, "AsilInfo": "QM", "QueueLength": length, "Datatype": "DT_Float32",
+            "Factor": 1, "Offset": 0, "InitValue": 0, "Units": "", "VssPath": "Vehicle.Hits", "VssDatatype": "float",
+        }  # fmt: skip
+
+    def length(sent, received):
+        functions = [function("Taker", contract={"DataQList": [queue(received, "Consumer")]})]
+        if sent:
+            functions.append(function("Sender", contract={"DataQList": [queue(sent, "Provider")]}))
+        return port(component(derive(functions).model, "Taker"), "Vehicle_Hits").elements[0].queue_length
+
+    assert length(sent=None, received=3) == 6
+    assert length(sent=2, received=3) == 6
+    assert length(sent=8, received=3) == 11
 
 
 def test_all_events_of_a_runnable_are_in_one_task(whole):

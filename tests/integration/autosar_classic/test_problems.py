@@ -58,6 +58,17 @@ CHANGES = {
     "an event in two tasks": (
         lambda d: d["Ecu"]["Tasks"][0]["Events"].append(d["Ecu"]["Tasks"][1]["Events"][0]), "must be in one task",
     ),
+    "what is no init event before the tasks run": (
+        lambda d: d["Ecu"]["InitBatches"][0]["Events"].append(d["Ecu"]["Tasks"][0]["Events"].pop()), "must be an init event",
+    ),
+    "two init events at one position": (
+        lambda d: d["Ecu"]["InitBatches"][0]["Events"][1].update(Position=1), "must be that of one event",
+    ),
+    "two batches of one name": (lambda d: copied(d["Ecu"]["InitBatches"], Events=[]), "is one already"),
+    "an init event in a batch and in a task": (
+        lambda d: d["Ecu"]["Tasks"][0]["Events"].append({**d["Ecu"]["InitBatches"][0]["Events"][0], "Position": 99}),
+        "must be in one task",
+    ),
     "a period of 0": (lambda d: of(first(d)["Events"], "Step_50ms").update(Period=0), "period above 0"),
     "no initial value": (lambda d: of(first(d)["Ports"], "Vehicle_Speed")["Elements"][0].pop("InitValue"), "initial value"),
     "a queue of nothing": (lambda d: first(d)["Ports"][0]["Elements"][0].update(QueueLength=0), "hold at least 1"),

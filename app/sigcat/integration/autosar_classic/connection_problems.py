@@ -1,9 +1,9 @@
 """What an RTE generator would refuse between components, and in the mapping of their events to tasks."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Port
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
 from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
 
@@ -63,7 +63,7 @@ def _open_ports(
 
 
 def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
-    """Every event has one task; runnables that never run twice at a time have all theirs in one."""
+    """Every event has one task, or one batch that runs before; runnables that never run twice at a time have all theirs in one."""
     types = {each.name: each for each in model.components}
     events = {
         (each.name, event.name): event
@@ -71,29 +71,51 @@ def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
         for event in (types[each.type].events if each.type in types else ())
     }
     yield from names(("Ecu", "Tasks"), (task.name for task in model.ecu.tasks))
+    yield from names(("Ecu", "InitBatches"), (batch.name for batch in model.ecu.init_batches))
     mapped: dict[tuple[str, str], str] = {}
     homes: dict[tuple[str, str], str] = {}
-    for index, task in enumerate(model.ecu.tasks):
-        for number, entry in enumerate(task.events):
-            key, at = (entry.component, entry.event), ("Ecu", "Tasks", index, "Events", number)
-            if key not in events:
-                yield unknown(at, "event", ".".join(key))
-                continue
-            if key in mapped:
-                yield Problem(
-                    at, f"{'.'.join(key)} must be in one task and once, and is in {mapped[key]} too.", "Take it away."
-                )
-            mapped[key] = task.name
-            if [each.position for each in task.events].count(entry.position) > 1:
-                yield Problem((*at, "Position"), f"Position {entry.position} of {task.name} must be that of one event.", "Number them.")  # fmt: skip
-            yield from _in_ticks(events[key], key, at, model)
-            home = (entry.component, events[key].runnable)
-            if homes.setdefault(home, task.name) != task.name:
-                message = f"All events of {'.'.join(home)} must be in one task, since it never runs twice at a time; others are in {homes[home]}."
-                yield Problem(at, message, "Move it there.")
+    for at, entry, (place, position_of) in _mappings(model):
+        key = (entry.component, entry.event)
+        if key not in events:
+            yield unknown(at, "event", ".".join(key))
+            continue
+        if key in mapped:
+            message = f"{'.'.join(key)} must be in one task and once, and is in {mapped[key]} too."
+            yield Problem(at, message, "Take it away.")
+        mapped[key] = place
+        if position_of.count(entry.position) > 1:
+            message = f"Position {entry.position} of {place} must be that of one event."
+            yield Problem((*at, "Position"), message, "Number them.")
+        if "InitBatches" in at and events[key].kind != "Init":
+            message = (
+                f"{'.'.join(key)} must be an init event to be in {place}: nothing else comes before the tasks run."
+            )
+            yield Problem(at, message, "Map it to a task.")
+        yield from _in_ticks(events[key], key, at, model)
+        home = (entry.component, events[key].runnable)
+        if homes.setdefault(home, place) != place:
+            message = f"All events of {'.'.join(home)} must be in one task, since it never runs twice at a time; others are in {homes[home]}."
+            yield Problem(at, message, "Move it there.")
     for key in events:
         if key not in mapped:
             yield Problem(("Ecu", "Tasks"), f"{'.'.join(key)} must be in a task.", "Map it to one.")
+
+
+_Place = tuple[str, list[int]]
+"""Name of a task or a batch, and the positions that it has given."""
+
+
+def _mappings(model: ClassicIntegration) -> Iterator[tuple[Pointer, TaskEvent, _Place]]:
+    """Every event that is mapped, where that stands, and to what."""
+    listed: tuple[tuple[str, Sequence[InitBatch | Task]], ...] = (
+        ("InitBatches", model.ecu.init_batches),
+        ("Tasks", model.ecu.tasks),
+    )
+    for kind, places in listed:
+        for index, place in enumerate(places):
+            positions = [each.position for each in place.events]
+            for number, entry in enumerate(place.events):
+                yield ("Ecu", kind, index, "Events", number), entry, (place.name, positions)
 
 
 def _in_ticks(event: Event, key: tuple[str, str], at: Pointer, model: ClassicIntegration) -> Iterator[Problem]:

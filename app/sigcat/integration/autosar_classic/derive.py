@@ -52,7 +52,7 @@ from sigcat.integration.autosar_classic.service_needs import (
 )
 from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.signals import system_signals
-from sigcat.integration.autosar_classic.tasks import behaviours_by_name, tasks_of
+from sigcat.integration.autosar_classic.tasks import behaviours_by_name, init_batches_of, tasks_of
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.autosar_parts import named_parts
@@ -114,6 +114,7 @@ def derive(
         ecu=model.Ecu(
             name=settings.ecu or short_name(f"{app.name}Ecu"),
             signals=system_signals(elements, composition, context),
+            init_batches=init_batches_of(components, behaviours),
             tasks=tasks_of(components, behaviours),
         ),
         provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))

@@ -7,7 +7,7 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
 from sigcat.integration.autosar_classic.interfaces import in_seconds
-from sigcat.integration.autosar_classic.runnables import AREA, Behaviour, trigger_ports
+from sigcat.integration.autosar_classic.runnables import AREA, Behaviour
 from sigcat.integration.autosar_classic.service_needs import ECU_PORT, STORED
 from sigcat.integration.autosar_names import distinct, short_name
 
@@ -50,10 +50,7 @@ def _starts(runnable: model.Runnable, behaviour: Behaviour, runnables: tuple[mod
     call = next(each.call for each in behaviour.steps if each.name == runnable.name)
     if call.cycle_time and call.run_type != EVENT_TRIGGERED:
         yield _timing(runnable, call.cycle_time, milliseconds(call.execution_offset) or 0)
-    ports = trigger_ports(call, behaviour)
-    for port in ports:
-        yield _data_received(runnable, port.name, port.elements[0].name)
-    if ports and runnable.minimum_start_interval:
+    if milliseconds(call.debounce_delay):
         yield _timing(runnable, behaviour.tick / 1000, 0)
     for other in runnables:
         for access in other.accesses:

@@ -78,8 +78,9 @@ _MODE: _Targets = {
 _CALL: _Targets = {
     "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
     "Cycletime": "Events/Period", "ExecOffset": "Events/Offset",
-    "EventList": FieldTarget("Events", "a data received event for each"),
-    "DebounceDelay": "{runnable}/MinimumStartInterval", "StackSize": "{runnable}/StackSize and MemorySections",
+    "EventList": FieldTarget("Events", "a data received event for each, of the runnable that takes what comes"),
+    "DebounceDelay": FieldTarget("SourceFunctionList", "the core debounces; a timing event at each tick asks it"),
+    "StackSize": "{runnable}/StackSize and MemorySections",
     "AsilLevel": "{runnable}/AsilLevel and Section", "Scheduling": "Ecu/Tasks/Preemptable",
     "Priority": FieldTarget("Ecu/Tasks/Events/Position", "among calls of one period; the task's follows from its period"),
     "PrevRunnable": _CORE, "ParallelProcessing": FieldTarget("SourceFunctionList", "the core answers no call then"),

@@ -18,12 +18,20 @@ from sigcat.integration.sent_values import sent
 
 PLAIN_QUEUE = 16
 """Values that wait for a call which declares no queue, where another side of the element does."""
+CALL_QUEUE = 1
+"""Calls that wait at a server."""
 
 
 def queue_length(element: Element, sides: Iterable[Side]) -> int:
-    """Values that wait at a receiver; calls that wait at a server."""
-    declared = [side.interface.queue_length for side in sides if isinstance(side.interface, DataQueue)]
-    return max(declared, default=1 if element.kind == "method" else PLAIN_QUEUE)
+    """Values that wait at a receiver: beside those for which the core has room, what may come before it takes them.
+    So the core decides what is lost, and not the RTE, which drops what comes last."""
+    room = _longest_queue(sides)
+    burst = _longest_queue(side for side in element.sides if side.provides)
+    return room + max(room, burst) if room else max(PLAIN_QUEUE, burst)
+
+
+def _longest_queue(sides: Iterable[Side]) -> int:
+    return max((side.interface.queue_length for side in sides if isinstance(side.interface, DataQueue)), default=0)
 
 
 def data_interface(element: Element, types: TypeTable, context: Context) -> model.SenderReceiverInterface:

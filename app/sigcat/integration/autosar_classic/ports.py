@@ -10,7 +10,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Mode
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.elements import Element, Side
-from sigcat.integration.autosar_classic.interfaces import numbers_of_status, queue_length
+from sigcat.integration.autosar_classic.interfaces import CALL_QUEUE, numbers_of_status, queue_length
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.sent_values import initial
 
@@ -59,12 +59,11 @@ def kind_of_port(element: Element) -> model.Kind:
 def _element(element: Element, direction: str, sides: list[Side], types: TypeTable) -> model.Element:
     is_data = kind_of_port(element) == "SenderReceiver"
     is_received = is_data and direction == "Required"
-    length = queue_length(element, sides) if is_received or element.kind == "method" else None
     plain = is_received and not element.is_queued
     return model.Element(
         name=element.leaf,
         init=None if element.is_queued or not is_data else initial_of(sides, types),
-        queue_length=length if element.is_queued or element.kind == "method" else None,
+        queue_length=_queue_length(element, sides, is_received=is_received),
         never_received=True if plain else None,
         update=True if plain else None,
         alive_timeout=0 if plain else None,
@@ -73,6 +72,12 @@ def _element(element: Element, direction: str, sides: list[Side], types: TypeTab
         else None,
         uses=tuple(_use(side) for side in sides),
     )
+
+
+def _queue_length(element: Element, sides: list[Side], *, is_received: bool) -> int | None:
+    if element.kind == "method":
+        return CALL_QUEUE
+    return queue_length(element, sides) if is_received and element.is_queued else None
 
 
 def _use(side: Side) -> model.Use:

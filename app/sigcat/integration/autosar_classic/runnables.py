@@ -14,7 +14,6 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE, NamedCall
-from sigcat.integration.autosar_classic.interfaces import in_seconds
 from sigcat.integration.autosar_classic.service_needs import (
     CLOCK_PORT,
     IGNITION_PORT,
@@ -93,7 +92,6 @@ def uses_method(port: model.Port) -> bool:
 def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: str) -> model.Runnable:  # fmt: skip
     level = level_of(call.asil_level) if call else None
     stack = milliseconds(call.stack_size) if call else None
-    debounce = milliseconds(call.debounce_delay) if call else None
     return model.Runnable(
         name=name,
         symbol=short_name(f"{behaviour.part.name}_Run_{name}"),
@@ -101,7 +99,7 @@ def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour:
         call=call.name if call else None,
         description=description or None,
         concurrent=False,
-        minimum_start_interval=in_seconds(debounce),
+        minimum_start_interval=0,
         accesses=_numbered(accesses),
         exclusive_areas=(AREA,),
         parameters=behaviour.parameters or None if role in (INIT, STEP) else None,
@@ -169,25 +167,14 @@ def _answer(port: model.Port, behaviour: Behaviour) -> model.Runnable:
 
 
 def _arriving(behaviour: Behaviour) -> list[model.Access]:
-    """What has to be taken when it comes, and starts no call by itself: its time counts."""
+    """What has to be taken when it comes: its time counts, and the core says which calls are due by it."""
     found = [
         access
         for each in behaviour.steps
         for access in (*_data(each.call, behaviour), *_received_statuses(behaviour))
         if access.kind in ("ExplicitRead", "QueuedReceive")
     ]
-    starting = {
-        (port.name, port.elements[0].name) for each in behaviour.steps for port in trigger_ports(each.call, behaviour)
-    }
-    return list({a.name: a for a in found if (a.port, a.element) not in starting}.values())
-
-
-def trigger_ports(call: Call, behaviour: Behaviour) -> list[model.Port]:
-    """Ports whose values trigger a call."""
-    if call.run_type != EVENT_TRIGGERED:
-        return []
-    ports = [_port_of(data, call, behaviour) for data in triggers(call)]
-    return list({port.name: port for port in ports if port is not None}.values())
+    return list({access.name: access for access in found}.values())
 
 
 def _step(each: NamedCall, behaviour: Behaviour) -> model.Runnable:

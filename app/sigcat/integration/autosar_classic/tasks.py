@@ -1,4 +1,4 @@
-"""Tasks: a proposal from the cycles and priorities of calls, which an integrator may change."""
+"""Tasks, and what runs before them: a proposal from the cycles and priorities of calls, which an integrator may change."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
@@ -7,7 +7,7 @@ from sigcat.function.function_json.conversion import of_text
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.runnables import Behaviour
-from sigcat.integration.autosar_names import short_name
+from sigcat.integration.autosar_names import distinct, short_name
 
 _ROLES = ("Init", "Receive", "Answer", "Method", "Step", "Supervise", "Terminate")
 
@@ -23,10 +23,20 @@ class _Mapped(NamedTuple):
     """Period of the runnable, whatever starts it: all its events are in one task, since it never runs twice at a time."""
 
 
+def init_batches_of(components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]) -> tuple[model.InitBatch, ...]:  # fmt: skip
+    """One batch with Init of all components: no task runs before it has ended."""
+    mapped = [each for each in _all_mapped(components, behaviours) if each.runnable.role == "Init"]
+    if not mapped:
+        return ()
+    reason = "Init of every component before anything else; timing events start afterwards."
+    name = distinct({"batch": "InitComponents"}, (each.name for each in components))["batch"]
+    return (model.InitBatch(name=name, events=_in_order(mapped), reason=reason),)
+
+
 def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]) -> tuple[model.Task, ...]:
-    """One task for init and terminate, one for each period, one for what other events start; the shorter the period,
-    the higher the priority."""
-    mapped = [each for component in components for each in _mapped(component, behaviours[component.name])]
+    """One task for each period, one for what other events start, one for terminate; the shorter the period, the higher
+    the priority."""
+    mapped = _all_mapped(components, behaviours)
     periods = sorted({each.period for each in mapped if each.period is not None})
     groups: list[tuple[str, list[_Mapped], float | None, str]] = [
         (
@@ -41,8 +51,7 @@ def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Beh
          f"Everything with a period of {_text(period)} ms: the shorter, the higher the priority.")
         for period in periods
     ]  # fmt: skip
-    groups += [("Life", [each for each in mapped if each.runnable.role == "Init" or _is_end(each)], None,
-                "Init before everything else, Terminate after it.")]  # fmt: skip
+    groups += [("Life", [each for each in mapped if _is_end(each)], None, "Terminate after everything else.")]
     filled = [group for group in groups if group[1]]
     return tuple(_task(*group, priority=len(filled) - index) for index, group in enumerate(filled))
 
@@ -61,31 +70,40 @@ def _text(period: float) -> str:
 
 
 def _task(name: str, mapped: Iterable[_Mapped], period: float | None, reason: str, *, priority: int) -> model.Task:
-    ordered = sorted(mapped, key=lambda each: each.rank)
-    stacks = [each.runnable.stack_size for each in ordered if each.runnable.stack_size]
+    listed = list(mapped)
+    stacks = [each.runnable.stack_size for each in listed if each.runnable.stack_size]
     return model.Task(
         name=short_name(f"Task_{name}"),
         priority=priority,
-        preemptable=all(each.preemptable for each in ordered),
+        preemptable=all(each.preemptable for each in listed),
         period=period,
         offset=0 if period is not None else None,
         stack_size=max(stacks, default=None),
-        events=tuple(
-            model.TaskEvent(
-                component=each.component.name, event=each.event.name,
-                position=number,
-            )
-            for number, each in enumerate(ordered, 1)
-        ),
+        events=_in_order(listed),
         reason=reason,
-    )  # fmt: skip
+    )
+
+
+def _in_order(mapped: Iterable[_Mapped]) -> tuple[model.TaskEvent, ...]:
+    ordered = sorted(mapped, key=lambda each: each.rank)
+    return tuple(
+        model.TaskEvent(component=each.component.name, event=each.event.name, position=number)
+        for number, each in enumerate(ordered, 1)
+    )
+
+
+def _all_mapped(components: Iterable[model.Component], behaviours: Mapping[str, Behaviour]) -> list[_Mapped]:
+    return [each for component in components for each in _mapped(component, behaviours[component.name])]
 
 
 def _mapped(component: model.Component, behaviour: Behaviour) -> Iterable[_Mapped]:
     runnables = {each.name: each for each in component.runnables}
     order = [each.name for each in component.runnables]
     calls = {each.call.name: each.call for each in behaviour.calls}
-    periods = {event.runnable: event.period for event in component.events if event.period is not None}
+    periods: dict[str, float] = {}
+    for event in component.events:
+        if event.period is not None:
+            periods[event.runnable] = min(event.period, periods.get(event.runnable, event.period))
     for event in component.events:
         runnable = runnables[event.runnable]
         call = calls.get(runnable.call or "")

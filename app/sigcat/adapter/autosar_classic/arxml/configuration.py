@@ -45,7 +45,17 @@ def package(model: ClassicIntegration, known: Library, release: Release) -> Pack
     )
     rte = [_instance(each.name, each.type, model, activations, known, release) for each in model.composition.prototypes]
     content = (
-        _module("Rte", [*(each for each in rte if each is not None), *_os_interaction(model, activations, known)]),
+        _module(
+            "Rte",
+            [
+                *(
+                    _container(_BATCH, each.name, about=trace([("Reason", each.reason)]))
+                    for each in model.ecu.init_batches
+                ),
+                *(each for each in rte if each is not None),
+                *_os_interaction(model, activations, known),
+            ],
+        ),
         _module("Os", _operating_system(model, activations, known)),
         collection,
     )
@@ -139,6 +149,7 @@ def _microseconds(seconds: float | None) -> int:
 _INSTANCE = "Rte/RteSwComponentInstance"
 _MAPPING = f"{_INSTANCE}/RteEventToTaskMapping"
 _AREA = f"{_INSTANCE}/RteExclusiveAreaImplementation"
+_BATCH = "Rte/RteInitializationRunnableBatch"
 _MECHANISM = "OS_RESOURCE"
 """What is written within an area may start runnables; an OS activates no task while interrupts are blocked."""
 
@@ -155,6 +166,12 @@ def _instance(
     if component is None:
         return None
     at = Within(component, known, release)
+    first = [
+        _first(each, batch.name, model, at)
+        for batch in model.ecu.init_batches
+        for each in batch.events
+        if each.component == prototype
+    ]
     mappings = [
         _mapping(each, task, model, activations[each.component, each.event], at)
         for task in model.ecu.tasks
@@ -173,7 +190,18 @@ def _instance(
     target = _foreign(
         f"{_INSTANCE}/RteSoftwareComponentInstanceRef", prototype_path(prototype, model.composition, known), PROTOTYPE
     )
-    return _container(_INSTANCE, prototype, (), [target], [*mappings, *areas])
+    return _container(_INSTANCE, prototype, (), [target], [*first, *mappings, *areas])
+
+
+def _first(mapped: TaskEvent, batch: str, model: ClassicIntegration, at: Within) -> Tag:
+    """What `Rte_Init` runs has no task."""
+    _, event = _event_of(mapped, model)
+    references = [
+        _foreign(f"{_MAPPING}/RteEventRef", at.path(event.name), EVENT[event.kind]),
+        _to(f"{_MAPPING}/RteUsedInitFnc", at.known.paths.of(CONFIGURATIONS, "Rte", batch), _CONTAINER),
+    ]
+    values = [_number(f"{_MAPPING}/RtePositionInTask", mapped.position)]
+    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), values, references)
 
 
 def _mapping(mapped: TaskEvent, task: Task, model: ClassicIntegration, activation: _Activation, at: Within) -> Tag:

@@ -207,11 +207,15 @@ _WHOLE: Tables = {
         "SystemSignal": _SYSTEM + "SYSTEM-SIGNAL, " + _NAME, "Length": _SYSTEM + "I-SIGNAL, LENGTH",
         **_same(("Message", "Database"), _SYSTEM + "SYSTEM-SIGNAL, " + _ADMIN),
     }),
+    model.InitBatch: ("init batch", {
+        "Name": _CONFIGURATION + "RteInitializationRunnableBatch, " + _NAME,
+        "Reason": _CONFIGURATION + "RteInitializationRunnableBatch, " + _ADMIN,
+    }),
     model.Task: ("task", {
         "Name": _TASK + _NAME, "Priority": _TASK + "OsTaskPriority", "Preemptable": _TASK + "OsTaskSchedule",
         **_same(("Period", "Offset", "StackSize", "Reason"), _TASK + _ADMIN),
     }),
-    model.TaskEvent: ("event of a task", {
+    model.TaskEvent: ("event of a task or batch", {
         "Component": _CONFIGURATION + "RteSwComponentInstance", "Event": _MAPPING + "RteEventRef",
         "Position": _MAPPING + "RtePositionInTask",
     }),

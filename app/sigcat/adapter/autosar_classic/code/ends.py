@@ -56,7 +56,9 @@ def _received(port: Port, element: Element, data: DataElement, use: Use, context
     if core is not None:
         immediate = frozenset(call for call, item in core.consumers if item.is_immediate)
         end = _end(port, element, data, use, context, core.name, core.wire, core.comment)
-        return end._replace(tells_of_rejection=core.tells_of_rejection, immediate_in=immediate)
+        return end._replace(
+            tells_of_rejection=core.tells_of_rejection, tells_of_loss=core.tells_of_loss, immediate_in=immediate
+        )
     for error in context.core.foreign_errors:
         if error.name in (identifier(use.interface), identifier(port.interface)):
             return _end(port, element, data, use, context, error.name, error.wire, error.comment)

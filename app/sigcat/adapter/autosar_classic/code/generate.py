@@ -17,7 +17,7 @@ def generate(model: ClassicIntegration, plan: ClassicPlan) -> Iterator[Generated
     """Sources, and the headers that a vendor's generator replaces. The same document gives the same bytes."""
     yield GeneratedFile("README.md", readme(plan).encode())
     yield _file("contract/Rte.h", rte_header.rte_header())
-    yield _file("contract/Rte_Main.h", rte_header.lifecycle_header())
+    yield _file("contract/Rte_Main.h", rte_header.lifecycle_header(model))
     yield _file("contract/Rte_Type.h", rte_header.type_header(model))
     for swc in plan.swcs:
         calls = Apis(swc, model, dict(plan.types)).all()

@@ -48,6 +48,7 @@ class DataEnd(NamedTuple):
     is_queue: bool = False
     has_update: bool = False
     tells_of_rejection: bool = False
+    tells_of_loss: bool = False
     immediate_in: frozenset[str] = frozenset()
     """Calls that take it right before they run."""
     call: str = ""

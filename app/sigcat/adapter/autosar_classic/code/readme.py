@@ -27,8 +27,8 @@ The vendor's generator makes `Rte_<component>.h` and the types from the ARXML; t
 `Std_Types.h`, `Platform_Types.h` and `<component>_MemMap.h` are the vendor's and the integrator's.
 
 - Compile components and cores with `-ffp-contract=off` and without `-ffast-math`: results are then the same on every platform.
-- Time comes from a port, in ns, on a counter that never goes back. The runnable of an init event reads it first, so timing
-  events must not start before it has run.
+- Time comes from a port, in ns, on a counter that never goes back. The runnables of init events read it first: call
+  `Rte_Start`, each `Rte_Init_<batch>` and then `Rte_StartTiming`, as `Rte_Main.h` has them.
 - Runnables of one component may preempt each other: an exclusive area is around the core, and no call runs in it.
 - A call runs when its event starts its runnable and the core says that it is due: modes, missed releases and the order of
   calls are the core's.

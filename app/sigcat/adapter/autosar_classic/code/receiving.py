@@ -73,16 +73,21 @@ def _take(end: DataEnd, swc: SwcPlan) -> Lines:
     value = by_address(end.type, "value")
     declared = f"{end.type.name} value;"
     if end.is_queue:
-        loop = joined([
-            block("while ((status == RTE_E_OK) || (status == RTE_E_LOST_DATA))", [
-                _given(end, "value", swc), lines(f"status = Rte_Receive_{end.name}({value});"),
-            ]),
-        ])  # fmt: skip
         first = f"{declared}\nStd_ReturnType status = Rte_Receive_{end.name}({value});\n"
-        return function(head, [lines(first), loop], end.comment)
+        return function(head, [lines(first), _drained(end, value, swc)], end.comment)
     read = _read(end, value, swc)
     updated = [block(f"if (Rte_IsUpdated_{end.name}() != FALSE)", [read])] if end.has_update else [read]
     return function(head, [lines(f"{declared}\n"), *updated], end.comment)
+
+
+def _drained(end: DataEnd, value: str, swc: SwcPlan) -> Lines:
+    """All that waits. A queue of the RTE that was too short says so with the next value, which is good all the same."""
+    lose = lines(f"{swc.core.type_name}_Lose_{end.place}({at_core(swc)}, t);")
+    return block("while ((status == RTE_E_OK) || (status == RTE_E_LOST_DATA))", [
+        block("if (status == RTE_E_LOST_DATA)", [lose]) if end.tells_of_loss else (),
+        _given(end, "value", swc),
+        lines(f"status = Rte_Receive_{end.name}({value});"),
+    ])  # fmt: skip
 
 
 def _read(end: DataEnd, value: str, swc: SwcPlan) -> Lines:
@@ -157,8 +162,7 @@ def _take_answer(end: MethodEnd, swc: SwcPlan) -> Lines:
 def _find_due(swc: SwcPlan) -> Lines:
     scope, core = Scope(swc.core), swc.core.type_name
     cases = [
-        joined([lines(f"case {scope.call(step.name)}:"),
-                lines(f"    {static(swc, 'Due')}.{step.name} = TRUE;\n    break;")])
+        lines(f"case {scope.call(step.name)}:\n    {static(swc, 'Due')}.{step.name} = TRUE;\n    break;")
         for step in swc.core.steps
     ]  # fmt: skip
     ask = f"due = {core}_NextCall({at_core(swc)}, t);"

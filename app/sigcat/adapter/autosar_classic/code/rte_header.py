@@ -179,12 +179,15 @@ def _runnables(swc: SwcPlan) -> list[tuple[Runnable, str]]:
     ]
 
 
-def lifecycle_header() -> Lines:
-    """Rte_Main.h: what starts and stops the RTE; the state manager of the ECU calls it."""
+def lifecycle_header(model: ClassicIntegration) -> Lines:
+    """Rte_Main.h: what starts and stops the RTE; the state manager of the ECU calls it, in this order."""
+    batches = [f"void Rte_Init_{each.name}(void); /* {each.reason} */" for each in model.ecu.init_batches]
+    timing = ["void Rte_StartTiming(void);"] if batches else []
+    prototypes = ["Std_ReturnType Rte_Start(void);", *batches, *timing, "Std_ReturnType Rte_Stop(void);"]
     return joined([
         _titled("The life of the RTE."),
         _guarded("RTE_MAIN_H", [
             lines('#include "Rte.h"'), _opened(),
-            lines("Std_ReturnType Rte_Start(void);\nStd_ReturnType Rte_Stop(void);"), _closed(),
+            lines("\n".join(prototypes)), _closed(),
         ]),
     ])  # fmt: skip

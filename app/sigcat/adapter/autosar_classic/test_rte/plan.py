@@ -1,15 +1,15 @@
 """What the test RTE is made of: components, who is connected to whom, and where each event stands in its task."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.api import Apis, Call
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, DataEnd, MethodEnd, SwcPlan
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Port, Runnable
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Runnable, Task
 
 
 class Scheduled(NamedTuple):
-    """An event, as it is mapped to a task."""
+    """An event, as it is mapped to a task or to a batch before them."""
 
     task: str
     swc: SwcPlan
@@ -32,15 +32,20 @@ class TestRte:
         self.model, self.plan = model, plan
         self.prototypes = {each.name: each.type for each in model.composition.prototypes}
         by_name = {swc.name: swc for swc in plan.swcs}
-        self.scheduled: Sequence[Scheduled] = [
-            Scheduled(task.name, by_name[self.prototypes[each.component]], event)
-            for task in model.ecu.tasks
-            for each in sorted(task.events, key=lambda one: one.position)
-            for event in by_name[self.prototypes[each.component]].component.events
-            if event.name == each.event
-        ]
+        self._by_name = by_name
+        self.scheduled: Sequence[Scheduled] = [each for task in model.ecu.tasks for each in self._listed(task)]
+        self.batches: Mapping[str, Sequence[Scheduled]] = {
+            batch.name: tuple(self._listed(batch)) for batch in model.ecu.init_batches
+        }
         self.groups = {group.name: group for group in model.mode_groups}
         self.mode_interfaces = {each.name: each for each in model.mode_switch_interfaces}
+
+    def _listed(self, place: InitBatch | Task) -> Iterator[Scheduled]:
+        for each in sorted(place.events, key=lambda one: one.position):
+            swc = self._by_name[self.prototypes[each.component]]
+            for event in swc.component.events:
+                if event.name == each.event:
+                    yield Scheduled(place.name, swc, event)
 
     def index(self, swc: SwcPlan) -> int:
         """The number of a component."""

@@ -1,13 +1,13 @@
 """Tables of the test RTE: what comes from outside, the events in the order of their tasks, what services know."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte import operations
 from sigcat.adapter.autosar_classic.test_rte.component import required_modes
 from sigcat.adapter.autosar_classic.test_rte.names import deliver, own, run, shape_name, switch_to
-from sigcat.adapter.autosar_classic.test_rte.plan import TestRte
+from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
 from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_tables
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
 from sigcat.adapter.core.identifiers import string
@@ -152,6 +152,15 @@ def _inhibitions(rte: TestRte) -> Lines:
     )
 
 
+def _batch(name: str, events: Iterable[Scheduled]) -> Lines:
+    """Runnables of init events run at once, whatever they activate."""
+    runnables = [
+        (runnable, each.swc) for each in events for runnable in each.swc.component.runnables
+        if runnable.name == each.event.runnable
+    ]  # fmt: skip
+    return block(f"void Rte_Init_{name}(void)", [lines(f"{run(runnable, swc)}();") for runnable, swc in runnables])
+
+
 def _life(rte: TestRte) -> Lines:
     """The state manager of the ECU: it runs, and is shut down."""
     switches: dict[str, list[Lines]] = {"RUN": [], "SHUTDOWN": []}
@@ -166,8 +175,13 @@ def _life(rte: TestRte) -> Lines:
                         found.append(lines(f"{switch_to(port, swc)}(&({type_}){{{value}U}});"))
     return spaced([
         block("void TestRte_ShutDown(void)", switches["SHUTDOWN"]),
-        block("Std_ReturnType Rte_Start(void)", [
-            lines("Os_Start();"), *switches["RUN"], lines("Os_Run();\nreturn RTE_E_OK;"),
+        block("void TestRte_StartUp(void)", [
+            lines("(void)Rte_Start();"),
+            *(lines(f"Rte_Init_{name}();") for name in rte.batches),
+            lines(f"{'Rte_StartTiming' if rte.batches else 'Os_StartTiming'}();"), *switches["RUN"], lines("Os_Run();"),
         ]),
+        block("Std_ReturnType Rte_Start(void)", [lines("Os_Start();\nreturn RTE_E_OK;")]),
+        *(_batch(name, events) for name, events in rte.batches.items()),
+        block("void Rte_StartTiming(void)", [lines("Os_StartTiming();")]) if rte.batches else (),
         block("Std_ReturnType Rte_Stop(void)", [lines("return RTE_E_OK;")]),
     ])  # fmt: skip

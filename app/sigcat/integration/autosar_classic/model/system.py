@@ -90,9 +90,22 @@ class Task(WireModel):
     reason: str = always("Reason", "What led to it.")
 
 
+class InitBatch(WireModel):
+    """Runnables that run one after the other before anything else does: `Rte_Init_<Name>`, which the ECU's state manager calls."""
+
+    name: str = always("Name", "Name of the batch.")
+    events: tuple[TaskEvent, ...] = always(
+        "Events", "Init events, in the order in which their runnables run.", strict=False
+    )
+    reason: str = always("Reason", "What led to it.")
+
+
 class Ecu(WireModel):
     """The ECU that runs the components."""
 
     name: str = always("Name", "Name of the ECU.")
     signals: tuple[SystemSignal, ...] = always("Signals", "Data elements that travel over a bus.", strict=False)
+    init_batches: tuple[InitBatch, ...] = always(
+        "InitBatches", "What runs before the tasks do.", default=(), strict=False
+    )
     tasks: tuple[Task, ...] = always("Tasks", "Tasks, the highest priority first.", strict=False)

@@ -9,6 +9,8 @@ extern "C" {
 #endif
 
 Std_ReturnType Rte_Start(void);
+void Rte_Init_InitComponents(void); /* Init of every component before anything else; timing events start afterwards. */
+void Rte_StartTiming(void);
 Std_ReturnType Rte_Stop(void);
 
 #ifdef __cplusplus

@@ -176,8 +176,8 @@ static void CoreAcc_Swc_FindDue(uint64 t)
     while (due != CORE_ACC_ADAPTER_NO_CALL) {
         switch (due) {
             case CORE_ACC_ADAPTER_CALL_STEP:
-            CoreAcc_Swc_Due.Step = TRUE;
-            break;
+                CoreAcc_Swc_Due.Step = TRUE;
+                break;
             case CORE_ACC_ADAPTER_NO_CALL:
             default:
                 break;

@@ -102,8 +102,8 @@ static void EcoControlMpc_Swc_FindDue(uint64 t)
     while (due != ECO_CONTROL_MPC_ADAPTER_NO_CALL) {
         switch (due) {
             case ECO_CONTROL_MPC_ADAPTER_CALL_STEP:
-            EcoControlMpc_Swc_Due.Step = TRUE;
-            break;
+                EcoControlMpc_Swc_Due.Step = TRUE;
+                break;
             case ECO_CONTROL_MPC_ADAPTER_NO_CALL:
             default:
                 break;

@@ -228,7 +228,7 @@ int main(int count, char **arguments)
     read_next(&from);
     NvM_ReadAll(folder);
     Os_Begin((from.time != UINT64_MAX) ? from.time : 0U);
-    (void)Rte_Start();
+    TestRte_StartUp();
     play(&from, strtoull(arguments[5], NULL, 10), (strcmp(arguments[1], "free") == 0) ? TRUE : FALSE, ends, end_count);
     TestRte_ShutDown();
     Os_Run();

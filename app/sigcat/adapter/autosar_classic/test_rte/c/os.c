@@ -48,10 +48,19 @@ void Os_Start(void)
     has_ended = zeros(TestRte_ComponentCount, sizeof(*has_ended));
     depth = zeros(TestRte_ComponentCount, sizeof(*depth));
     for (uint32 i = 0U; i < TestRte_EventCount; i++) {
-        due[i] = (TestRte_Events[i].period > 0U) ? (now + TestRte_Events[i].offset) : NEVER;
+        due[i] = NEVER;
         is_activated[i] = TestRte_Events[i].is_init;
     }
-    Os_Run();
+}
+
+void Os_StartTiming(void)
+{
+    Os_Run(); /* what init events in tasks have activated, before time begins */
+    for (uint32 i = 0U; i < TestRte_EventCount; i++) {
+        if (TestRte_Events[i].period > 0U) {
+            due[i] = now + TestRte_Events[i].offset;
+        }
+    }
 }
 
 void Os_SetTime(uint64 t)

@@ -78,6 +78,7 @@ extern const TestRte_Block TestRte_Blocks[];
 extern const uint32 TestRte_BlockCount;
 extern const TestRte_Inhibition TestRte_Inhibitions[];
 extern const uint32 TestRte_InhibitionCount;
+void TestRte_StartUp(void); /* what the state manager of the ECU calls, in its order; then it runs */
 void TestRte_ShutDown(void); /* switches the mode of the ECU for all components */
 
 /* -- operating system -------------------------------------------------------------------------------------------- */
@@ -85,7 +86,8 @@ void TestRte_ShutDown(void); /* switches the mode of the ECU for all components 
 uint64 Os_Now(void);
 uint64 Os_NextTime(void); /* when a timing event is due next */
 void Os_Begin(uint64 t); /* the time at which everything starts */
-void Os_Start(void); /* events of the beginning; timing events count from now on */
+void Os_Start(void); /* init events that are mapped to a task are activated */
+void Os_StartTiming(void); /* timing events count from now on */
 void Os_SetTime(uint64 t); /* timing events that are due by then are activated */
 void Os_Activate(uint32 event);
 void Os_Run(void); /* until nothing is activated */
