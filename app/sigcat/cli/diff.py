@@ -75,7 +75,7 @@ def diff(arguments: argparse.Namespace) -> int:
     from sigcat.catalogue.comparing.changes import at_least
     from sigcat.catalogue.comparing.diff import compare
 
-    old, new = (_side(name, arguments) for name in (arguments.old, arguments.new))
+    old, new = _sides(arguments)
     refuse_overwriting(arguments, (*_files(arguments.old, old), *_files(arguments.new, new)))
     changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
@@ -85,8 +85,8 @@ def diff(arguments: argparse.Namespace) -> int:
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
 
 
-def _side(name: str, arguments: argparse.Namespace) -> "Side":
-    from sigcat.catalogue.comparing.sides import Options, read_side
+def _sides(arguments: argparse.Namespace) -> "tuple[Side, Side]":
+    from sigcat.catalogue.comparing.sides import Options, read_sides
 
     options = Options(
         tuple(arguments.overlays),
@@ -95,7 +95,7 @@ def _side(name: str, arguments: argparse.Namespace) -> "Side":
         tuple(arguments.quantities),
         tuple(arguments.types),
     )
-    return read_side(name, release, options)
+    return read_sides(arguments.old, arguments.new, release, options)
 
 
 def _files(name: str, side: "Side") -> "Iterator[str]":

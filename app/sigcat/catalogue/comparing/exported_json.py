@@ -46,18 +46,41 @@ _HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F
 """A character that JSON escapes as two halves (surrogates), or one half alone, which is not a character."""
 
 Positions = Mapping[str, tuple[int, int]]
+Lost = Mapping[str, Mapping[str, Any]]
+"""What an export does not say of its nodes, by path, where another tree knows it."""
+
+NOTHING_LOST: Lost = {}
+_SHAPING: Mapping[str, Any] = {"instantiate": False, "instances_relation": "sibling"}
+"""Attributes that decide where instances stand, and are not exported: where they say what they would not by themselves."""
 
 
-def read_export(path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS) -> Catalogue:
+def lost_in_exports(catalogue: Catalogue) -> Lost:
+    """What an export of this catalogue, or of one like it, lacks to be expanded as this one is."""
+    written = (node for node in catalogue.nodes.values() if not node.definition.is_instance)
+    return {path: lost for node in written if (lost := _shaping(node)) for path in (node.path, node.template)}
+
+
+def _shaping(node: Node) -> Mapping[str, Any]:
+    values = node.definition.values
+    return {name: value for name, value in _SHAPING.items() if values.get(name) == value}
+
+
+def read_export(
+    path: Path, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS, lost: Lost = NOTHING_LOST
+) -> Catalogue:
     """The catalogue of an exported file. Raises InputRefused if it is not JSON."""
     if path.stat().st_size > limits.file_bytes:
         message = f"The file has {path.stat().st_size:,} bytes; the limit is {limits.file_bytes:,}."
         raise _refused(str(path), codes.FILE_TOO_LARGE.finding(message, str(path)))
-    return catalogue_from_export(path.read_bytes(), str(path), overlays, limits)
+    return catalogue_from_export(path.read_bytes(), str(path), overlays, limits, lost)
 
 
 def catalogue_from_export(
-    data: bytes, name: str, overlays: Sequence[Layer] = (), limits: Limits = DEFAULT_LIMITS
+    data: bytes,
+    name: str,
+    overlays: Sequence[Layer] = (),
+    limits: Limits = DEFAULT_LIMITS,
+    lost: Lost = NOTHING_LOST,
 ) -> Catalogue:
     """The catalogue of an export, with its instances expanded. Raises InputRefused if it is not JSON."""
     document = _positions_of(data, name, limits)
@@ -65,7 +88,7 @@ def catalogue_from_export(
     if not isinstance(content, dict) or not isinstance(document.root, MappingNode):
         raise _refused(name, codes.NOT_A_MAPPING.finding("The file must be an object of root nodes.", name, 1, 1))
     source = SourceFile(name, "", hashlib.sha256(data).hexdigest())
-    reading = _Reading(source)
+    reading = _Reading(source, lost)
     pairs = _pairs(document.root)
     types = content.pop(_TYPES, None)
     reading.read_children("", content, document.root)
@@ -106,8 +129,9 @@ class _Exported(Statement):
 class _Reading:
     """The statements and findings of one tree of an export."""
 
-    def __init__(self, source: SourceFile) -> None:
+    def __init__(self, source: SourceFile, lost: Lost = NOTHING_LOST) -> None:
         self.source = source
+        self._lost = lost
         self.statements: list[Statement] = []
         self.findings: list[Finding] = []
 
@@ -128,7 +152,8 @@ class _Reading:
     def _read_node(self, path: str, values: dict[str, Any], key: YamlNode, document: MappingNode) -> None:
         pairs = _pairs(document)
         positions = {name: position(value) for name, (_, value) in pairs.items()}
-        own = {name: value for name, value in values.items() if name != "children"}
+        written = {name: value for name, value in values.items() if name != "children"}
+        own = {**self._lost.get(path, {}), **written}
         self.statements.append(_Exported(path, self.source, own, position(key), positions))
         if "children" in values:
             self.read_children(path, values["children"], pairs["children"][1])

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.catalogue.comparing.exported_json import UNKNOWN, read_export
+from sigcat.catalogue.comparing.exported_json import NOTHING_LOST, UNKNOWN, Lost, lost_in_exports, read_export
 from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -39,6 +39,8 @@ class Options(NamedTuple):
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
     limits: Limits = DEFAULT_LIMITS
+    lost: Lost = NOTHING_LOST
+    """Of an exported JSON: what it lacks, and the other side has."""
 
 
 class Side(NamedTuple):
@@ -49,8 +51,28 @@ class Side(NamedTuple):
     unknown: frozenset[str] = frozenset()
     """Attributes that a tree in this form cannot have."""
 
+    @property
+    def is_export(self) -> bool:
+        """Whether it is an exported JSON."""
+        return self.unknown == UNKNOWN
+
 
 NO_OPTIONS = Options()
+
+
+def read_sides(old: str, new: str, release: Release, options: Options = NO_OPTIONS) -> tuple[Side, Side]:
+    """Read both sides. Where one is an export, what that lacks counts as the other says. Raises as `read_side` does."""
+    sides = read_side(old, release, options), read_side(new, release, options)
+    before, after = sides
+    if before.is_export == after.is_export:
+        return sides
+    lost = lost_in_exports(after.catalogue if before.is_export else before.catalogue)
+    if not lost:
+        return sides
+    knowing = options._replace(lost=lost)
+    if before.is_export:
+        return read_side(old, release, knowing), after
+    return before, read_side(new, release, knowing)
 
 
 def read_side(name: str, release: Release, options: Options = NO_OPTIONS) -> Side:
@@ -81,7 +103,7 @@ def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Opti
     if not path.exists():
         return None
     if ending_of(path.name) == ".json" and path.is_file():
-        return Side(title, read_export(path, _layers(overlays, options), options.limits), UNKNOWN)
+        return Side(title, read_export(path, _layers(overlays, options), options.limits, options.lost), UNKNOWN)
     spec = root_file(path, options.limits) if path.is_dir() else path
     types = options.types or (types_beside(spec, options.limits) if path.is_dir() else ())
     chosen = (options.units, options.quantities, types, options.include_dirs)
