@@ -32,7 +32,7 @@ Vehicle.Mirrors:
   description: One mirror.
 Vehicle.Mirrors.Tilt: {type: sensor, datatype: int8, instantiate: false, description: Of all mirrors.}
 """
-WAYS = ([], ["--no-expand"], ["--keep-instances"], ["--no-expand", "--keep-instances"])
+WAYS: tuple[list[str], ...] = ([], ["--no-expand"], ["--keep-instances"], ["--no-expand", "--keep-instances"])
 
 
 @pytest.fixture
