@@ -7,9 +7,10 @@ import pytest
 from sigcat.api.application import create_app
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import new_token, token_from_text, token_named
-from sigcat.catalogue.hosting.library import Library, Source, tell_errors
+from sigcat.catalogue.hosting.library import Library, Source, shipped_sources, tell_errors
 from sigcat.function.hosting import FunctionLibrary
 from tests.api.conftest import Ask, asker
+from tests.function.test_hosting import noise
 
 SECRET, TOKEN = new_token("ci", ["reload"])
 READER, READ_TOKEN = new_token("reader", ["read"])
@@ -103,7 +104,33 @@ def test_functions_are_read_again(tree: Path, tmp_path: Path) -> None:
     (folder / "noise.function.yaml").write_text("function: Noise\n")
     assert ask("/api/v1/functions/reload", "POST").status_code == 401
     answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
-    assert answer == {"functions": [{"id": "noise", "file": "functions/noise.function.yaml"}], "runs": []}
+    assert answer == {
+        "functions": [{"id": "noise", "file": "functions/noise.function.yaml", "rejected": []}],
+        "runs": [],
+    }
     (folder / "drive.csv").write_text("time,call,Noise_Mode_Out\n")
     answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
     assert answer["runs"] == [{"id": "drive", "file": "functions/drive.csv"}]
+
+
+def test_a_function_that_breaks_keeps_its_last_good_state_and_health_and_metrics_say_so(tmp_path: Path) -> None:
+    folder = tmp_path / "functions"
+    folder.mkdir()
+    file = folder / "noise.function.yaml"
+    file.write_text(noise())
+    library = Library(shipped_sources())
+    ask = asker(create_app(library, Settings(tokens=(TOKEN,)), FunctionLibrary([folder], catalogues=library)))
+    gauge = 'sigcat_function_rejected{function="noise"}'
+    assert ask("/health/ready").json()["rejected"] == []
+    assert f"{gauge} 0.0" in ask("/metrics").text
+    file.write_text(noise(path="Vehicle.Sped"))
+    answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
+    assert {each["id"] for each in answer["functions"] if each["rejected"]} == {"noise"}
+    assert ask("/health/ready").json()["rejected"] == ["function noise"]
+    assert f"{gauge} 1.0" in ask("/metrics").text
+
+
+def test_health_names_catalogues_that_keep_an_older_state(mine: Ask, tree: Path) -> None:
+    tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
+    mine(ADDRESS, "POST", headers=bearer(SECRET))
+    assert mine("/health/ready").json()["rejected"] == ["catalogue mine"]

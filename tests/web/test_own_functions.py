@@ -116,3 +116,20 @@ def test_without_any_function_every_page_stands() -> None:
     site = asker(create_site(Library(shipped_sources()[1:]), functions=FunctionLibrary(has_shipped=False)))
     for address in ("/", "/functions", "/wiring", "/wiring.json", "/try?kind=function", "/search/vss?q=speed"):
         assert site(address).status_code == 200
+
+
+def test_a_function_whose_file_broke_is_shown_as_it_was_and_its_pages_say_so(tmp_path: Path) -> None:
+    file = tmp_path / "noise.function.yaml"
+    file.write_text(noise())
+    library = Library(shipped_sources())
+    functions = FunctionLibrary([tmp_path], catalogues=library)
+    site = asker(create_site(library, functions=functions))
+    file.write_text(noise().replace("Vehicle.Speed", "Vehicle.Sped"))
+    functions.reload()
+    page = site("/functions/noise").text
+    assert "The file of this function has errors" in page
+    assert "Vehicle.Sped" in page.partition('id="rejected"')[2]
+    assert 'href="/functions/noise#rejected"' in site("/functions").text
+    listed = {each["id"]: each for each in site("/functions.json").json()["functions"]}
+    assert (listed["noise"]["ok"], listed["noise"]["rejected"], listed["core_acc"]["rejected"]) == (True, 1, 0)
+    assert 'id="rejected"' not in site("/functions/core_acc").text

@@ -74,7 +74,7 @@ def create_app(
         lifespan=_running,
     )
     app.state.library = library
-    app.state.functions = functions or FunctionLibrary()
+    app.state.functions = functions or FunctionLibrary(catalogues=library)
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.modules_of_work = [*_MODULES_OF_WORK]
@@ -83,7 +83,7 @@ def create_app(
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
-    app.state.metrics = Metrics(library, app.state.work_queue, app.state.export_queue)
+    app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
     app.router.routes.extend(SHORTCUTS)
     for router in _ROUTERS:

@@ -45,7 +45,7 @@ def serve(arguments: argparse.Namespace) -> int:
         source = tree_source(arguments)
         sources = (source._replace(id="local", title=source.spec.stem), *sources)
     library = Library(sources)
-    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped)
+    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped, catalogues=library)
     with Watch(library, functions) if configuration.is_watching else nullcontext():
         run(create_site(library, settings, functions), settings)
     return 0
@@ -62,7 +62,7 @@ def application() -> "FastAPI":
     add_catalogue_options(parser)
     configuration, settings = chosen_settings(parser.parse_args([]))
     library = Library(configuration.sources)
-    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped)
+    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped, catalogues=library)
     service = create_site(library, settings, functions)
     prepare(service, settings)
     if configuration.is_watching:

@@ -8,51 +8,28 @@ from threading import Lock
 from typing import NamedTuple, TypeVar
 
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.interfaces import FUNCTION_BRANCH
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import EXAMPLES
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound
-from sigcat.file_kind import ENDINGS, ending_of, file_kind
 from sigcat.findings import Finding
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_comparisons import FILE as COMPARISON_FILE
 from sigcat.function.hosted_comparisons import HostedComparisons, comparisons_among, told_apart
-from sigcat.function.hosted_runs import ENDING, HostedRuns, runs_among, runs_of
+from sigcat.function.hosted_files import SHIPPED, HostedFile, HostedFiles, candidates, files_in, shipped_files, with_ids
 from sigcat.function.hosted_runs import FILE as RUN_FILE
-from sigcat.limits import RECOGNITION_BYTES
+from sigcat.function.hosted_runs import HostedRuns, runs_among, runs_of
+from sigcat.function.last_good import Faults, with_last_good
 from sigcat.names import nearest
 
-FILE = "function.yaml"
-_SHIPPED = "shipped"
 Found = TypeVar("Found")
-_KINDS = ("function", "function json")
 _log = logging.getLogger("sigcat.hosting")
-
-
-class HostedFile(NamedTuple):
-    """A function file of a service."""
-
-    id: str
-    """Name in addresses: of `NAME/function.yaml` its folder, of any other file its own."""
-    name: str
-    """What findings call it."""
-    data: bytes
-    group: str
-    """The folder that the configuration names; files of one group are read together."""
-
-    @property
-    def is_shipped(self) -> bool:
-        """Whether sigcat brings it along."""
-        return self.group == _SHIPPED
-
-    @property
-    def is_json(self) -> bool:
-        """Whether it is Function JSON, and no declaration."""
-        return ending_of(self.name) == ".json"
 
 
 class HostedFunction(NamedTuple):
@@ -78,13 +55,13 @@ class HostedFunction(NamedTuple):
         return self.function.info.function_name if self.function else self.id
 
 
-HostedFiles = tuple[HostedFile, ...]
-
-
 class FunctionLibrary:
     """The function files of a service. They are replaced as a whole; readers keep those that they hold."""
 
-    def __init__(self, folders: Iterable[Path] = (), *, has_shipped: bool = True) -> None:
+    def __init__(
+        self, folders: Iterable[Path] = (), *, has_shipped: bool = True, catalogues: Iterable[Hosted] = ()
+    ) -> None:
+        self._catalogues = catalogues
         self.folders = tuple(folders)
         self._has_shipped = has_shipped
         self._lock = Lock()
@@ -100,14 +77,17 @@ class FunctionLibrary:
         return _digest(self.files)
 
     def reload(self) -> HostedFiles:
-        """Read the files again. One that cannot be read is left out, and the log says why."""
+        """Read the files again. Of one that broke the last good state stays, and `rejected` says why."""
         with self._lock:
             self._marks = self._marked()
-            own = [file for folder in self.folders for file in _files_in(folder)]
-            self.files = _with_ids(own, _shipped() if self._has_shipped else ())
-            runs = [run for folder in self.folders for run in runs_among(_candidates(folder), folder, str(folder))]
+            before = tuple(file for file in self.files if not file.is_shipped)
+            own = tuple(file for folder in self.folders for file in files_in(folder, before))
+            own = with_last_good(own, before, self._faults)
+            self.files = with_ids(own, shipped_files() if self._has_shipped else ())
+            _log_rejected(own)
+            runs = [run for folder in self.folders for run in runs_among(candidates(folder), folder, str(folder))]
             self.runs = (*runs, *(_shipped_runs() if self._has_shipped else ()))
-            compared = [each for folder in self.folders for each in comparisons_among(_candidates(folder), folder)]
+            compared = [each for folder in self.folders for each in comparisons_among(candidates(folder), folder)]
             self.comparisons = told_apart((*compared, *(_shipped_comparisons() if self._has_shipped else ())))
         return self.files
 
@@ -123,8 +103,17 @@ class FunctionLibrary:
             _log.info("functions: read again, %d files, %d runs", len(self.files), len(self.runs))
         return is_changed
 
+    def _faults(self, files: HostedFiles) -> Faults:
+        """What is wrong with files where they fit best; without catalogues nobody can say that one is good."""
+        found: dict[Path, tuple[Finding, ...]] = {}
+        for hosted in self._catalogues:
+            for each in built_over(files, expanded_of(hosted.catalogue)):
+                now = () if each.resolved else each.findings
+                found[each.file.path] = min(found.get(each.file.path, now), now, key=len)
+        return found
+
     def _marked(self) -> Marks:
-        return marks_of(path for folder in self.folders for path in _candidates(folder))
+        return marks_of(path for folder in self.folders for path in candidates(folder))
 
 
 @lru_cache(maxsize=16)
@@ -181,18 +170,9 @@ def _is_made(checked: CheckedFunction, declared: set[str]) -> bool:
     return checked.resolved is not None and not checked.is_declaration and checked.resolved.name in declared
 
 
-# -- files --------------------------------------------------------------------------------------------------------
-
-
-@lru_cache(maxsize=1)
-def _shipped() -> HostedFiles:
-    found = sorted(EXAMPLES.glob(f"*/{FILE}"))
-    return tuple(HostedFile(path.parent.name, FILE, path.read_bytes(), _SHIPPED) for path in found)
-
-
 @lru_cache(maxsize=1)
 def _shipped_runs() -> HostedRuns:
-    return tuple(runs_among(sorted(EXAMPLES.glob(f"*/{RUN_FILE}")), EXAMPLES, _SHIPPED))
+    return tuple(runs_among(sorted(EXAMPLES.glob(f"*/{RUN_FILE}")), EXAMPLES, SHIPPED))
 
 
 @lru_cache(maxsize=1)
@@ -200,44 +180,10 @@ def _shipped_comparisons() -> HostedComparisons:
     return tuple(comparisons_among(sorted(EXAMPLES.glob(f"*/{COMPARISON_FILE}")), EXAMPLES))
 
 
-def _candidates(folder: Path) -> Iterator[Path]:
-    """Files below a folder that may be functions, or runs of them; what is hidden is not looked at."""
-    for path in sorted(folder.rglob("*")):
-        is_hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
-        if ending_of(path.name) in (*ENDINGS, ENDING) and not is_hidden and path.is_file():
-            yield path
-
-
-def _files_in(folder: Path) -> Iterator[HostedFile]:
-    for path in _candidates(folder):
-        if ending_of(path.name) == ENDING:
-            continue
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            _log.warning("%s: %s", path, error.strerror or error)
-            continue
-        if file_kind(data[:RECOGNITION_BYTES], path.name) in _KINDS:
-            below = path.relative_to(folder)
-            name = (Path(folder.name) / below).as_posix()
-            yield HostedFile(_own_id(below, folder), name, data, str(folder))
-
-
-def _own_id(below: Path, folder: Path) -> str:
-    stem = below.name.removesuffix(below.suffix).removesuffix(".function")
-    return stem if stem != "function" else below.parent.name or folder.name
-
-
-def _with_ids(own: Iterable[HostedFile], shipped: HostedFiles) -> HostedFiles:
-    """Files with ids of their own: declarations before Function JSON, and those of one's own before shipped ones."""
-    by_id: dict[str, HostedFile] = {}
-    for file in sorted(own, key=lambda each: ending_of(each.name) == ".json"):
-        number, free = 1, file.id
-        while free in by_id:
-            number += 1
-            free = f"{file.id}-{number}"
-        by_id[free] = file._replace(id=free)
-    return (*by_id.values(), *(file for file in shipped if file.id not in by_id))
+def _log_rejected(files: Iterable[HostedFile]) -> None:
+    for file in files:
+        if file.rejected:
+            _log.warning("%s: the file has errors; the last good state stays", file.name)
 
 
 @lru_cache(maxsize=4)

@@ -16,7 +16,8 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.references import Work
 from sigcat.catalogue.hosting.library import Library
-from sigcat.function.hosting import FunctionLibrary, HostedFiles
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.pages import (
     api_reference,
     catalogue_pages,

@@ -126,6 +126,7 @@ class FunctionFile(Schema):
 
     id: str = Field(description="Name in addresses of its pages.")
     file: str
+    rejected: Findings = Field(description="Findings of a newer state that was therefore not taken.")
 
 
 class FunctionRun(Schema):
@@ -411,3 +412,6 @@ class Health(Schema):
 
     state: HealthState
     digests: CatalogueDigests
+    rejected: list[str] = Field(
+        description="`catalogue ID` and `function ID`, where files have errors now: their last good state is served."
+    )

@@ -12,6 +12,7 @@ from prometheus_client.registry import Collector
 
 from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
+from sigcat.function.hosting import FunctionLibrary
 
 router = APIRouter()
 
@@ -22,7 +23,7 @@ _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 
 class Metrics:
     """Counts of one service; a process may have several, as tests do."""
 
-    def __init__(self, library: Library, work: WorkQueue, exports: WorkQueue) -> None:
+    def __init__(self, library: Library, functions: FunctionLibrary, work: WorkQueue, exports: WorkQueue) -> None:
         self.registry = CollectorRegistry()
         self._requests = Counter(
             "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
@@ -37,7 +38,7 @@ class Metrics:
         pending.set_function(lambda: work.pending)
         exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
         exporting.set_function(lambda: exports.pending)
-        self.registry.register(_Hosted(library))
+        self.registry.register(_Hosted(library, functions))
         self._connections = Gauge("sigcat_connections", "Connections that are open.", registry=self.registry)
 
     def watch_connections(self, count: Callable[[], int]) -> None:
@@ -57,13 +58,14 @@ class Metrics:
 
 
 class _Hosted(Collector):
-    """Hosted catalogues, as they are when they are asked for."""
+    """Hosted catalogues and functions, as they are when they are asked for."""
 
-    def __init__(self, library: Library) -> None:
+    def __init__(self, library: Library, functions: FunctionLibrary) -> None:
         self._library = library
+        self._functions = functions
 
     def collect(self) -> Iterable[GaugeMetricFamily]:
-        """Nodes and errors of each catalogue, and whether a newer state was refused."""
+        """Nodes and errors of each catalogue, and of what a newer state was refused."""
         nodes = GaugeMetricFamily("sigcat_catalogue_nodes", "Nodes of a catalogue.", labels=("catalogue", "digest"))
         rejected = GaugeMetricFamily(
             "sigcat_catalogue_rejected", "1 if a newer state of the files has errors.", labels=("catalogue",)
@@ -76,7 +78,13 @@ class _Hosted(Collector):
             errors.add_metric((hosted.source.id,), wrong)
             nodes.add_metric((hosted.source.id, hosted.catalogue.digest), len(hosted.catalogue.nodes))
             rejected.add_metric((hosted.source.id,), float(bool(hosted.rejected)))
-        return nodes, errors, rejected
+        functions = GaugeMetricFamily(
+            "sigcat_function_rejected", "1 if a newer state of the file has errors.", labels=("function",)
+        )
+        for file in self._functions.files:
+            if not file.is_shipped:
+                functions.add_metric((file.id,), float(bool(file.rejected)))
+        return nodes, errors, rejected, functions
 
 
 @router.get("/metrics", include_in_schema=False)

@@ -10,11 +10,18 @@ router = APIRouter(prefix="/health", tags=["operation"])
 @router.get("/live")
 async def get_liveness() -> Health:
     """Whether the process lives. An orchestrator restarts it when this does not answer."""
-    return Health(state="alive", digests={})
+    return Health(state="alive", digests={}, rejected=[])
 
 
 @router.get("/ready")
 async def get_readiness(request: Request) -> Health:
     """Whether catalogues are loaded and requests can be answered; with their hashes, which are equal on all replicas."""
-    hosted = list(request.app.state.library)
-    return Health(state="ready", digests={entry.source.id: entry.catalogue.digest for entry in hosted})
+    hosted, files = list(request.app.state.library), request.app.state.functions.files
+    return Health(
+        state="ready",
+        digests={entry.source.id: entry.catalogue.digest for entry in hosted},
+        rejected=[
+            *(f"catalogue {entry.source.id}" for entry in hosted if entry.rejected),
+            *(f"function {file.id}" for file in files if file.rejected),
+        ],
+    )

@@ -4,7 +4,7 @@ from fastapi import APIRouter
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.serializers import catalogue_detail
+from sigcat.api.answers.serializers import catalogue_detail, listed_findings
 from sigcat.api.middleware.access import needs
 from sigcat.api.requests.dependencies import AnyCatalogue, TheFunctions, TheLibrary, TheWorkQueue
 
@@ -32,9 +32,14 @@ async def reload_catalogue(hosted: AnyCatalogue, library: TheLibrary, queue: The
     dependencies=list(needs("reload")),
 )
 async def reload_functions(functions: TheFunctions, queue: TheWorkQueue) -> schemas.FunctionFileList:
-    """Read the function files of the configured folders again, and see which runs are there. What is wrong with one, its page says."""
+    """Read the function files of the configured folders again, and see which runs are there.
+
+    Of one that broke the last good state stays, and `rejected` says why. What is wrong with others, their pages say.
+    """
     files = await queue.run_here(functions.reload)
     return schemas.FunctionFileList(
-        functions=[schemas.FunctionFile(id=each.id, file=each.name) for each in files],
+        functions=[
+            schemas.FunctionFile(id=each.id, file=each.name, rejected=listed_findings(each.rejected)) for each in files
+        ],
         runs=[schemas.FunctionRun(id=each.id, file=each.name) for each in functions.runs],
     )

@@ -9,7 +9,8 @@ from sigcat.comparison.report.html import fragment
 from sigcat.comparison.report.model import Report, read_report
 from sigcat.errors import InputRefused, NotFound
 from sigcat.function.hosted_comparisons import HostedComparison, HostedComparisons, comparison_named
-from sigcat.function.hosting import HostedFiles, functions_over
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.hosting import functions_over
 from sigcat.limits import COMPARISON_BYTES
 from sigcat.web.rendering import page_for
 from sigcat.web.views.function_sets import known_sets

@@ -60,6 +60,7 @@ def list_functions(hosted: NamedCatalogue, functions: TheFunctions, library: The
             "shipped": each.file.is_shipped,
             "ok": each.function is not None,
             "findings": len(each.findings),
+            "rejected": len(each.file.rejected),
             "needs": list(needs[each.id].overlays) if each.id in needs else [],
             "runs": [run.id for run in functions.runs_of(each)],
         }

@@ -23,7 +23,8 @@ from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_comparisons import HostedComparisons
-from sigcat.function.hosting import HostedFiles, functions_over
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.hosting import functions_over
 from sigcat.limits import PAGE_FUNCTIONS, Limits
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line

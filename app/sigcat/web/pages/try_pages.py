@@ -29,7 +29,8 @@ from sigcat.findings import Finding
 from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import check_function_json, checked_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.hosting import FILE, HostedFiles, file_of
+from sigcat.function.hosted_files import FILE, HostedFiles
+from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
 from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, form_catalogue, read_form

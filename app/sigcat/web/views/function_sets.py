@@ -10,7 +10,8 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding, in_order
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.hosting import HostedFile, HostedFiles, file_of
+from sigcat.function.hosted_files import HostedFile, HostedFiles
+from sigcat.function.hosting import file_of
 from sigcat.function.sets.check_set import check_set, read_set
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, PAGE_FUNCTIONS, Limits

@@ -6,7 +6,8 @@ from typing import NamedTuple
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import overlay_name
-from sigcat.function.hosting import HostedFiles, HostedFunction, buildable, functions_over
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.hosting import HostedFunction, buildable, functions_over
 from sigcat.web.views.node_uses import uses_of
 
 

@@ -9,7 +9,8 @@ from sigcat.catalogue.comparing.trial import Trial, try_overlay
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.findings import Finding, has_errors
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.hosting import HostedFiles, HostedFunction, buildable, built_over, functions_over
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.hosting import HostedFunction, buildable, built_over, functions_over
 from sigcat.limits import Limits
 from sigcat.web.views.change_trees import Branch, trees_of, worst_first
 from sigcat.web.views.node_uses import uses_in

@@ -1,0 +1,109 @@
+"""Function files that a service hosts: those in a folder, and those that sigcat ships, with the names that addresses have."""
+
+import logging
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.data import EXAMPLES
+from sigcat.file_kind import ENDINGS, ending_of, file_kind
+from sigcat.findings import Finding
+from sigcat.function.hosted_runs import ENDING
+from sigcat.limits import RECOGNITION_BYTES
+
+FILE = "function.yaml"
+SHIPPED = "shipped"
+_KINDS = ("function", "function json")
+_log = logging.getLogger("sigcat.hosting")
+
+
+class HostedFile(NamedTuple):
+    """A function file of a service."""
+
+    id: str
+    """Name in addresses: of `NAME/function.yaml` its folder, of any other file its own."""
+    name: str
+    """What findings call it."""
+    data: bytes
+    group: str
+    """The folder that the configuration names; files of one group are read together."""
+    rejected: tuple[Finding, ...] = ()
+    """Findings of a newer state that was not taken."""
+
+    @property
+    def is_shipped(self) -> bool:
+        """Whether sigcat brings it along."""
+        return self.group == SHIPPED
+
+    @property
+    def is_json(self) -> bool:
+        """Whether it is Function JSON, and no declaration."""
+        return ending_of(self.name) == ".json"
+
+    @property
+    def path(self) -> Path:
+        """Where a file of one's own is."""
+        return Path(self.group, *PurePosixPath(self.name).parts[1:])
+
+
+HostedFiles = tuple[HostedFile, ...]
+
+
+@lru_cache(maxsize=1)
+def shipped_files() -> HostedFiles:
+    """The functions that sigcat brings along."""
+    found = sorted(EXAMPLES.glob(f"*/{FILE}"))
+    return tuple(HostedFile(path.parent.name, FILE, path.read_bytes(), SHIPPED) for path in found)
+
+
+def candidates(folder: Path) -> Iterator[Path]:
+    """Files below a folder that may be functions, or runs of them; what is hidden is not looked at."""
+    for path in sorted(folder.rglob("*")):
+        is_hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
+        if ending_of(path.name) in (*ENDINGS, ENDING) and not is_hidden and path.is_file():
+            yield path
+
+
+def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[HostedFile]:
+    """The functions of a folder. A file that was one before still is, whatever it holds now; it may have to be written again."""
+    hosted = {file.path: file for file in before if file.group == str(folder)}
+    for path in candidates(folder):
+        if ending_of(path.name) == ENDING:
+            continue
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            _log.warning("%s: %s", path, error.strerror or error)
+            if path in hosted:
+                yield _unreadable(hosted[path], error)
+            continue
+        if path in hosted or file_kind(data[:RECOGNITION_BYTES], path.name) in _KINDS:
+            below = path.relative_to(folder)
+            name = (Path(folder.name) / below).as_posix()
+            yield HostedFile(_own_id(below, folder), name, data, str(folder))
+
+
+def _unreadable(before: HostedFile, error: OSError) -> HostedFile:
+    below = before.path.relative_to(before.group)
+    message = f"{before.name!r} cannot be read: {error.strerror or error}."
+    finding = codes.FILE_UNREADABLE.finding(message, before.name, fix="Let the service read it.")
+    return before._replace(id=_own_id(below, Path(before.group)), rejected=(finding,))
+
+
+def _own_id(below: Path, folder: Path) -> str:
+    stem = below.name.removesuffix(below.suffix).removesuffix(".function")
+    return stem if stem != "function" else below.parent.name or folder.name
+
+
+def with_ids(own: Iterable[HostedFile], shipped: HostedFiles) -> HostedFiles:
+    """Files with ids of their own: declarations before Function JSON, and those of one's own before shipped ones."""
+    by_id: dict[str, HostedFile] = {}
+    for file in sorted(own, key=lambda each: ending_of(each.name) == ".json"):
+        number, free = 1, file.id
+        while free in by_id:
+            number += 1
+            free = f"{file.id}-{number}"
+        by_id[free] = file._replace(id=free)
+    return (*by_id.values(), *(file for file in shipped if file.id not in by_id))
