@@ -2,7 +2,7 @@
 
 
 def test_the_process_lives(ask):
-    assert ask("/health/live").json() == {"state": "alive", "digests": {}}
+    assert ask("/health/live").json() == {"state": "alive", "digests": {}, "outdated": []}
 
 
 def test_a_ready_service_tells_the_hash_of_each_catalogue(ask):

@@ -121,16 +121,16 @@ def test_a_function_that_breaks_keeps_its_last_good_state_and_health_and_metrics
     library = Library(shipped_sources())
     ask = asker(create_app(library, Settings(tokens=(TOKEN,)), FunctionLibrary([folder], catalogues=library)))
     gauge = 'sigcat_function_rejected{function="noise"}'
-    assert ask("/health/ready").json()["rejected"] == []
+    assert ask("/health/ready").json()["outdated"] == []
     assert f"{gauge} 0.0" in ask("/metrics").text
     file.write_text(noise(path="Vehicle.Sped"))
     answer = ask("/api/v1/functions/reload", "POST", headers=bearer(SECRET)).json()
     assert {each["id"] for each in answer["functions"] if each["rejected"]} == {"noise"}
-    assert ask("/health/ready").json()["rejected"] == ["function noise"]
+    assert ask("/health/ready").json()["outdated"] == ["function noise"]
     assert f"{gauge} 1.0" in ask("/metrics").text
 
 
 def test_health_names_catalogues_that_keep_an_older_state(mine: Ask, tree: Path) -> None:
     tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
     mine(ADDRESS, "POST", headers=bearer(SECRET))
-    assert mine("/health/ready").json()["rejected"] == ["catalogue mine"]
+    assert mine("/health/ready").json()["outdated"] == ["catalogue mine"]

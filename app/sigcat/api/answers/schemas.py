@@ -412,6 +412,6 @@ class Health(Schema):
 
     state: HealthState
     digests: CatalogueDigests
-    rejected: list[str] = Field(
+    outdated: list[str] = Field(
         description="`catalogue ID` and `function ID`, where files have errors now: their last good state is served."
     )

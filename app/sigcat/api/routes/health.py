@@ -10,7 +10,7 @@ router = APIRouter(prefix="/health", tags=["operation"])
 @router.get("/live")
 async def get_liveness() -> Health:
     """Whether the process lives. An orchestrator restarts it when this does not answer."""
-    return Health(state="alive", digests={}, rejected=[])
+    return Health(state="alive", digests={}, outdated=[])
 
 
 @router.get("/ready")
@@ -20,7 +20,7 @@ async def get_readiness(request: Request) -> Health:
     return Health(
         state="ready",
         digests={entry.source.id: entry.catalogue.digest for entry in hosted},
-        rejected=[
+        outdated=[
             *(f"catalogue {entry.source.id}" for entry in hosted if entry.rejected),
             *(f"function {file.id}" for file in files if file.rejected),
         ],
