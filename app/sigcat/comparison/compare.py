@@ -17,6 +17,7 @@ from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import by_hand as baseline
 from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.comparison.running.table import RUNNERS
+from sigcat.comparison.side_by_side import side_by_side
 from sigcat.comparison.telling.material import Material, Played, PlayedFault, WrittenLines
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.players.commands import BuildFails
@@ -54,17 +55,17 @@ class Asked(NamedTuple):
 
 def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
     """What each platform did. One that is not installed, or cannot be built, is left out with the reason."""
-    begin, here = time.monotonic(), machine(tools)
+    clock, here = _Clock(), machine(tools)
     is_fresh = not any(each.is_dir() for each in asked.folder.iterdir())
-    names = [REFERENCE, *(name for name in asked.platforms if name != REFERENCE)]
-    built = [_built(RUNNERS[name], asked, tools, tell) for name in names]
-    players = {each.name: RUNNERS[each.name].play for each in built}
-    if asked.compared.baseline is not None:
-        by_hand = _built_by_hand(asked.compared.baseline, built, asked, tell)
-        built += by_hand
-        players[baseline.NAME] = partial(baseline.play, asked.compared.baseline)
-    played = tuple(_played(each, players[each.name], asked, tell) for each in built)
+    built = _all_built(asked, tools, tell)
+    clock.ends("build")
+    players = {each.name: _player(each.name, asked.compared) for each in built}
+    in_lock_step = [_in_lock_step(each, players[each.name], asked, tell) for each in built]
+    clock.ends("lock step")
+    played = tuple(_in_free_run(each, players[each.name], asked, tell) for each in in_lock_step)
+    clock.ends("free run")
     faults = tuple(_faults(played, players, asked, tell)) if asked.scenarios else ()
+    clock.ends("faults")
     functions = asked.subject.functions
     return Material(
         asked.compared.name,
@@ -76,11 +77,54 @@ def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
         played,
         faults,
         tuple(_written(asked.compared)),
-        time.monotonic() - begin if is_fresh else 0.0,
+        sum(clock.phases.values()) if is_fresh else 0.0,
         here,
         () if is_fresh else (_BUILT_BEFORE,),
         asked.translation_ns,
+        tuple(clock.phases.items()),
     )
+
+
+class _Clock:
+    """How long each phase took, in s."""
+
+    def __init__(self) -> None:
+        self.phases: dict[str, float] = {}
+        self._begin = time.monotonic()
+
+    def ends(self, phase: str) -> None:
+        """Whatever was done since the phase before was this one."""
+        begin, self._begin = self._begin, time.monotonic()
+        self.phases[phase] = self._begin - begin
+
+
+def _player(name: str, compared: ComparedSet) -> Play:
+    if name == baseline.NAME:
+        assert compared.baseline is not None
+        return partial(baseline.play, compared.baseline)
+    return RUNNERS[name].play
+
+
+# -- building -----------------------------------------------------------------------------------------------------
+
+
+def _all_built(asked: Asked, tools: Toolchain, tell: Tell) -> list[Played]:
+    """Folders side by side, that of most packages first; platforms of one folder after each other, as they share what is built."""
+    names = [REFERENCE, *(name for name in asked.platforms if name != REFERENCE)]
+    folders: dict[str, list[str]] = {}
+    for name in names:
+        folders.setdefault(_FOLDERS.get(name, name), []).append(name)
+    longest_first = sorted(folders.values(), key=lambda each: BESIDE_BASELINE not in each)
+    built = side_by_side([partial(_built_in_folder, each, asked, tools, tell) for each in longest_first])
+    found = {each.name: each for of_folder in built for each in of_folder}
+    return [found[name] for name in (*names, baseline.NAME) if name in found]
+
+
+def _built_in_folder(names: Sequence[str], asked: Asked, tools: Toolchain, tell: Tell) -> list[Played]:
+    built = [_built(RUNNERS[name], asked, tools, tell) for name in names]
+    if asked.compared.baseline is not None:
+        built += _built_by_hand(asked.compared.baseline, built, asked, tell)
+    return built
 
 
 def _built(runner: Runner, asked: Asked, tools: Toolchain, tell: Tell) -> Played:
@@ -116,33 +160,57 @@ def _not_built(played: Played, failed: BuildFails, tell: Tell) -> Played:
     return played._replace(left_out=f"it cannot be built: {str(failed)[-_LAST_WORDS:]}")
 
 
-def _played(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
-    """In lock step to the end of the drive, then freely, alone on the machine."""
+# -- playing ------------------------------------------------------------------------------------------------------
+
+
+def _in_lock_step(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
+    """To the end of the drive, alone on the machine."""
     if each.built is None:
         return each
     tell(f"{each.title}: {asked.end_ns / 1e9:g} s in lock step")
-    lock_step = play(each.built, asked.subject, Drive(asked.trace, asked.end_ns))
-    if lock_step.last_words:
-        tell(f"{each.title}: it did not come to the end. {lock_step.last_words}")
-    free = None
-    if asked.free_ns and each.name != REFERENCE and not lock_step.last_words:
-        tell(f"{each.title}: {asked.free_ns / 1e9:g} s in free run")
-        free = play(each.built, asked.subject, Drive(asked.trace, asked.free_ns, "free run"))
-    return each._replace(lock_step=lock_step, free_run=free)
+    recording = play(each.built, asked.subject, Drive(asked.trace, asked.end_ns, name="lock-step"))
+    if recording.last_words:
+        tell(f"{each.title}: it did not come to the end. {recording.last_words}")
+    return each._replace(lock_step=recording)
+
+
+def _in_free_run(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
+    """As long as was asked for, alone on the machine."""
+    lock_step = each.lock_step
+    if each.built is None or lock_step is None or lock_step.last_words or each.name == REFERENCE or not asked.free_ns:
+        return each
+    tell(f"{each.title}: {asked.free_ns / 1e9:g} s in free run")
+    drive = Drive(asked.trace, asked.free_ns, "free run", "free-run")
+    return each._replace(free_run=play(each.built, asked.subject, drive))
 
 
 def _faults(played: Sequence[Played], players: Mapping[str, Play], asked: Asked, tell: Tell) -> Iterator[PlayedFault]:
-    """Each scenario on each platform, but for what people wrote: as many in one drive as fit."""
+    """Each scenario on each platform, but for what people wrote: as many in one drive as fit.
+
+    Nothing of them is measured: they run side by side. The reference is first, as its process has the environment of this one.
+    """
     drives = faulty_drives(asked.scenarios, asked.trace, asked.folder / "faults")
-    for number, (drive, scenarios) in enumerate(drives, 1):
-        recordings: dict[str, Recording] = {}
-        for each in played:
-            if each.built is not None and not each.is_by_hand:
-                tell(f"{each.title}: faults, drive {number} of {len(drives)}, {drive.end_ns / 1e9:g} s")
-                recordings[each.name] = players[each.name](each.built, asked.subject, drive)
+    own = [each for each in played if each.built is not None and not each.is_by_hand]
+    if not own:
+        return
+    tasks = [
+        partial(_one_faulty, each, players[each.name], drive.drive, asked, tell) for each in own[1:] for drive in drives
+    ]
+    expected = [_one_faulty(own[0], players[own[0].name], drive.drive, asked, tell) for drive in drives]
+    recordings = [*expected, *side_by_side(tasks)]
+    for number, (_, scenarios) in enumerate(drives):
+        of_drive = {
+            each.name: recording for each, recording in zip(own, recordings[number :: len(drives)], strict=True)
+        }
         for scenario in scenarios:
-            found = {name: watched(recording, scenario) for name, recording in recordings.items()}
+            found = {name: watched(recording, scenario) for name, recording in of_drive.items()}
             yield PlayedFault(scenario.name, scenario.title, scenario.description, found)
+
+
+def _one_faulty(each: Played, play: Play, drive: Drive, asked: Asked, tell: Tell) -> Recording:
+    assert each.built is not None
+    tell(f"{each.title}: {drive.name}, {drive.end_ns / 1e9:g} s")
+    return play(each.built, asked.subject, drive)
 
 
 def _sent_columns(functions: Sequence[ResolvedFunction]) -> Mapping[str, Column]:

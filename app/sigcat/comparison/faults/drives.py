@@ -31,7 +31,9 @@ def faulty_drives(scenarios: Sequence[Scenario], trace: Path, folder: Path) -> t
         spoilt = [fault for each in group for fault in each.spoilt]
         write_texts(spoil(rows, spoilt, [fault for each in group for fault in each.slow]), path)
         kills = tuple(Kill(fault.function, fault.at) for each in group for fault in each.killed)
-        drives.append(FaultyDrive(Drive(path, max(each.end for each in group), kills=kills), group))
+        drives.append(
+            FaultyDrive(Drive(path, max(each.end for each in group), name=f"faults-{number + 1}", kills=kills), group)
+        )
     return tuple(drives)
 
 

@@ -261,6 +261,8 @@ class Report(Part):
     platforms: tuple[Platform, ...]
     seconds: Number
     """That the whole comparison took."""
+    phases: tuple[tuple[str, Number], ...] = ()
+    """What it was made of, in s."""
     targets: tuple[Target, ...] = ()
     behaviour: tuple[Behaviour, ...] = ()
     free_run: tuple[FreeRun, ...] = ()

@@ -131,7 +131,7 @@ def _free_run(report: Report) -> Section:
     details = [
         _cells(
             report.title_of(each.platform), row.name, f"{row.values:,}", f"{row.same:,}", f"{row.shifted:,}", f"{row.other:,}",
-            f"{row.lost:,}", f"{duration(row.p50_late)}, at most {duration(row.worst_late)}",
+            _fewer(row.lost), f"{duration(row.p50_late)}, at most {duration(row.worst_late)}",
         )
         for each in report.free_run for row in each.rows
     ]  # fmt: skip
@@ -140,11 +140,11 @@ def _free_run(report: Report) -> Section:
         "other side: such a value is a call earlier or later, and counted. What is neither is another value: it came of such a "
         "difference before, in what the function remembers."
     )
-    head = "platform|drive|values|equal|a call earlier or later|other|steps fewer"
+    head = "platform|drive|values|equal|a call earlier or later|other|steps"
     parts = (
         *_table("Outputs in free run, by time", head, rows),
         *_table(
-            "Each output in free run", "platform|output|values|equal|a call apart|other|steps fewer|later, median", details,
+            "Each output in free run", "platform|output|values|equal|a call apart|other|steps|later, median", details,
             is_folded=True,
         ),
     )  # fmt: skip
@@ -153,7 +153,13 @@ def _free_run(report: Report) -> Section:
 
 def _free_row(report: Report, each: FreeRun) -> tuple[Cell, ...]:
     sums = [sum(getattr(row, key) for row in each.rows) for key in ("values", "same", "shifted", "other", "lost")]
-    return _cells(report.title_of(each.platform), f"{each.seconds:.0f} s", *(f"{value:,}" for value in sums))
+    counts = (f"{value:,}" for value in sums[:-1])
+    return _cells(report.title_of(each.platform), f"{each.seconds:.0f} s", *counts, _fewer(sums[-1]))
+
+
+def _fewer(lost: int) -> str:
+    """Than the reference had in the same time."""
+    return f"{abs(lost):,} {'fewer' if lost > 0 else 'more'}" if lost else "as many"
 
 
 # -- faults -------------------------------------------------------------------------------------------------------
@@ -310,4 +316,12 @@ def _set_up(report: Report) -> Section:
         rows.append(_cells(each.title, state, f"{each.lost:,}" if not each.left_out else "", remark))
     machine = [_cells(name, value) for name, value in report.machine]
     parts = (*_table("Platforms", "platform||messages lost|remark", rows), *_table("Machine", "what|", machine))
-    return Section("Set-up", (f"The whole comparison took {report.seconds:.0f} s.",) if report.seconds else (), parts)
+    return Section("Set-up", tuple(_whole_time(report)), parts)
+
+
+def _whole_time(report: Report) -> Iterator[str]:
+    of = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in report.phases)
+    if report.seconds:
+        yield f"The whole comparison took {report.seconds:.0f} s{f': {of}' if of else ''}."
+    if report.phases:
+        yield "Platforms are built side by side, and play faults so; whatever is measured runs alone."

@@ -12,7 +12,7 @@ from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
 from sigcat.comparison.running.recorded import begin_of, read_recorded
-from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
+from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject, fresh_run
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS
@@ -59,10 +59,10 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
 
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
-    run = _fresh(built.folder / "run")
+    run = fresh_run(built, drive)
     model = _model(built.folder)
     lock_step = {"BENCH_PLAYER": _PORT} if drive.mode == "lock step" else {}
-    environment = {**os.environ, **lock_step, marks.FOLDER: str(run / "marks")}
+    environment = {**os.environ, **lock_step, marks.FOLDER: str(run / marks.NAME)}
     programs = built.folder / "build"
     processes = [
         Process(name, (str(programs / name / name),), environment, (programs / name / name,))
@@ -78,7 +78,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
 
 def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, run: Path) -> Recording:
     prepared = subject.prepared
-    marked = marks.read_marks(prepared.connections, run / "marks", begin_of(drive.trace, prepared))
+    marked = marks.read_marks(prepared.connections, run / marks.NAME, begin_of(drive.trace, prepared))
     sent = read_recorded(run / "recorded.csv", prepared.columns)
     return Recording(
         NAME,
@@ -98,12 +98,6 @@ def _fields(connections: Connections) -> tuple[str, ...]:
     """Statuses of errors."""
     errors = {error.named.name for member in connections.members for error in member.plan.errors}
     return tuple(each.name for each in connections.exits if each.field in errors)
-
-
-def _fresh(folder: Path) -> Path:
-    shutil.rmtree(folder, ignore_errors=True)
-    (folder / "marks").mkdir(parents=True)
-    return folder
 
 
 def _model(folder: Path) -> IntegrationModel:

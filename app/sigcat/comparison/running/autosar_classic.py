@@ -12,7 +12,7 @@ from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import read_recorded
-from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.comparison.running.runner import Drive, Runner, Subject, fresh_run
 from sigcat.names import screaming_snake_case
 from sigcat.players import cmake
 from sigcat.players.commands import write
@@ -48,17 +48,15 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
 
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
-    run = built.folder / "run"
-    shutil.rmtree(run, ignore_errors=True)
-    (run / "marks").mkdir(parents=True)
+    run = fresh_run(built, drive)
     program, sent = built.folder / "build/test_rte", run / "sent.csv"
     kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
     files = (str(drive.trace.absolute()), str(sent), str(run / "told.csv"))
     command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
-    environment = {**os.environ, marks.FOLDER: str(run / "marks")}
+    environment = {**os.environ, marks.FOLDER: str(run / marks.NAME)}
     outcome = launched((), Process("test_rte", command, environment, (program,)), run)
     prepared = subject.prepared
-    marked = marks.read_marks(prepared.connections, run / "marks", 0)
+    marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
     loads = tuple(each._replace(is_player=False) for each in outcome.loads)
     return Recording(
         NAME,

@@ -12,6 +12,8 @@ from sigcat.adapter.core.c.scope import Scope
 from sigcat.comparison.recording import CallTime, Sent
 from sigcat.runs.connections import Connections, Member
 
+NAME = "marks"
+"""Of their folder in that of a run."""
 FOLDER = "SIGCAT_MARKS"
 """The variable that names the folder of the files; without it, nothing is measured."""
 _HEADER = "sigcat_marks.h"

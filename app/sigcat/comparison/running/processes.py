@@ -1,16 +1,15 @@
 """Processes of a platform, started, watched and ended: by the launcher, which is a process of its own."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.comparison.recording import ProcessLoad
+from sigcat.players.commands import GROUPS
 
 _LAUNCHER = Path(__file__).with_name("launch.py")
 _LAST_LINES = 8
@@ -67,16 +66,14 @@ def _described(process: Process) -> Mapping[str, object]:
 
 def _run_to_end(command: Sequence[str], told: Path, limit: float | None) -> int | None:
     """The status of a command, which leads a group of its own that is ended with it; None: it took longer than it may."""
-    with told.open("wb") as output:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=output, process_group=0)  # noqa: S603
-    try:
-        return process.wait(limit)
-    except subprocess.TimeoutExpired:
-        return None
-    finally:
-        with suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
+    with (
+        told.open("wb") as output,
+        GROUPS.started(command, stdin=subprocess.DEVNULL, stdout=output, stderr=output) as process,
+    ):
+        try:
+            return int(process.wait(limit))
+        except subprocess.TimeoutExpired:
+            return None
 
 
 def _outcome(told: Mapping[str, object], processes: Sequence[Process], folder: Path) -> Outcome:

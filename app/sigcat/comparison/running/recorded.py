@@ -2,7 +2,7 @@
 
 import csv
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from sigcat.comparison.recording import Sent
@@ -18,6 +18,15 @@ def begin_of(trace: Path, prepared: Prepared) -> int:
     """When a drive begins, in ns: with the first row of its trace; 0 without one."""
     rows = moments(open_trace(trace, prepared.known_columns(())._replace(others=None)))
     return next((row.time for row in rows), 0)
+
+
+def write_recorded(sent: Mapping[str, Iterable[Sent]], path: Path) -> None:
+    """Rows as players write them, in order of time."""
+    rows = sorted((time, name, text) for name, values in sent.items() for time, text in values)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(_COLUMNS)
+        writer.writerows(rows)
 
 
 def read_recorded(path: Path, columns: Mapping[str, Shape]) -> Mapping[str, tuple[Sent, ...]]:

@@ -17,7 +17,7 @@ from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import read_recorded
-from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.comparison.running.runner import Drive, Runner, Subject, fresh_run
 from sigcat.names import screaming_snake_case
 from sigcat.players.commands import BuildFails, write
 from sigcat.players.ros2_environment import Ros2, find_ros2, installed
@@ -102,9 +102,7 @@ def _play(built: Built, subject: Subject, drive: Drive, *, language: str) -> Rec
 def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Recording:
     """What nodes do that have the topics and services of the set, whoever wrote them."""
     ros2, folder = installed(), built.folder
-    run = folder / f"run-{built.platform}"
-    shutil.rmtree(run, ignore_errors=True)
-    (run / "marks").mkdir(parents=True)
+    run = fresh_run(built, drive)
     document = json.loads((folder / "integration.json").read_bytes())
     recorded = run / "recorded.csv"
     kills = [f"{_node(document, each.function)['Executable']}@{each.function}@{each.time_ns}" for each in drive.kills]
@@ -114,7 +112,7 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
         environment = _environment(ros2, folder, number, run)
         processes = [_process(node, files(node, folder), environment, drive) for node in _nodes(document)]
         outcome = launched(processes, Process("player", command, environment, (player,)), run)
-    marked = marks.read_marks(subject.prepared.connections, run / "marks", 0)
+    marked = marks.read_marks(subject.prepared.connections, run / marks.NAME, 0)
     sent = read_recorded(recorded, subject.prepared.columns)
     return Recording(
         built.platform, drive.mode, built, sent, marked.calls, outcome.loads,
@@ -169,7 +167,7 @@ def _environment(ros2: Ros2, folder: Path, number: int, home: Path) -> Mapping[s
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
         "ROS_HOME": str(home),
         "ROS_LOG_DIR": str(home / "log"),
-        marks.FOLDER: str(home / "marks"),
+        marks.FOLDER: str(home / marks.NAME),
     }
 
 

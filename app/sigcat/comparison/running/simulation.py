@@ -1,7 +1,6 @@
 """The simulation as a platform: the reference that all others are held against."""
 
 import os
-import tempfile
 import time
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
@@ -11,8 +10,8 @@ from pathlib import Path
 from sigcat.adapter.toolchain import Toolchain, toolchain
 from sigcat.comparison.recording import Built, Recording, Sent
 from sigcat.comparison.running import marks
-from sigcat.comparison.running.recorded import begin_of
-from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.comparison.running.recorded import begin_of, write_recorded
+from sigcat.comparison.running.runner import Drive, Runner, Subject, fresh_run
 from sigcat.errors import UsageError
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
@@ -45,14 +44,17 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     settings = Settings(
         max(drive.end_ns - begin_of(drive.trace, prepared), 0), step_limit=drive.step_limit_s, gone=gone
     )
-    with _measuring(built.folder) as folder:
-        simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, folder))
-        marked = marks.read_marks(prepared.connections, folder, 0)
+    run = fresh_run(built, drive)
+    with _measuring(run / marks.NAME):
+        simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, run))
+    marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
+    sent = sent_by_name(simulated.rows, prepared)
+    write_recorded(sent, run / "recorded.csv")
     return Recording(
         NAME,
         drive.mode,
         built,
-        sent_by_name(simulated.rows, prepared),
+        sent,
         marked.calls,
         last_words=str(simulated.stop or ""),
         play_s=time.monotonic() - begin,
@@ -66,17 +68,16 @@ def _with_marks(tools: Toolchain, prepared: Prepared, folder: Path) -> Toolchain
 
 
 @contextmanager
-def _measuring(folder: Path) -> Iterator[Path]:
-    """A folder that the driver, which has this process's environment, writes its times to."""
-    with tempfile.TemporaryDirectory(prefix="marks-", dir=folder) as name:
-        before = os.environ.get(marks.FOLDER)
-        os.environ[marks.FOLDER] = name
-        try:
-            yield Path(name)
-        finally:
-            os.environ.pop(marks.FOLDER)
-            if before is not None:
-                os.environ[marks.FOLDER] = before
+def _measuring(folder: Path) -> Iterator[None]:
+    """The driver, which has this process's environment, writes its times to a folder."""
+    before = os.environ.get(marks.FOLDER)
+    os.environ[marks.FOLDER] = str(folder)
+    try:
+        yield
+    finally:
+        os.environ.pop(marks.FOLDER)
+        if before is not None:
+            os.environ[marks.FOLDER] = before
 
 
 def sent_by_name(rows: Iterable[Recorded], prepared: Prepared) -> Mapping[str, tuple[Sent, ...]]:

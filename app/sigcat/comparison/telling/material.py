@@ -65,6 +65,8 @@ class Material(NamedTuple):
     notes: tuple[str, ...] = ()
     translation_ns: Sequence[int] = ()
     """How long the gateway took for each frame, if the drive was logged on CAN."""
+    phases: tuple[tuple[str, float], ...] = ()
+    """What the whole of it was made of, in s."""
 
     @property
     def reference(self) -> Played:

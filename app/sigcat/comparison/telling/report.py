@@ -22,6 +22,7 @@ def report_of(material: Material) -> model.Report:
         reference=material.reference.name,
         platforms=tuple(_platform(each) for each in material.platforms),
         seconds=material.seconds,
+        phases=material.phases,
         behaviour=tuple(behaviours(material)),
         free_run=tuple(free_runs(material)),
         traces=tuple(traces(material)),
