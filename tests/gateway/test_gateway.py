@@ -227,7 +227,8 @@ def test_error_frames_requests_and_unknown_frames_are_counted(run, tmp_path):
     rows, told = run(path)
     assert rows == ["0.000000000,0.0,,1,1.0"]
     assert (
-        "6 frames in 0.500 s: 1 decoded, 2 of 2 identifiers that the database does not have, 2 error, 1 remote" in told
+        "6 frames in 0.500 s: 1 decoded, 2 with 2 identifiers that the database does not have, 2 error, 1 remote"
+        in told
     )
 
 

@@ -1,5 +1,6 @@
 """What a stranger writes by mistake, or has in a log, is told in words of this field, or done as it says."""
 
+import gzip
 import struct
 
 import can
@@ -57,7 +58,7 @@ def test_each_channel_may_have_a_database_of_its_own(run):
     log = "(1.0) can0 100#64000000\n(1.1) can1 100#D2040000\n(1.2) can2 100#D2040000\n"
     rows, told = run(log, "--dbc", "can0=TMP/bus.dbc", "--dbc", "can1=TMP/body.dbc")
     assert rows[1:] == ["1.000000000,1.0,", "1.100000000,,1234"]
-    assert "1 of 1 identifiers that the database does not have" in told
+    assert "1 with an identifier that the database does not have" in told
 
 
 def test_a_default_stands_until_a_value_comes(run):
@@ -126,6 +127,41 @@ def test_a_database_that_is_none_says_where_in_its_own_words(run):
         ":7", ":6"
     )
     assert ">>!<<" not in told
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("drive.blf", b"no log at all", "error B002 The file must be a BLF log: it does not begin as one."),
+        ("drive.blf", b"", "error B002 The file must be a BLF log: it is empty."),
+        ("drive.blf", b"LOGG\x00", "warning B002 The log ends in the middle: its header is not whole."),
+        ("drive.blf", b"LOGG" + bytes(4), "error B002 The log is damaged: its header says that it has 0 bytes."),
+        ("drive.log.gz", b"(0.0) can0 100#64", "error B002 The file must be packed with gzip, as its name says, and is not."),
+        ("drive.log.gz", gzip.compress(b"(0.0) can0 100#64")[:-4], "warning B002 The log ends in the middle: the packed file"),
+        ("drive.log.gz", b"\x1f\x8b" + bytes(20), "error B002 The log is damaged: gzip cannot unpack it."),
+    ],
+)  # fmt: skip
+def test_a_file_that_is_no_log_of_its_form_is_called_so(run, tmp_path, name, content, said):
+    (tmp_path / name).write_bytes(content)
+    told = run(tmp_path / name, mappings=ONE, status=1)[1]
+    assert f"{name}: {said}" in told
+    assert "error B004 There is no frame that can be read: no trace is written." in told
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [("", "and it is empty."), ("\n \n", "and it is empty."), ('VERSION ""\n', "must have messages, and has none.")],
+)
+def test_a_database_without_anything_is_called_so(run, text, said):
+    told = run("(0.0) can0 100#64000000\n", dbc=text, status=1)[1]
+    assert said in told
+    assert "M101" not in told
+
+
+@pytest.mark.parametrize("mapping", ["null", "{}", "{message: Motion}", "5"])
+def test_a_mapping_that_is_none_is_told_at_its_line(run, mapping):
+    told = run("(0.0) can0 100#64000000\n", mappings=f"Vehicle.Speed:\n  dbc2vss: {mapping}\n", status=1)[1]
+    assert "can.vspec:2:12: error M00" in told
 
 
 def test_signals_that_share_bits_are_told(run):

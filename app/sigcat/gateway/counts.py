@@ -83,13 +83,20 @@ class Counts:
     def _not_decoded(self) -> str:
         parts = [
             (self.unmapped, "of messages that nothing maps"),
-            (sum(self.unknown.values()), f"of {len(self.unknown):,} identifiers that the database does not have"),
+            (self.unknown.total(), f"with {self._identifiers()}"),
             (sum(self.others.values()), "of other channels"),
             (sum(self.undecodable.values()), "that are none of their message"),
             (self.passed["error"], "error"),
             (self.passed["remote"], "remote"),
         ]
         return "".join(f", {count:,} {what}" for count, what in parts if count)
+
+    def _identifiers(self) -> str:
+        """Those that the database does not have. Of very many, not all are told apart."""
+        count = len(self.unknown)
+        if count == 1:
+            return "an identifier that the database does not have"
+        return f"{count:,}{' or more' if count > LOG_IDENTIFIERS else ''} identifiers that the database does not have"
 
 
 _MOST = 20

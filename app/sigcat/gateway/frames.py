@@ -4,7 +4,6 @@ Of a log that is damaged, all that can be read is read; what cannot is a finding
 """
 
 import gzip
-import struct
 import zlib
 from collections.abc import Iterator
 from io import BufferedReader
@@ -22,6 +21,10 @@ FORMS = (".asc", ".blf", ".log")
 """Endings of logs: those of Vector, as text and as bytes, and that of candump; each may be packed with gzip."""
 _COARSE = 4_000_000
 """Seconds beyond which a double holds no nanoseconds: such times are of a calendar, and logged in microseconds."""
+
+
+_GZIP = b"\x1f\x8b"
+"""How a file begins that is packed."""
 
 
 class Frame(NamedTuple):
@@ -45,10 +48,19 @@ def read_log(path: Path, findings: list[Finding]) -> Iterator[Frame | Passed]:
     """What a log has, in its order; what is wrong with it is added to `findings`. Raises UsageError."""
     form = _form(path)
     with _opened(path) as file:
-        try:
-            yield from (_read_bytes if form == ".blf" else _read_lines)(path, form, file, findings)
-        except (EOFError, zlib.error, gzip.BadGzipFile) as error:
-            findings.append(_ends_early(path, str(error)))
+        yield from _packed(path, (_read_bytes if form == ".blf" else _read_lines)(path, form, file, findings), findings)
+
+
+def _packed(path: Path, frames: Iterator[Frame | Passed], findings: list[Finding]) -> Iterator[Frame | Passed]:
+    """Frames until the packing of the log ends, or is damaged."""
+    try:
+        yield from frames
+    except EOFError:
+        findings.append(_ends_early(path, "the packed file stops before its end"))
+    except (zlib.error, gzip.BadGzipFile):
+        with path.open("rb") as file:
+            is_packed = file.read(len(_GZIP)) == _GZIP
+        findings.append(_damaged(path, "gzip cannot unpack it") if is_packed else _not_packed(path))
 
 
 def _form(path: Path) -> str:
@@ -64,14 +76,23 @@ def _opened(path: Path) -> IO[bytes]:
 
 
 def _ends_early(path: Path, why: str) -> Finding:
-    message = f"The log ends in the middle: {why.rstrip('.') or 'a part is missing'}."
+    message = f"The log ends in the middle: {why}."
     return codes.LOG_MALFORMED.finding(message, str(path), fix="What comes before it was read.")
 
 
 def _damaged(path: Path, why: str) -> Finding:
-    message = f"The log is damaged: {why.rstrip('.')}. What follows was not read."
+    message = f"The log is damaged: {why}. What follows was not read."
     rule = codes.LOG_MALFORMED.graded("error")  # the rest is there, and is lost
     return rule.finding(message, str(path), fix="Record it anew, or have its tool repair it.")
+
+
+def _not_packed(path: Path) -> Finding:
+    message = "The file must be packed with gzip, as its name says, and is not."
+    return _no_log(path, message, f"If it is a log as it is, name it {path.name[: -len('.gz')]}.")
+
+
+def _no_log(path: Path, message: str, fix: str) -> Finding:
+    return codes.LOG_MALFORMED.graded("error").finding(message, str(path), fix=fix)
 
 
 # -- text ---------------------------------------------------------------------------------------------------------
@@ -120,18 +141,19 @@ def _reader(form: str, lines: LogLines) -> Any:
 
 
 def _read_bytes(path: Path, _form: str, file: IO[bytes], findings: list[Finding]) -> Iterator[Frame | Passed]:
-    from sigcat.gateway.blf_log import BlfLog
+    from sigcat.gateway.blf_log import BlfLog, CutLog, DamagedLog, NoLog
 
     try:
-        log = BlfLog(cast("BufferedReader", file))
-        for message in log:
+        for message in BlfLog(cast("BufferedReader", file)):
             yield frame_of(message, first_channel=1)
-    except (struct.error, ValueError, zlib.error, EOFError) as error:
-        why = "a part of it cannot be unpacked" if isinstance(error, struct.error | zlib.error) else str(error)
-        findings.append(_damaged(path, why) if file.read(1) else _ends_early(path, why))
-        return
-    if log.is_cut:
-        findings.append(_ends_early(path, f"it has {log.count:,} of {log.expected:,} bytes"))
+    except NoLog as error:
+        findings.append(
+            _no_log(path, f"The file must be a BLF log: {error}.", "Name the file that the tool has logged.")
+        )
+    except CutLog as error:
+        findings.append(_ends_early(path, str(error)))
+    except DamagedLog as error:
+        findings.append(_damaged(path, str(error)))
 
 
 def frame_of(message: Any, *, first_channel: int = 0) -> Frame | Passed:

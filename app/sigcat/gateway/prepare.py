@@ -47,14 +47,14 @@ def prepare(
         raise InputRefused("The CAN database cannot be used.", database.findings)
     mapped = mapped_signals(catalogue)
     outgoing = outgoing_signals(catalogue)
+    findings = in_order(list(_mapping_findings(catalogue, database)))
+    if has_errors(findings):
+        raise InputRefused("The mappings cannot be used.", findings)
     if not (outgoing if is_sending else mapped):
         own = "vss2dbc" if is_sending else "dbc2vss"
         fix = f"Name the overlay that has `network_serialization` or `{own}` with -l."
         finding = codes.NOTHING_MAPPED.finding("The catalogue maps no signal to CAN.", _name_of(catalogue), fix=fix)
-        raise InputRefused("There is nothing to do.", (finding,))
-    findings = in_order(list(_mapping_findings(catalogue, database)))
-    if has_errors(findings):
-        raise InputRefused("The mappings cannot be used.", findings)
+        raise InputRefused("There is nothing to do.", (*findings, finding))
     datatypes = {path: str(node.values["datatype"]) for path, node in catalogue.nodes.items() if node.is_leaf}
     return Prepared(database, mapped, outgoing, (*database.findings, *findings), datatypes)
 

@@ -159,13 +159,19 @@ def _messages(path: Path) -> Sequence[Any]:
     if form not in FORMS:
         raise _Unreadable(f"The name of a CAN database must end in {', '.join(f'.{each}' for each in FORMS)}.")
     try:
+        if not path.read_bytes().strip():
+            raise _Unreadable("The file must be a CAN database, and it is empty.")
         found = database.load_file(str(path), form, strict=False)
+    except _Unreadable:
+        raise
     except OSError as error:
         raise _Unreadable(f"The file cannot be read: {error.strerror}.") from None
     except Exception as error:  # noqa: BLE001 — it raises whatever its parsers meet
         raise _unreadable(getattr(error, f"e_{form}", None) or error) from None
     if not hasattr(found, "messages"):
         raise _Unreadable("The file must be a CAN database, and it is one of diagnostics.")
+    if not found.messages:
+        raise _Unreadable("The CAN database must have messages, and has none.")
     return tuple(found.messages)
 
 

@@ -34,7 +34,7 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
     else:
         message = f"The catalogue has no signal {path!r}."
         fix = _defined(path, context) or context.meant(path) or _spelled_alike(path, context)
-        fix = fix or "Define it under `define`, or in an overlay."
+        fix = fix or "Define it under `define`, or in an overlay, which a command is given with -l."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
 
 

@@ -94,13 +94,16 @@ def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
     return table
 
 
+_ABSENT = object()
+
+
 def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Problem]:
     for name, field in table.items():
-        value = definition.values.get(name)
-        if "fields" not in field or not isinstance(value, dict):
+        value = definition.values.get(name, _ABSENT)
+        if "fields" not in field or not isinstance(value, dict | None):
             continue
         for inner, inner_field in _table(field["fields"]).items():
-            if inner_field.get("required") and is_empty(value.get(inner)):
+            if inner_field.get("required") and is_empty((value or {}).get(inner)):
                 message = f"`{name}` has no `{inner}`."
                 yield Problem(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
 
