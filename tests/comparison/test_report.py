@@ -286,3 +286,25 @@ def test_traces_of_all_platforms_lie_over_each_other_and_leave_a_gap_where_there
     assert [line.platform for line in trace.lines] == ["simulate", "ros2-cpp", "ros2-py"]
     assert None in [value for _, value in trace.lines[2].points]
     assert html_page(report).count('class="trace series-1" d="M') >= 2
+
+
+# -- how long it took ---------------------------------------------------------------------------------------------
+
+
+def test_the_time_of_each_phase_is_told():
+    report = told(played("ros2-cpp"), phases=(("build", 60.4), ("lock step", 20.0)))
+    assert "The whole comparison took 100 s: build 60 s, lock step 20 s." in markdown(report)
+
+
+@pytest.mark.parametrize(("steps", "said"), [(3, "as many"), (2, "1 fewer"), (4, "1 more")])
+def test_steps_of_a_free_run_are_fewer_or_more(steps, said):
+    values = tuple((time * CYCLE, "1.0") for time in range(3))
+    freely = tuple((time * CYCLE // 2, "1.0") for time in range(steps))
+    sound = played("simulate", sent={REQUEST: values})
+    other = played("ros2-cpp", sent={REQUEST: values})
+    recording = other.lock_step._replace(
+        mode="free run", sent={REQUEST: ((0, "1.0"), *freely[1:-1], (2 * CYCLE, "1.0"))}
+    )
+    found = material(other._replace(free_run=recording))
+    report = report_of(found._replace(platforms=(sound, *found.platforms[1:])))
+    assert f"| {said} |" in markdown(report)

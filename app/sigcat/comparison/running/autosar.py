@@ -11,8 +11,8 @@ from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
-from sigcat.comparison.running.recorded import begin_of, read_recorded
-from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject, fresh_run
+from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
+from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS

@@ -11,8 +11,8 @@ from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
-from sigcat.comparison.running.recorded import read_recorded
-from sigcat.comparison.running.runner import Drive, Runner, Subject, fresh_run
+from sigcat.comparison.running.recorded import fresh_run, read_recorded
+from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.names import screaming_snake_case
 from sigcat.players import cmake
 from sigcat.players.commands import write

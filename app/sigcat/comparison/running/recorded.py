@@ -1,17 +1,28 @@
-"""What a player has recorded, in the words of the simulation."""
+"""What a run leaves in its folder; what a player has recorded of it, in the words of the simulation."""
 
 import csv
+import shutil
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from sigcat.comparison.recording import Sent
+from sigcat.comparison.recording import Built, Sent
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.runner import Drive
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import Unfit, cell_of, value_of
 from sigcat.runs.recording.shapes import Shape, packing
 from sigcat.runs.recording.trace_file import moments, open_trace
 
 _COLUMNS = ("time", "name", "value")
+
+
+def fresh_run(built: Built, drive: Drive) -> Path:
+    """A folder for what a run records, beside those of other runs; it has one for the marks of cores."""
+    folder = built.folder / "runs" / f"{built.platform}-{drive.name}"
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / marks.NAME).mkdir(parents=True)
+    return folder
 
 
 def begin_of(trace: Path, prepared: Prepared) -> int:

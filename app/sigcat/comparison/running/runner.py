@@ -1,13 +1,11 @@
 """What a platform brings to be compared: whether it is there, how it is built, and how a drive is played to it."""
 
-import shutil
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Mode, Recording
-from sigcat.comparison.running import marks
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import Deployment
 from sigcat.runs.prepare import Prepared
@@ -46,14 +44,6 @@ class Drive(NamedTuple):
     kills: tuple[Kill, ...] = ()
     step_limit_s: float = 10.0
     """How long a call may take before the run is stopped."""
-
-
-def fresh_run(built: Built, drive: Drive) -> Path:
-    """A folder for what a run records, beside those of other runs; it has one for the marks of cores."""
-    folder = built.folder / "runs" / f"{built.platform}-{drive.name}"
-    shutil.rmtree(folder, ignore_errors=True)
-    (folder / marks.NAME).mkdir(parents=True)
-    return folder
 
 
 class Runner(NamedTuple):

@@ -10,8 +10,8 @@ from pathlib import Path
 from sigcat.adapter.toolchain import Toolchain, toolchain
 from sigcat.comparison.recording import Built, Recording, Sent
 from sigcat.comparison.running import marks
-from sigcat.comparison.running.recorded import begin_of, write_recorded
-from sigcat.comparison.running.runner import Drive, Runner, Subject, fresh_run
+from sigcat.comparison.running.recorded import begin_of, fresh_run, write_recorded
+from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.errors import UsageError
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
