@@ -43,6 +43,8 @@ def test_a_known_state_is_not_sent_again(ask: Ask, without: Ask) -> None:
     short, long = (each(f"{NODES}/Vehicle.Door", headers=known) for each in (ask, without))
     assert (short.status_code, headers(short)) == (long.status_code, headers(long))
     assert short.status_code == 304
+    ask(f"{NODES}/Vehicle.Door")  # from now on it is cached
+    assert headers(ask(f"{NODES}/Vehicle.Door", headers=known)) == headers(long)
 
 
 def test_every_shortcut_leads_around_an_operation(library: Library) -> None:

@@ -17,6 +17,8 @@ from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
+VARY_OF_304 = "Accept, Accept-Encoding"
+"""Of an answer that is not sent again: whoever asks for it may have it packed."""
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _LONGEST = 1000
 """Characters of a header that count, and that are remembered."""

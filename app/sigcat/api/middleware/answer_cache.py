@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from sigcat.api.answers.negotiation import liked_types
+from sigcat.api.answers.negotiation import VARY_OF_304, liked_types
 from sigcat.api.requests.dependencies import is_known
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import NotFound
 
 _LARGEST = 256 * 1024
 _ASKED = (b"accept", b"accept-encoding", b"if-none-match")
-_SENT_WITH_304 = (b"etag", b"cache-control", b"vary")
+_SENT_WITH_304 = (b"etag", b"cache-control")
 
 Key = tuple[str, bytes, tuple[str, ...], bytes]
 """Path and query; the forms that the client allows, the best first; how the answer may be packed (`RequestHeaders`)."""
@@ -60,7 +60,8 @@ class AnswerCache:
         self._cached.move_to_end(key)
         scope["state"]["route"] = cached.route
         if known is not None and is_known(known.decode("latin-1"), cached.version):
-            headers = [pair for pair in cached.start["headers"] if pair[0] in _SENT_WITH_304]
+            same = (pair for pair in cached.start["headers"] if pair[0] in _SENT_WITH_304)
+            headers = [*same, (b"vary", VARY_OF_304.encode())]
             await send({"type": "http.response.start", "status": 304, "headers": headers})
             await send({"type": "http.response.body", "body": b""})
             return

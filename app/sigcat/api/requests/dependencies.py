@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from fastapi import Depends, Path, Query, Request
 from starlette.exceptions import HTTPException
 
+from sigcat.api.answers.negotiation import VARY_OF_304
 from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.answers.versions import state_of, version_of
 from sigcat.api.requests.clients import client_of
@@ -171,7 +172,7 @@ def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
     lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
     headers = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
     if is_known(request.headers.get("if-none-match", ""), version):
-        raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": "Accept"})
+        raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": VARY_OF_304})
     request.state.caching = headers
 
 
