@@ -133,3 +133,23 @@ def test_a_function_whose_file_broke_is_shown_as_it_was_and_its_pages_say_so(tmp
     listed = {each["id"]: each for each in site("/functions.json").json()["functions"]}
     assert (listed["noise"]["ok"], listed["noise"]["rejected"], listed["core_acc"]["rejected"]) == (True, 1, 0)
     assert 'id="rejected"' not in site("/functions/core_acc").text
+
+
+def test_findings_in_functions_count_on_the_page_of_a_catalogue_and_on_rules(tmp_path: Path) -> None:
+    """Those of a function that is made for another catalogue do not: there is nothing wrong with it."""
+    (tmp_path / "wrong.function.yaml").write_text(noise("Wrong", "Vehicle.Sped"))
+    (tmp_path / "acme.function.yaml").write_text(noise("Acme", "Vehicle.Cabin.AcmeNoise"))
+    (tmp_path / "cabin.vspec").write_text(OVERLAY)
+    acme = Source("acme", "Acme", ROOT_FILE, (tmp_path / "cabin.vspec",))
+    library = Library([*shipped_sources(), acme])
+    service = create_site(library, functions=FunctionLibrary([tmp_path], has_shipped=False))
+    site = asker(service)
+    for name, expected in (("interfaces", 1), ("acme", 1)):
+        without = len(service.state.rules.findings_in(library.get(name).catalogue))
+        (own,) = re.findall(r'id="findings">Findings <span class="number">(\d+)', site(f"/catalogues/{name}").text)
+        rules = site(f"/rules?catalogue={name}").text
+        of_each = re.search(r"With findings(.*?)</section>", rules, re.DOTALL)
+        assert of_each
+        assert sum(int(number) for number in re.findall(r"(\d+)\u00a0finding", of_each.group(1))) == int(own)
+        assert int(own) == without + expected
+        assert "wrong.function.yaml" in site(f"/rules/F010?catalogue={name}").text

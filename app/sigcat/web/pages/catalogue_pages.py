@@ -32,6 +32,7 @@ from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
+from sigcat.web.views.catalogue_findings import findings_over
 from sigcat.web.views.node_uses import uses_in
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
@@ -149,9 +150,12 @@ def show_units(request: Request, hosted: AnyCatalogue) -> Response:
 
 
 @router.get("/catalogues/{catalogue}")
-def show_catalogue(request: Request, hosted: AnyCatalogue, rules: TheRules) -> Response:
-    """A catalogue's layers, and what its files and the rules say of it."""
-    findings = sorted(rules.findings_in(hosted.catalogue), key=lambda finding: SEVERITIES.index(finding.severity))
+def show_catalogue(
+    request: Request, hosted: AnyCatalogue, rules: TheRules, functions: TheFunctions, library: TheLibrary
+) -> Response:
+    """A catalogue's layers, and what its files and the rules say of it, and of the functions over it."""
+    found = findings_over(hosted, rules, functions.files, library)
+    findings = sorted(found, key=lambda finding: SEVERITIES.index(finding.severity))
     return page(
         request,
         "catalogue.html",

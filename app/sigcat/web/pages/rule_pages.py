@@ -6,31 +6,42 @@ from fastapi import APIRouter, Request
 from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers.serializers import rule_detail
-from sigcat.api.requests.dependencies import NamedCatalogue, TheRules
+from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheRules
 from sigcat.rules.record import Rule
 from sigcat.web.rendering import page
+from sigcat.web.views.catalogue_findings import findings_over
 
 router = APIRouter()
 _MOST_FINDINGS = 200
 
 
 @router.get("/rules")
-def show_rules(request: Request, hosted: NamedCatalogue, rules: TheRules) -> Response:
-    """Every rule, with the number of its findings in a catalogue."""
+def show_rules(
+    request: Request, hosted: NamedCatalogue, rules: TheRules, functions: TheFunctions, library: TheLibrary
+) -> Response:
+    """Every rule, with the number of its findings in a catalogue and the functions over it."""
     by_category: dict[str, list[Rule]] = {}
     for rule in rules.rules:
         by_category.setdefault(rule.category, []).append(rule)
-    found = Counter(finding.rule for finding in rules.findings_in(hosted.catalogue))
+    found = Counter(finding.rule for finding in findings_over(hosted, rules, functions.files, library))
     return page(request, "rules.html", hosted=hosted, by_category=by_category, found=found)
 
 
 @router.get("/rules/{rule_id}")
-def show_rule(request: Request, hosted: NamedCatalogue, rules: TheRules, rule_id: str) -> Response:
-    """A rule with its findings in a catalogue; with `.json` after its code, the rule as the API has it."""
+def show_rule(
+    request: Request,
+    hosted: NamedCatalogue,
+    rules: TheRules,
+    functions: TheFunctions,
+    library: TheLibrary,
+    rule_id: str,
+) -> Response:
+    """A rule with its findings in a catalogue and the functions over it; with `.json` after its code, the rule as the API has it."""
     if rule_id.endswith(".json"):
         return JSONResponse(rule_detail(rules.get(rule_id.removesuffix(".json"))).model_dump())
     rule = rule_detail(rules.get(rule_id))
-    findings = [finding for finding in rules.findings_in(hosted.catalogue) if finding.rule == rule_id]
+    found = findings_over(hosted, rules, functions.files, library)
+    findings = [finding for finding in found if finding.rule == rule_id]
     return page(
         request,
         "rule.html",
