@@ -1,6 +1,7 @@
 """Components on the test RTE: what they send is what the simulation sends, and services are told what docs/reference/adapter.md says."""
 
 import json
+import re
 import shutil
 
 import pytest
@@ -122,12 +123,16 @@ def ecocontrol(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def missing(ecocontrol):
+    return play(ecocontrol, _missing_brake(), 10 * SECOND)
+
+
+def _missing_brake():
     """The brake pressure comes until 6 s, and again from 8 s on."""
     rows = ["time,Vehicle.Chassis.Brake.CylP,Vehicle.Chassis.Steering.WhlAg,CoreAcc_Mode_In", "0,1,0,ACTIVE"]
     for k in range(1, 200):
         time = k * 0.05
         rows.append(f"{time:.3f},{'' if 6 <= time < 8 else 1},0,")
-    return play(ecocontrol, "\n".join(rows) + "\n", 10 * SECOND)
+    return "\n".join(rows) + "\n"
 
 
 def test_the_dem_is_told_the_verdicts_of_the_core(missing):
@@ -172,6 +177,43 @@ def test_what_is_kept_is_there_in_the_next_ignition_cycle(ecocontrol, tmp_path):
     occurrences, cycles = ([int.from_bytes(data[at : at + 2], "little") for data in (kept, again)] for at in (6, 8))
     assert occurrences == [1, 2]  # the brake pressure never came
     assert cycles == [0, 1]
+
+
+REFUSING = {
+    "a mode": ("Rte_Switch_CoreAcc_CoreAcc_Mode_Out_Mode", "RTE_E_LIMIT", "CoreAcc_Mode_Out"),
+    "an error for others": (
+        "Rte_Write_CoreAcc_CoreAcc_BrakePressureTimeout_ErrorSts_Status", "RTE_E_COM_STOPPED", "CoreAcc_BrakePressureTimeout_ErrorSts",
+    ),
+    "a verdict for the diagnosis": (
+        "Rte_Call_CoreAcc_Event_CoreAcc_BrakePressureTimeout_ErrorSts_SetEventStatus", "E_NOT_OK", "DEM",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REFUSING)
+def test_what_is_not_taken_is_said_again_until_it_is(name, tmp_path, ecocontrol):
+    """What is said on change alone would be lost otherwise. Here, all is refused in every other 100 ms."""
+    api, answer, what = REFUSING[name]
+    text = files(ECOCONTROL)["test_rte/Rte_CoreAcc.c"]
+    refusing, count = re.subn(
+        rf"(Std_ReturnType {api}\([^{{]*{{\n)",
+        rf"\1    if (((Os_Now() / 100000000U) % 2U) == 0U) {{\n        return {answer};\n    }}\n",
+        text,
+    )
+    assert count == 1
+    program = built(written(tmp_path, ECOCONTROL, {"test_rte/Rte_CoreAcc.c": refusing}), ECOCONTROL)
+    length = 10 * SECOND + SECOND // 8
+    usual, late = (_said(play(each, _missing_brake(), length), what) for each in (ecocontrol, program))
+    last = {due // (SECOND // 5): (due, value) for due, value in usual}
+    assert [value for _, value in late] == [value for _, value in last.values()]
+    assert all(0 <= told - due <= SECOND // 5 for (told, _), (due, _) in zip(late, last.values(), strict=True))
+    assert late != usual
+
+
+def _said(played, what):
+    if what == "DEM":
+        return [(time, value) for time, name, value in played.of("DEM") if "BrakePressureTimeout" in name]
+    return played.sent[what]
 
 
 def test_a_value_that_cannot_be_read_is_told_with_its_line(ecocontrol, tmp_path):

@@ -3,14 +3,15 @@
 from sigcat.adapter.autosar_classic.code.names import at_core, core_object, enter, function, leave, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan, Told
 from sigcat.adapter.autosar_classic.code.values import Copy, by_value
-from sigcat.adapter.core.c.lines import Lines, block, joined, lines
+from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 
 
 def functions(swc: SwcPlan) -> list[Lines]:
-    """One for what the core may say at any time, one for the outputs of each call, one for each request."""
+    """One for what the core may say at any time, one for the outputs of each call, for each request and each verdict."""
     return [
         *(_request(each, swc) for each in swc.methods if not each.method.is_offered),
         *(_send(step.name, swc) for step in swc.core.steps if _outputs(step.name, swc)),
+        *(_tell(each, swc) for each in swc.told),
         _publish(swc),
     ]
 
@@ -21,7 +22,41 @@ def _outputs(call: str, swc: SwcPlan) -> list[DataEnd]:
 
 def _send(call: str, swc: SwcPlan) -> Lines:
     head = f"static void {static(swc, f'Send_{call}')}(void)"
-    return function(head, [_sent(end, swc) for end in _outputs(call, swc)], "What the call provides.")
+    ends = _outputs(call, swc)
+    reasons = [
+        "A value that is not taken is followed by that of the next step." if any(_is_repeated(each, swc) for each in ends) else "",
+        "A receiver whose queue is full is told so by its RTE." if any(each.is_queue for each in ends) else "",
+    ]  # fmt: skip
+    comment = " ".join(filter(None, ["What the call provides.", *reasons]))
+    return function(head, [_sent(end, swc) for end in ends], comment)
+
+
+def _is_repeated(end: DataEnd, swc: SwcPlan) -> bool:
+    """Whether each step of a cycle sends it anew."""
+    return not end.is_queue and any(step.name == end.call and step.cycle for step in swc.core.steps)
+
+
+def _is_kept(end: DataEnd, swc: SwcPlan) -> bool:
+    """Whether others would have an old value until it changes, if the RTE does not take it."""
+    return not end.is_queue and not _is_repeated(end, swc)
+
+
+def unsent(swc: SwcPlan) -> Lines:
+    """What is sent again until it is taken."""
+    kept = [lines(f"boolean {end.place}; /* {end.comment} */") for end in swc.sent if _is_kept(end, swc)]
+    if swc.mode_out:
+        kept.append(lines(f"boolean {swc.mode_out.place}; /* mode */"))
+    told = [lines(f"boolean {each.error.named.name}; /* {each.error.named.comment} */") for each in swc.told]
+    return spaced([
+        _flags("What the RTE has not taken: it is sent again with what comes next.", "Unsent", kept, swc),
+        _flags("Verdicts that the diagnosis has not taken: it is told again.", "Untold", told, swc),
+    ])  # fmt: skip
+
+
+def _flags(comment: str, name: str, flags: list[Lines], swc: SwcPlan) -> Lines:
+    return (
+        joined([lines(f"/* {comment} */"), block("static struct", flags, f"}} {static(swc, name)};")]) if flags else ()
+    )
 
 
 def sends(call: str, swc: SwcPlan) -> list[Lines]:
@@ -49,13 +84,13 @@ def _used(call: str, swc: SwcPlan) -> list[MethodEnd]:
 def _publish(swc: SwcPlan) -> Lines:
     body = [
         enter(swc),
-        *(_noted_status(each, core_object(swc)) for each in swc.told),
+        *(_noted_status(each, swc) for each in swc.told),
         lines("") if swc.told else (),
-        *(_sent(end, swc) for end in swc.sent if not end.call),
+        *(_sent(end, swc, is_again=True) for end in swc.sent if _is_kept(end, swc)),
         _switched(swc.mode_out, swc) if swc.mode_out else (),
         lines(f"{swc.core.type_name}_Published({at_core(swc)});"),
         leave(swc),
-        *(_told(each) for each in swc.told),
+        *(_told(each, swc) for each in swc.told),
     ]
     head = f"static void {static(swc, 'Publish')}(void)"
     return function(
@@ -63,19 +98,19 @@ def _publish(swc: SwcPlan) -> Lines:
     )
 
 
-def _noted_status(told: Told, core: str) -> Lines:
+def _noted_status(told: Told, swc: SwcPlan) -> Lines:
     name = told.error.named.name
-    return lines(
-        f"const boolean tells_{name} = {core}.publish.{name} ? TRUE : FALSE;\n"
-        f"const boolean has_failed_{name} = {_failed(told, core)} ? TRUE : FALSE;"
-    )
+    untold = f"{static(swc, 'Untold')}.{name}"
+    said = f"{core_object(swc)}.publish.{name}"
+    return lines(f"const boolean tells_{name} = ({said} || ({untold} != FALSE)) ? TRUE : FALSE;")
 
 
 def _failed(told: Told, core: str) -> str:
     return f"({core}.out.{told.error.named.name} == {told.error.failed}U)"
 
 
-def _sent(end: DataEnd, swc: SwcPlan) -> Lines:
+def _sent(end: DataEnd, swc: SwcPlan, *, is_again: bool = False) -> Lines:
+    """Sent if the core says so; or again, if it was not taken."""
     core = core_object(swc)
     place = f"{core}.out.{end.place}"
     if end.is_queue:
@@ -83,30 +118,73 @@ def _sent(end: DataEnd, swc: SwcPlan) -> Lines:
         sent = block(f"for (uint32 k = 0U; k < {place}.count; k++)", [each])
     else:
         sent = _given(end, place, "Write", swc)
-    return block(f"if ({core}.publish.{end.place})", [sent])
+    return block(f"if ({_wanted(end.place, is_said=not is_again or not end.call, is_again=is_again, swc=swc)})", [sent])
+
+
+def _wanted(place: str, *, is_said: bool, is_again: bool, swc: SwcPlan) -> str:
+    said, again = f"{core_object(swc)}.publish.{place}", f"({_unsent(place, swc)} != FALSE)"
+    if is_said and is_again:
+        return f"{said} || {again}"
+    return said if is_said else again.removeprefix("(").removesuffix(")")
+
+
+def _unsent(place: str, swc: SwcPlan) -> str:
+    return f"{static(swc, 'Unsent')}.{place}"
+
+
+def _until_taken(place: str, call: str, swc: SwcPlan) -> Lines:
+    return lines(
+        f"const Std_ReturnType status = {call};\n\n{_unsent(place, swc)} = (status != RTE_E_OK) ? TRUE : FALSE;"
+    )
 
 
 def _given(end: DataEnd, source: str, api: str, swc: SwcPlan) -> Lines:
     copy = Copy(swc.core, to_core=False)
+    given = copy.number(source, end.type) if end.type.is_number else by_value(end.type, "value")
+    call = f"Rte_{api}_{end.name}({given})"
+    sent = _until_taken(end.place, call, swc) if _is_kept(end, swc) else lines(f"(void){call};")
     if end.type.is_number:
-        return lines(f"(void)Rte_{api}_{end.name}({copy.number(source, end.type)});")
-    return joined([
-        lines(f"{end.type.name} value;\n"),
-        copy.of("value", source, end.type, end.wire.c),
-        lines(f"(void)Rte_{api}_{end.name}({by_value(end.type, 'value')});"),
-    ])  # fmt: skip
+        return sent
+    return joined(
+        [
+            lines(f"{end.type.name} value;\n"),
+            copy.of("value", source, end.type, end.wire.c),
+            block("", [sent]) if _is_kept(end, swc) else sent,
+        ]
+    )
 
 
 def _switched(mode: ModeEnd, swc: SwcPlan) -> Lines:
-    core = core_object(swc)
-    switch = lines(f"(void)Rte_Switch_{mode.name}(({mode.type}){core}.out.{mode.place});")
-    return block(f"if ({core}.publish.{mode.place})", [switch])
+    """A transition that waits may leave no room for this one: the mode is said until it is taken."""
+    switch = f"Rte_Switch_{mode.name}(({mode.type}){core_object(swc)}.out.{mode.place})"
+    wanted = _wanted(mode.place, is_said=True, is_again=True, swc=swc)
+    return block(f"if ({wanted})", [_until_taken(mode.place, switch, swc)])
 
 
-def _told(told: Told) -> Lines:
+def _told(told: Told, swc: SwcPlan) -> Lines:
     name = told.error.named.name
-    status = f"(has_failed_{name} != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED"
-    return block(f"if (tells_{name} != FALSE)", [lines(f"(void)Rte_Call_{told.port}_{told.operation}({status});")])
+    return block(f"if (tells_{name} != FALSE)", [lines(f"{static(swc, f'Tell_{name}')}();")])
+
+
+def _tell(told: Told, swc: SwcPlan) -> Lines:
+    """The diagnosis is told outside of the exclusive area, where other runnables may come between."""
+    name, failed = told.error.named.name, _failed(told, core_object(swc))
+    status = "(has_failed != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED"
+    untold = f"{static(swc, 'Untold')}.{name}"
+    body = [
+        lines("boolean is_last = FALSE;"),
+        lines(""),
+        block("while (is_last == FALSE)", [
+            enter(swc), lines(f"const boolean has_failed = {failed} ? TRUE : FALSE;"), leave(swc),
+            lines(f"const Std_ReturnType status = Rte_Call_{told.port}_{told.operation}({status});"), lines(""),
+            enter(swc),
+            lines(f"{untold} = (status != RTE_E_OK) ? TRUE : FALSE;\n"
+                  f"is_last = ({failed} == (has_failed != FALSE)) ? TRUE : FALSE;"),
+            leave(swc),
+        ]),
+    ]  # fmt: skip
+    comment = f"{told.error.named.comment}: if another verdict comes meanwhile, that one is told last."
+    return function(f"static void {static(swc, f'Tell_{name}')}(void)", body, comment)
 
 
 # -- methods that the function uses -------------------------------------------------------------------------------

@@ -42,6 +42,7 @@ def _init(each: Runnable, swc: SwcPlan) -> list[Lines]:
         _cycle(swc),
         *(_calibrated(parameter, swc) for parameter in swc.parameters),
         enter(swc),
+        lines("/* If Init of the function has failed, the core says so, and no call is due. */"),
         lines(f"(void){p}_Init({core}, &stored, {'cycle' if swc.ignition else 'stored.ignition_cycle + 1U'});"),
         takes(each, swc),
         lines(f"{p}_Start({core}, t);"),
@@ -85,7 +86,8 @@ def _calibrated(each: ParameterEnd, swc: SwcPlan) -> Lines:
 def _terminate(each: Runnable, swc: SwcPlan) -> list[Lines]:
     core, p = at_core(swc), swc.core.type_name
     kept = lines(f"*Rte_Pim_{swc.memory.name}() = {core_object(swc)}.stored;") if swc.memory else ()
-    mark = lines(f"(void){swc.marked}(TRUE);") if swc.memory and swc.marked else ()
+    why = "/* Nothing follows that could store it otherwise: the next start has what was stored before. */"
+    mark = lines(f"{why}\n(void){swc.marked}(TRUE);") if swc.memory and swc.marked else ()
     return [
         lines(f"const {_t(swc)}\n"),
         enter(swc),
@@ -103,7 +105,10 @@ def _terminate(each: Runnable, swc: SwcPlan) -> list[Lines]:
 
 def _checkpoints(each: Runnable, moment: str, swc: SwcPlan) -> list[Lines]:
     reported: tuple[Reported, ...] = swc.reported.get((each.call or "", moment), ())
-    return [lines(f"(void){one.function}(); /* {one.name} */") for one in reported]
+    return [
+        lines(f"(void){one.function}(); /* {one.name}: the watchdog manager judges what it misses */")
+        for one in reported
+    ]
 
 
 def _step(each: Runnable, swc: SwcPlan) -> list[Lines]:

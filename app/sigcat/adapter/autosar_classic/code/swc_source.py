@@ -49,7 +49,7 @@ def _data(swc: SwcPlan) -> Lines:
         lines("/* Calls that the core has said are due, until their runnables run. */"),
         block("static struct", flags, f"}} {static(swc, 'Due')};"),
     ])  # fmt: skip
-    return joined([own, due if flags else ()])
+    return spaced([joined([own, due if flags else ()]), publishing.unsent(swc)])
 
 
 def _now(swc: SwcPlan) -> Lines:

@@ -18,6 +18,24 @@ static struct {
     boolean Step; /* CoreAcc_Step */
 } CoreAcc_Swc_Due;
 
+/* What the RTE has not taken: it is sent again with what comes next. */
+static struct {
+    boolean AccReqInvalid; /* Vehicle.Function.CoreAcc.SafetyReaction.AccReqInvalid */
+    boolean AliveError; /* Vehicle.Function.CoreAcc.Error.AliveError */
+    boolean BrakePressureTimeout; /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
+    boolean ProposalTimeout; /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
+    boolean SteeringAngleTimeout; /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
+    boolean Mode_Out; /* mode */
+} CoreAcc_Swc_Unsent;
+
+/* Verdicts that the diagnosis has not taken: it is told again. */
+static struct {
+    boolean BrakePressureTimeout; /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
+    boolean SteeringAngleTimeout; /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
+    boolean ProposalTimeout; /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
+    boolean AliveError; /* Vehicle.Function.CoreAcc.Error.AliveError */
+} CoreAcc_Swc_Untold;
+
 #define CoreAcc_STOP_SEC_VAR_CLEARED_UNSPECIFIED
 #include "CoreAcc_MemMap.h"
 
@@ -186,7 +204,7 @@ static void CoreAcc_Swc_FindDue(uint64 t)
     }
 }
 
-/* What the call provides. */
+/* What the call provides. A value that is not taken is followed by that of the next step. */
 static void CoreAcc_Swc_Send_Step(void)
 {
     if (CoreAcc_Adapter_Instance.publish.AccReq) {
@@ -197,57 +215,149 @@ static void CoreAcc_Swc_Send_Step(void)
     }
 }
 
+/* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout: if another verdict comes meanwhile, that one is told last. */
+static void CoreAcc_Swc_Tell_BrakePressureTimeout(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (CoreAcc_Adapter_Instance.out.BrakePressureTimeout == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_CoreAcc_BrakePressureTimeout_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        CoreAcc_Swc_Untold.BrakePressureTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((CoreAcc_Adapter_Instance.out.BrakePressureTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
+/* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout: if another verdict comes meanwhile, that one is told last. */
+static void CoreAcc_Swc_Tell_SteeringAngleTimeout(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (CoreAcc_Adapter_Instance.out.SteeringAngleTimeout == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_CoreAcc_SteeringAngleTimeout_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        CoreAcc_Swc_Untold.SteeringAngleTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((CoreAcc_Adapter_Instance.out.SteeringAngleTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
+/* Vehicle.Function.CoreAcc.Error.ProposalTimeout: if another verdict comes meanwhile, that one is told last. */
+static void CoreAcc_Swc_Tell_ProposalTimeout(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (CoreAcc_Adapter_Instance.out.ProposalTimeout == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_CoreAcc_ProposalTimeout_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        CoreAcc_Swc_Untold.ProposalTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((CoreAcc_Adapter_Instance.out.ProposalTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
+/* Vehicle.Function.CoreAcc.Error.AliveError: if another verdict comes meanwhile, that one is told last. */
+static void CoreAcc_Swc_Tell_AliveError(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (CoreAcc_Adapter_Instance.out.AliveError == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_CoreAcc_AliveError_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        CoreAcc_Swc_Untold.AliveError = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((CoreAcc_Adapter_Instance.out.AliveError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
 /* What the core may say at any time. The diagnosis is told outside of the exclusive area. */
 static void CoreAcc_Swc_Publish(void)
 {
     Rte_Enter_Core();
-    const boolean tells_BrakePressureTimeout = CoreAcc_Adapter_Instance.publish.BrakePressureTimeout ? TRUE : FALSE;
-    const boolean has_failed_BrakePressureTimeout = (CoreAcc_Adapter_Instance.out.BrakePressureTimeout == 1U)
-        ? TRUE : FALSE;
-    const boolean tells_SteeringAngleTimeout = CoreAcc_Adapter_Instance.publish.SteeringAngleTimeout ? TRUE : FALSE;
-    const boolean has_failed_SteeringAngleTimeout = (CoreAcc_Adapter_Instance.out.SteeringAngleTimeout == 1U)
-        ? TRUE : FALSE;
-    const boolean tells_ProposalTimeout = CoreAcc_Adapter_Instance.publish.ProposalTimeout ? TRUE : FALSE;
-    const boolean has_failed_ProposalTimeout = (CoreAcc_Adapter_Instance.out.ProposalTimeout == 1U) ? TRUE : FALSE;
-    const boolean tells_AliveError = CoreAcc_Adapter_Instance.publish.AliveError ? TRUE : FALSE;
-    const boolean has_failed_AliveError = (CoreAcc_Adapter_Instance.out.AliveError == 1U) ? TRUE : FALSE;
+    const boolean tells_BrakePressureTimeout = (CoreAcc_Adapter_Instance.publish.BrakePressureTimeout
+        || (CoreAcc_Swc_Untold.BrakePressureTimeout != FALSE)) ? TRUE : FALSE;
+    const boolean tells_SteeringAngleTimeout = (CoreAcc_Adapter_Instance.publish.SteeringAngleTimeout
+        || (CoreAcc_Swc_Untold.SteeringAngleTimeout != FALSE)) ? TRUE : FALSE;
+    const boolean tells_ProposalTimeout = (CoreAcc_Adapter_Instance.publish.ProposalTimeout
+        || (CoreAcc_Swc_Untold.ProposalTimeout != FALSE)) ? TRUE : FALSE;
+    const boolean tells_AliveError = (CoreAcc_Adapter_Instance.publish.AliveError
+        || (CoreAcc_Swc_Untold.AliveError != FALSE)) ? TRUE : FALSE;
 
-    if (CoreAcc_Adapter_Instance.publish.AccReqInvalid) {
-        (void)Rte_Write_AccReqInvalid_SftyCondSts_Out_Status(CoreAcc_Adapter_Instance.out.AccReqInvalid);
+    if (CoreAcc_Adapter_Instance.publish.AccReqInvalid || (CoreAcc_Swc_Unsent.AccReqInvalid != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_AccReqInvalid_SftyCondSts_Out_Status(CoreAcc_Adapter_Instance.out.AccReqInvalid);
+
+        CoreAcc_Swc_Unsent.AccReqInvalid = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (CoreAcc_Adapter_Instance.publish.AliveError) {
-        (void)Rte_Write_CoreAcc_AliveError_ErrorSts_Status(CoreAcc_Adapter_Instance.out.AliveError);
+    if (CoreAcc_Adapter_Instance.publish.AliveError || (CoreAcc_Swc_Unsent.AliveError != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_CoreAcc_AliveError_ErrorSts_Status(CoreAcc_Adapter_Instance.out.AliveError);
+
+        CoreAcc_Swc_Unsent.AliveError = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (CoreAcc_Adapter_Instance.publish.BrakePressureTimeout) {
-        (void)Rte_Write_CoreAcc_BrakePressureTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.BrakePressureTimeout);
+    if (CoreAcc_Adapter_Instance.publish.BrakePressureTimeout || (CoreAcc_Swc_Unsent.BrakePressureTimeout != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_CoreAcc_BrakePressureTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.BrakePressureTimeout);
+
+        CoreAcc_Swc_Unsent.BrakePressureTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (CoreAcc_Adapter_Instance.publish.ProposalTimeout) {
-        (void)Rte_Write_CoreAcc_ProposalTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.ProposalTimeout);
+    if (CoreAcc_Adapter_Instance.publish.ProposalTimeout || (CoreAcc_Swc_Unsent.ProposalTimeout != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_CoreAcc_ProposalTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.ProposalTimeout);
+
+        CoreAcc_Swc_Unsent.ProposalTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (CoreAcc_Adapter_Instance.publish.SteeringAngleTimeout) {
-        (void)Rte_Write_CoreAcc_SteeringAngleTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.SteeringAngleTimeout);
+    if (CoreAcc_Adapter_Instance.publish.SteeringAngleTimeout || (CoreAcc_Swc_Unsent.SteeringAngleTimeout != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_CoreAcc_SteeringAngleTimeout_ErrorSts_Status(CoreAcc_Adapter_Instance.out.SteeringAngleTimeout);
+
+        CoreAcc_Swc_Unsent.SteeringAngleTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (CoreAcc_Adapter_Instance.publish.Mode_Out) {
-        (void)Rte_Switch_CoreAcc_Mode_Out_Mode((
+    if (CoreAcc_Adapter_Instance.publish.Mode_Out || (CoreAcc_Swc_Unsent.Mode_Out != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Switch_CoreAcc_Mode_Out_Mode((
             Rte_ModeType_CoreAcc_Mode_Out_Modes)CoreAcc_Adapter_Instance.out.Mode_Out);
+
+        CoreAcc_Swc_Unsent.Mode_Out = (status != RTE_E_OK) ? TRUE : FALSE;
     }
     CoreAcc_Adapter_Published(&CoreAcc_Adapter_Instance);
     Rte_Exit_Core();
     if (tells_BrakePressureTimeout != FALSE) {
-        (void)Rte_Call_Event_CoreAcc_BrakePressureTimeout_ErrorSts_SetEventStatus((
-            has_failed_BrakePressureTimeout != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        CoreAcc_Swc_Tell_BrakePressureTimeout();
     }
     if (tells_SteeringAngleTimeout != FALSE) {
-        (void)Rte_Call_Event_CoreAcc_SteeringAngleTimeout_ErrorSts_SetEventStatus((
-            has_failed_SteeringAngleTimeout != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        CoreAcc_Swc_Tell_SteeringAngleTimeout();
     }
     if (tells_ProposalTimeout != FALSE) {
-        (void)Rte_Call_Event_CoreAcc_ProposalTimeout_ErrorSts_SetEventStatus((has_failed_ProposalTimeout != FALSE)
-            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        CoreAcc_Swc_Tell_ProposalTimeout();
     }
     if (tells_AliveError != FALSE) {
-        (void)Rte_Call_Event_CoreAcc_AliveError_ErrorSts_SetEventStatus((has_failed_AliveError != FALSE)
-            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        CoreAcc_Swc_Tell_AliveError();
     }
 }
 
@@ -275,6 +385,7 @@ void CoreAcc_Run_Init(void)
     stored.ALatMax.value = Rte_Prm_Parameters_ALatMax();
     stored.ALatMax.is_there = true;
     Rte_Enter_Core();
+    /* If Init of the function has failed, the core says so, and no call is due. */
     (void)CoreAcc_Adapter_Init(&CoreAcc_Adapter_Instance, &stored, cycle);
     CoreAcc_Swc_TakeMode(t);
     CoreAcc_Adapter_Start(&CoreAcc_Adapter_Instance, t);
@@ -347,9 +458,11 @@ void CoreAcc_Run_Step(void)
         CoreAcc_Adapter_Begin_Step(&CoreAcc_Adapter_Instance, t);
         Rte_Exit_Core();
         CoreAcc_Swc_Publish();
-        (void)Rte_Call_Supervision_Step_Begin_CheckpointReached(); /* Step_Begin */
+        /* Step_Begin: the watchdog manager judges what it misses */
+        (void)Rte_Call_Supervision_Step_Begin_CheckpointReached();
         CoreAcc_Adapter_Run_Step(&CoreAcc_Adapter_Instance);
-        (void)Rte_Call_Supervision_Step_End_CheckpointReached(); /* Step_End */
+        /* Step_End: the watchdog manager judges what it misses */
+        (void)Rte_Call_Supervision_Step_End_CheckpointReached();
         t = CoreAcc_Swc_Now();
         Rte_Enter_Core();
         CoreAcc_Adapter_GetOutput_Step(&CoreAcc_Adapter_Instance, t);
@@ -396,6 +509,7 @@ void CoreAcc_Run_Terminate(void)
     *Rte_Pim_Stored() = CoreAcc_Adapter_Instance.stored;
     Rte_Exit_Core();
     CoreAcc_Swc_Publish();
+    /* Nothing follows that could store it otherwise: the next start has what was stored before. */
     (void)Rte_Call_StoredBlock_SetRamBlockStatus(TRUE);
 }
 

@@ -19,6 +19,22 @@ static struct {
     boolean Step; /* EcoControlMpc_Step */
 } EcoControlMpc_Swc_Due;
 
+/* What the RTE has not taken: it is sent again with what comes next. */
+static struct {
+    boolean AccPropInvalid; /* Vehicle.Function.EcoControlMpc.SafetyReaction.AccPropInvalid */
+    boolean DeadlineError; /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
+    boolean HorizonTimeout; /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
+    boolean NoSolutionError; /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
+    boolean Mode_Out; /* mode */
+} EcoControlMpc_Swc_Unsent;
+
+/* Verdicts that the diagnosis has not taken: it is told again. */
+static struct {
+    boolean HorizonTimeout; /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
+    boolean NoSolutionError; /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
+    boolean DeadlineError; /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
+} EcoControlMpc_Swc_Untold;
+
 #define EcoControlMpc_STOP_SEC_VAR_CLEARED_UNSPECIFIED
 #include "EcoControlMpc_MemMap.h"
 
@@ -112,7 +128,7 @@ static void EcoControlMpc_Swc_FindDue(uint64 t)
     }
 }
 
-/* What the call provides. */
+/* What the call provides. A value that is not taken is followed by that of the next step. */
 static void EcoControlMpc_Swc_Send_Step(void)
 {
     if (EcoControlMpc_Swc_Core.publish.EcoAccProp) {
@@ -121,46 +137,118 @@ static void EcoControlMpc_Swc_Send_Step(void)
     }
 }
 
+/* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout: if another verdict comes meanwhile, that one is told last. */
+static void EcoControlMpc_Swc_Tell_HorizonTimeout(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (EcoControlMpc_Swc_Core.out.HorizonTimeout == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_EcoControlMpc_HorizonTimeout_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        EcoControlMpc_Swc_Untold.HorizonTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((EcoControlMpc_Swc_Core.out.HorizonTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
+/* Vehicle.Function.EcoControlMpc.Error.NoSolutionError: if another verdict comes meanwhile, that one is told last. */
+static void EcoControlMpc_Swc_Tell_NoSolutionError(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (EcoControlMpc_Swc_Core.out.NoSolutionError == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_EcoControlMpc_NoSolutionError_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        EcoControlMpc_Swc_Untold.NoSolutionError = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((EcoControlMpc_Swc_Core.out.NoSolutionError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
+/* Vehicle.Function.EcoControlMpc.Error.DeadlineError: if another verdict comes meanwhile, that one is told last. */
+static void EcoControlMpc_Swc_Tell_DeadlineError(void)
+{
+    boolean is_last = FALSE;
+
+    while (is_last == FALSE) {
+        Rte_Enter_Core();
+        const boolean has_failed = (EcoControlMpc_Swc_Core.out.DeadlineError == 1U) ? TRUE : FALSE;
+        Rte_Exit_Core();
+        const Std_ReturnType status =
+            Rte_Call_Event_EcoControlMpc_DeadlineError_ErrorSts_SetEventStatus((has_failed != FALSE)
+            ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+
+        Rte_Enter_Core();
+        EcoControlMpc_Swc_Untold.DeadlineError = (status != RTE_E_OK) ? TRUE : FALSE;
+        is_last = ((EcoControlMpc_Swc_Core.out.DeadlineError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        Rte_Exit_Core();
+    }
+}
+
 /* What the core may say at any time. The diagnosis is told outside of the exclusive area. */
 static void EcoControlMpc_Swc_Publish(void)
 {
     Rte_Enter_Core();
-    const boolean tells_HorizonTimeout = EcoControlMpc_Swc_Core.publish.HorizonTimeout ? TRUE : FALSE;
-    const boolean has_failed_HorizonTimeout = (EcoControlMpc_Swc_Core.out.HorizonTimeout == 1U) ? TRUE : FALSE;
-    const boolean tells_NoSolutionError = EcoControlMpc_Swc_Core.publish.NoSolutionError ? TRUE : FALSE;
-    const boolean has_failed_NoSolutionError = (EcoControlMpc_Swc_Core.out.NoSolutionError == 1U) ? TRUE : FALSE;
-    const boolean tells_DeadlineError = EcoControlMpc_Swc_Core.publish.DeadlineError ? TRUE : FALSE;
-    const boolean has_failed_DeadlineError = (EcoControlMpc_Swc_Core.out.DeadlineError == 1U) ? TRUE : FALSE;
+    const boolean tells_HorizonTimeout = (EcoControlMpc_Swc_Core.publish.HorizonTimeout
+        || (EcoControlMpc_Swc_Untold.HorizonTimeout != FALSE)) ? TRUE : FALSE;
+    const boolean tells_NoSolutionError = (EcoControlMpc_Swc_Core.publish.NoSolutionError
+        || (EcoControlMpc_Swc_Untold.NoSolutionError != FALSE)) ? TRUE : FALSE;
+    const boolean tells_DeadlineError = (EcoControlMpc_Swc_Core.publish.DeadlineError
+        || (EcoControlMpc_Swc_Untold.DeadlineError != FALSE)) ? TRUE : FALSE;
 
-    if (EcoControlMpc_Swc_Core.publish.AccPropInvalid) {
-        (void)Rte_Write_AccPropInvalid_SftyCondSts_Out_Status(EcoControlMpc_Swc_Core.out.AccPropInvalid);
+    if (EcoControlMpc_Swc_Core.publish.AccPropInvalid || (EcoControlMpc_Swc_Unsent.AccPropInvalid != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_AccPropInvalid_SftyCondSts_Out_Status(EcoControlMpc_Swc_Core.out.AccPropInvalid);
+
+        EcoControlMpc_Swc_Unsent.AccPropInvalid = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (EcoControlMpc_Swc_Core.publish.DeadlineError) {
-        (void)Rte_Write_EcoControlMpc_DeadlineError_ErrorSts_Status(EcoControlMpc_Swc_Core.out.DeadlineError);
+    if (EcoControlMpc_Swc_Core.publish.DeadlineError || (EcoControlMpc_Swc_Unsent.DeadlineError != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_EcoControlMpc_DeadlineError_ErrorSts_Status(EcoControlMpc_Swc_Core.out.DeadlineError);
+
+        EcoControlMpc_Swc_Unsent.DeadlineError = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (EcoControlMpc_Swc_Core.publish.HorizonTimeout) {
-        (void)Rte_Write_EcoControlMpc_HorizonTimeout_ErrorSts_Status(EcoControlMpc_Swc_Core.out.HorizonTimeout);
+    if (EcoControlMpc_Swc_Core.publish.HorizonTimeout || (EcoControlMpc_Swc_Unsent.HorizonTimeout != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_EcoControlMpc_HorizonTimeout_ErrorSts_Status(EcoControlMpc_Swc_Core.out.HorizonTimeout);
+
+        EcoControlMpc_Swc_Unsent.HorizonTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (EcoControlMpc_Swc_Core.publish.NoSolutionError) {
-        (void)Rte_Write_EcoControlMpc_NoSolutionError_ErrorSts_Status(EcoControlMpc_Swc_Core.out.NoSolutionError);
+    if (EcoControlMpc_Swc_Core.publish.NoSolutionError || (EcoControlMpc_Swc_Unsent.NoSolutionError != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Write_EcoControlMpc_NoSolutionError_ErrorSts_Status(EcoControlMpc_Swc_Core.out.NoSolutionError);
+
+        EcoControlMpc_Swc_Unsent.NoSolutionError = (status != RTE_E_OK) ? TRUE : FALSE;
     }
-    if (EcoControlMpc_Swc_Core.publish.Mode_Out) {
-        (void)Rte_Switch_EcoControlMpc_Mode_Out_Mode((
+    if (EcoControlMpc_Swc_Core.publish.Mode_Out || (EcoControlMpc_Swc_Unsent.Mode_Out != FALSE)) {
+        const Std_ReturnType status =
+            Rte_Switch_EcoControlMpc_Mode_Out_Mode((
             Rte_ModeType_EcoControlMpc_Mode_Out_Modes)EcoControlMpc_Swc_Core.out.Mode_Out);
+
+        EcoControlMpc_Swc_Unsent.Mode_Out = (status != RTE_E_OK) ? TRUE : FALSE;
     }
     EcoControlMpc_Adapter_Published(&EcoControlMpc_Swc_Core);
     Rte_Exit_Core();
     if (tells_HorizonTimeout != FALSE) {
-        (void)Rte_Call_Event_EcoControlMpc_HorizonTimeout_ErrorSts_SetEventStatus((
-            has_failed_HorizonTimeout != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        EcoControlMpc_Swc_Tell_HorizonTimeout();
     }
     if (tells_NoSolutionError != FALSE) {
-        (void)Rte_Call_Event_EcoControlMpc_NoSolutionError_ErrorSts_SetEventStatus((
-            has_failed_NoSolutionError != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        EcoControlMpc_Swc_Tell_NoSolutionError();
     }
     if (tells_DeadlineError != FALSE) {
-        (void)Rte_Call_Event_EcoControlMpc_DeadlineError_ErrorSts_SetEventStatus((
-            has_failed_DeadlineError != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
+        EcoControlMpc_Swc_Tell_DeadlineError();
     }
 }
 
@@ -192,6 +280,7 @@ void EcoControlMpc_Run_Init(void)
     stored.EnergyWeight.value = Rte_Prm_Parameters_EnergyWeight();
     stored.EnergyWeight.is_there = true;
     Rte_Enter_Core();
+    /* If Init of the function has failed, the core says so, and no call is due. */
     (void)EcoControlMpc_Adapter_Init(&EcoControlMpc_Swc_Core, &stored, cycle);
     EcoControlMpc_Swc_TakeMode(t);
     EcoControlMpc_Adapter_Start(&EcoControlMpc_Swc_Core, t);
@@ -251,9 +340,11 @@ void EcoControlMpc_Run_Step(void)
         EcoControlMpc_Adapter_Begin_Step(&EcoControlMpc_Swc_Core, t);
         Rte_Exit_Core();
         EcoControlMpc_Swc_Publish();
-        (void)Rte_Call_Supervision_Step_Begin_CheckpointReached(); /* Step_Begin */
+        /* Step_Begin: the watchdog manager judges what it misses */
+        (void)Rte_Call_Supervision_Step_Begin_CheckpointReached();
         EcoControlMpc_Adapter_Run_Step(&EcoControlMpc_Swc_Core);
-        (void)Rte_Call_Supervision_Step_End_CheckpointReached(); /* Step_End */
+        /* Step_End: the watchdog manager judges what it misses */
+        (void)Rte_Call_Supervision_Step_End_CheckpointReached();
         t = EcoControlMpc_Swc_Now();
         Rte_Enter_Core();
         EcoControlMpc_Adapter_GetOutput_Step(&EcoControlMpc_Swc_Core, t);
@@ -300,6 +391,7 @@ void EcoControlMpc_Run_Terminate(void)
     *Rte_Pim_Stored() = EcoControlMpc_Swc_Core.stored;
     Rte_Exit_Core();
     EcoControlMpc_Swc_Publish();
+    /* Nothing follows that could store it otherwise: the next start has what was stored before. */
     (void)Rte_Call_StoredBlock_SetRamBlockStatus(TRUE);
 }
 
