@@ -3,6 +3,7 @@
 import json
 import re
 import shutil
+import subprocess
 
 import pytest
 
@@ -216,9 +217,122 @@ def _said(played, what):
     return played.sent[what]
 
 
-def test_a_value_that_cannot_be_read_is_told_with_its_line(ecocontrol, tmp_path):
-    with pytest.raises(AssertionError, match=r"line 3: Vehicle\.Speed fast"):
-        play(ecocontrol, "time,Vehicle.Speed\n0,1\n1,fast\n", SECOND)
+HEADER = "time,Vehicle.Speed,CoreAcc_Mode_In"
+TRACES = {
+    "nothing": ("", "cannot be read as a trace"),
+    "no time": ("Vehicle.Speed\n1\n", "The first column must be time"),
+    "a column twice": ("time,Vehicle.Speed,Vehicle.Speed\n0,1,1\n", "must stand in the header once"),
+    "a time that is none": (f"{HEADER}\nsoon,1,\n", 'line 2: The time must be in seconds, from 0 on, not "soon"'),
+    "a time below 0": (f"{HEADER}\n-1,1,\n", "line 2: The time must be in seconds"),
+    "a time that goes back": (f"{HEADER}\n1,1,\n0.5,1,\n", "line 3: The time must not be before"),
+    "a cell too few": (f"{HEADER}\n0,1\n", "line 2: The row must have as many cells as the header"),
+    "a cell too many": (f"{HEADER}\n0,1,,7\n", "line 2: The row must have as many cells"),
+    "a quote that stays open": (f'{HEADER}\n0,"1,\n', "line 2: The row must close each quote"),
+    "a byte of 0": (f"{HEADER}\n0,\0,\n", "without a byte of 0"),
+    "a word for a number": (
+        f"{HEADER}\n0,1,\n1,fast,\n",
+        'line 3: Vehicle.Speed must be a number that a float holds, not "fast"',
+    ),
+    "a number that no float holds": (f"{HEADER}\n0,1e39,\n", "that a float holds"),
+    "two numbers for one": (f"{HEADER}\n0,1 2,\n", "Vehicle.Speed must be one value"),
+    "a mode that there is not": (f"{HEADER}\n0,,STANDING\n", "CoreAcc_Mode_In must be one of its names"),
+    "a number that does not fit": (f"{HEADER}\n0,,256\n", "CoreAcc_Mode_In must be one of its names, or a number"),
+}
+
+
+@pytest.mark.parametrize("name", TRACES)
+def test_a_trace_that_is_wrong_is_refused_before_anything_is_written(name, ecocontrol, tmp_path):
+    text, said = TRACES[name]
+    (tmp_path / "trace.csv").write_bytes(text.encode())
+    done = _run(
+        ecocontrol, tmp_path, "lock", tmp_path / "trace.csv", tmp_path / "sent.csv", tmp_path / "told.csv", SECOND
+    )
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert done.stderr.startswith("test_rte: ")
+    assert said in done.stderr
+    assert not (tmp_path / "sent.csv").exists()
+
+
+def test_a_column_that_no_component_receives_is_named(ecocontrol, tmp_path):
+    (tmp_path / "trace.csv").write_text("time,Vehicle.Spede,call\n0,1,\n")
+    done = _run(
+        ecocontrol, tmp_path, "lock", tmp_path / "trace.csv", tmp_path / "sent.csv", tmp_path / "told.csv", SECOND
+    )
+    assert done.returncode == 0
+    assert done.stderr.splitlines() == [
+        f"test_rte: {tmp_path / 'trace.csv'}: Vehicle.Spede is left out: no component receives it"
+    ]
+
+
+STRUCTS = {
+    "members in another order": '"{""Speed"": 20, ""Kind"": 1, ""Position"": {""X"": 1, ""Y"": 2}}"',
+    "a member too few": '"{""Kind"": 1, ""Speed"": 20, ""Position"": {""X"": 1}}"',
+    "a mapping that goes on": '"{""Kind"": 1, ""Speed"": 20, ""Position"": {""X"": 1, ""Y"": 2}} 3"',
+    "a number too large for a member": '"{""Kind"": 1, ""Speed"": 65536, ""Position"": {""X"": 1, ""Y"": 2}}"',
+    "a list": "[1]",
+}
+
+
+def test_a_value_of_another_form_is_refused(tmp_path):
+    paths = (CASES / "structs_and_queues/function.yaml",)
+    program = built(written(tmp_path, paths), paths)
+    for text in STRUCTS.values():
+        (tmp_path / "trace.csv").write_text(f"time,Vehicle.Objects.Ahead\n0,{text}\n")
+        done = _run(program, tmp_path, "lock", tmp_path / "trace.csv", tmp_path / "s", tmp_path / "t", SECOND)
+        assert done.returncode == 2, text
+        assert re.search(
+            r"line 2: Vehicle\.Objects\.Ahead must be a (list or a mapping of JSON|whole number from 0 to 65535)",
+            done.stderr,
+        )
+
+
+ARGUMENTS = {
+    "none": ([], "usage: test_rte"),
+    "a mode that there is not": (["fast", "trace", "sent", "told", "1"], 'MODE must be lock or free, not "fast"'),
+    "a length that is none": (["lock", "trace", "sent", "told", "1s"], "LENGTH_NS must be a whole number of ns"),
+    "a length that is too long": (
+        ["lock", "trace", "sent", "told", "1" * 30],
+        "LENGTH_NS must be a whole number of ns",
+    ),
+    "one file twice": (["lock", "trace", "sent", "trace", "1"], "must be three files"),
+    "a trace that is not there": (["lock", "other", "sent", "told", "1"], "other cannot be read as a trace"),
+    "a folder that is not there": (
+        ["lock", "trace", "sent", "told", "1", "-n", "other"],
+        "What -n names must be a folder",
+    ),
+    "an option without a value": (["lock", "trace", "sent", "told", "1", "-i"], "A value must follow"),
+    "a cycle that is none": (["lock", "trace", "sent", "told", "1", "-i", "-1"], "ignition cycle must be whole"),
+    "a function that there is not": (["lock", "trace", "sent", "told", "1", "Other@1"], "of CoreAcc, EcoControlMpc"),
+    "an end without a time": (
+        ["lock", "trace", "sent", "told", "1", "CoreAcc@soon"],
+        "The time of an end must be in ns",
+    ),
+    "an option that there is not": (["lock", "trace", "sent", "told", "1", "--fast"], "What follows LENGTH_NS must be"),
+    "a record that cannot be written": (["lock", "trace", "sent", "no/told", "1"], "no/told cannot be written"),
+}
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_a_command_line_that_is_wrong_is_refused_in_one_line(name, ecocontrol, tmp_path):
+    arguments, said = ARGUMENTS[name]
+    (tmp_path / "trace").write_text("time\n0\n")
+    done = _run(ecocontrol, tmp_path, *arguments)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert said in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["trace"]
+
+
+def test_a_block_that_is_not_of_the_component_is_left_out(ecocontrol, tmp_path):
+    (tmp_path / "CoreAcc_Stored.nvm").write_bytes(b"x" * 1000)
+    (tmp_path / "trace").write_text("time\n0\n")
+    done = _run(ecocontrol, tmp_path, "lock", "trace", "sent", "told", SECOND, "-n", tmp_path)
+    assert done.returncode == 0
+    assert "CoreAcc_Stored.nvm is left out: it must have" in done.stderr
+
+
+def _run(program, folder, *arguments):
+    command = [str(word) for word in (program, *arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
 
 
 @pytest.mark.skipif(not sanitizers(), reason="sanitizers of the compiler")

@@ -31,7 +31,7 @@ endif()
 add_compile_options(-ffp-contract=off)
 {components}
 add_executable(test_rte
-  test_rte/main.c test_rte/os.c test_rte/services.c test_rte/values.c test_rte/rte_tables.c
+  test_rte/main.c test_rte/os.c test_rte/services.c test_rte/trace.c test_rte/values.c test_rte/rte_tables.c
   {sources}
   {objects})
 target_include_directories(test_rte PRIVATE test_rte contract core test_rte/include {_folders(plan)})

@@ -58,10 +58,10 @@ def _shapes(swc: SwcPlan, rte: TestRte) -> Iterator[Shape]:
         port = next(each for each in swc.component.ports if each.name == swc.mode_out.port)
         yield Shape(f"{swc.name}_{swc.mode_out.name}", *_mode_type(port, rte))
     for method in operations.used(swc):
-        members = tuple((each.place, each.type) for each in method.results) or (
-            ("is_ok", RteType("boolean", "boolean")),
+        members = tuple((each.place, each.type) for each in method.results)
+        type_ = (
+            RteType(operations.answer_type(method, swc), members=members) if members else RteType("boolean", "boolean")
         )
-        type_ = RteType(operations.answer_type(method, swc), members=members)
         yield Shape(f"{swc.name}_{method.name}_answer", type_, named)
 
 

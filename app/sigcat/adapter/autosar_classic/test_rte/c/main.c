@@ -3,147 +3,126 @@
  *
  *     test_rte MODE TRACE SENT TOLD LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]
  *
- * Time begins with the first row, and ends LENGTH_NS after it. MODE is `lock` (as fast as it goes) or `free` (in real time). FOLDER is where blocks are kept, CYCLE the number of the
- * ignition cycle. From its time on, nothing of a function runs any more.
+ * Time begins with the first row, and ends LENGTH_NS after it. MODE is `lock` (as fast as it goes) or `free` (in real
+ * time). FOLDER is where blocks are kept, CYCLE the number of the ignition cycle. From its time on, nothing of a function
+ * runs any more. What cannot be understood is refused before anything is written, with a status of 2.
  */
 #if !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200809L
 #endif
 
-#include <inttypes.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 #include "Rte_Main.h"
 #include "test_rte.h"
 
-#define COLUMNS 4096U
 #define SECOND 1000000000U
+#define FIRST_OPTION 6
 
 typedef struct {
-    FILE *file;
-    char *line;
-    size_t room;
-    const TestRte_Input *columns[COLUMNS];
-    char *cells[COLUMNS];
-    uint32 count;
-    uint64 time; /* of the row that comes next */
-    uint64 number; /* of its line */
-} trace;
+    boolean is_free;
+    const char *trace;
+    const char *sent;
+    const char *told;
+    uint64 length;
+    const char *folder;
+    uint64 *ends; /* of each component, when it ends */
+} request;
 
-typedef struct {
-    uint32 component;
-    uint64 time;
-    boolean has_come;
-} end_of_component;
+/* -- what is asked for --------------------------------------------------------------------------------------------- */
 
-static void fail(const trace *of, const char *what, const char *detail)
+static void refuse(const char *what, const char *found)
 {
-    (void)fprintf(stderr, "test_rte: line %" PRIu64 ": %s %s\n", of->number, what, detail);
-    exit(EXIT_FAILURE);
+    (void)fprintf(stderr, "test_rte: %s, not \"%s\"\n", what, found);
+    exit(TEST_RTE_REFUSED);
 }
 
-/* -- the trace ----------------------------------------------------------------------------------------------------- */
-
-/* A cell ends at a comma; one in quotes at its quote, and a quote within is doubled. */
-static char *take_cell(char *at, char **cell)
+static uint64 number_of(const char *text, uint64 most, const char *what)
 {
-    char *to = at;
-    *cell = at;
-    if (*at != '"') {
-        at += strcspn(at, ",\r\n");
-        to = at;
-    } else {
-        for (at++; *at != '\0' && (*at != '"' || at[1] == '"'); at++) {
-            at += (*at == '"') ? 1 : 0;
-            *to = *at;
-            to++;
-        }
-        at += (*at == '"') ? 1 : 0;
+    errno = 0;
+    const uint64 found = strtoull(text, NULL, 10);
+    if (*text == '\0' || text[strspn(text, "0123456789")] != '\0' || errno != 0 || found > most) {
+        refuse(what, text);
     }
-    const char separator = *at;
-    *to = '\0';
-    return (separator == ',') ? (at + 1) : NULL;
+    return found;
 }
 
-static boolean read_row(trace *from)
+static void take_end(const char *text, request *asked)
 {
-    from->number++;
-    if (getline(&from->line, &from->room, from->file) <= 0) {
-        return FALSE;
-    }
-    char *at = from->line;
-    for (from->count = 0U; at != NULL && from->count < COLUMNS; from->count++) {
-        at = take_cell(at, &from->cells[from->count]);
-    }
-    return TRUE;
-}
-
-/* Seconds, exactly. */
-static uint64 nanoseconds(const char *text)
-{
-    char *end = NULL;
-    uint64 found = strtoull(text, &end, 10) * SECOND;
-    if (*end == '.') {
-        uint64 unit = SECOND / 10U;
-        for (end++; *end >= '0' && *end <= '9'; end++) {
-            found += unit * (uint64)(*end - '0');
-            unit /= 10U;
+    const char *const at = strrchr(text, '@');
+    const size_t length = (at != NULL) ? (size_t)(at - text) : 0U;
+    for (uint32 i = 0U; at != NULL && i < TestRte_ComponentCount; i++) {
+        if (strlen(TestRte_Functions[i]) == length && strncmp(TestRte_Functions[i], text, length) == 0) {
+            asked->ends[i] = number_of(at + 1, UINT64_MAX - 1U, "The time of an end must be in ns");
+            return;
         }
     }
-    return (*end == '\0') ? found : (uint64)(strtod(text, NULL) * (double)SECOND + 0.5);
-}
-
-static void read_next(trace *from)
-{
-    from->time = (read_row(from) != FALSE) ? nanoseconds(from->cells[0]) : UINT64_MAX;
-}
-
-static trace opened(const char *name)
-{
-    trace made = {0};
-    made.file = fopen(name, "r");
-    if (made.file == NULL || read_row(&made) == FALSE) {
-        fail(&made, "this cannot be read:", name);
+    (void)fprintf(stderr, "test_rte: What follows LENGTH_NS must be -n FOLDER, -i CYCLE or FUNCTION@TIME_NS of");
+    for (uint32 i = 0U; i < TestRte_ComponentCount; i++) {
+        (void)fprintf(stderr, "%s %s", (i > 0U) ? "," : "", TestRte_Functions[i]);
     }
-    for (uint32 i = 1U; i < made.count; i++) {
-        for (uint32 k = 0U; k < TestRte_InputCount; k++) {
-            if (strcmp(made.cells[i], TestRte_Inputs[k].name) == 0) {
-                made.columns[i] = &TestRte_Inputs[k];
-            }
-        }
-    }
-    return made;
+    (void)fprintf(stderr, ", not \"%s\"\n", text);
+    exit(TEST_RTE_REFUSED);
 }
 
-/* A column may be received by several components: each has an input of that name. */
-static void deliver(trace *from, uint32 cell)
+static const char *folder_of(const char *name)
 {
-    union { uint64 aligned; unsigned char bytes[1]; } *value = NULL;
-    for (uint32 k = 0U; k < TestRte_InputCount; k++) {
-        const TestRte_Input *const input = &TestRte_Inputs[k];
-        if (strcmp(input->name, from->columns[cell]->name) == 0) {
-            value = calloc(1U, input->shape->size + sizeof(*value));
-            if (value == NULL || TestRte_Read(from->cells[cell], input->shape, value) == FALSE) {
-                fail(from, input->name, from->cells[cell]);
-            }
-            input->deliver(value);
-            free(value);
+    struct stat about;
+    if (stat(name, &about) != 0 || !S_ISDIR(about.st_mode)) {
+        refuse("What -n names must be a folder", name);
+    }
+    return name;
+}
+
+static void take_options(int count, char **arguments, request *asked)
+{
+    for (int i = FIRST_OPTION; i < count; i++) {
+        const boolean is_option = (strcmp(arguments[i], "-n") == 0 || strcmp(arguments[i], "-i") == 0) ? TRUE : FALSE;
+        if (is_option == FALSE) {
+            take_end(arguments[i], asked);
+        } else if (i + 1 == count) {
+            refuse("A value must follow", arguments[i]);
+        } else if (arguments[i][1] == 'n') {
+            i++;
+            asked->folder = folder_of(arguments[i]);
+        } else {
+            i++;
+            TestRte_SetCycle((uint32)number_of(arguments[i], UINT32_MAX, "The number of the ignition cycle must be whole"));
         }
     }
 }
 
-static void deliver_until(trace *from, uint64 t)
+static request asked_for(int count, char **arguments)
 {
-    while (from->time <= t) {
-        for (uint32 i = 1U; i < from->count; i++) {
-            if (from->columns[i] != NULL && from->cells[i][0] != '\0') {
-                deliver(from, i);
-            }
-        }
-        read_next(from);
+    request asked = {0};
+    if (count < FIRST_OPTION) {
+        (void)fprintf(stderr, "usage: test_rte MODE TRACE SENT TOLD LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]\n");
+        exit(TEST_RTE_REFUSED);
     }
+    asked.is_free = (strcmp(arguments[1], "free") == 0) ? TRUE : FALSE;
+    if (asked.is_free == FALSE && strcmp(arguments[1], "lock") != 0) {
+        refuse("MODE must be lock or free", arguments[1]);
+    }
+    asked.trace = arguments[2];
+    asked.sent = arguments[3];
+    asked.told = arguments[4];
+    if (strcmp(asked.sent, asked.trace) == 0 || strcmp(asked.told, asked.trace) == 0 || strcmp(asked.sent, asked.told) == 0) {
+        refuse("TRACE, SENT and TOLD must be three files", asked.told);
+    }
+    asked.length = number_of(arguments[5], INT64_MAX, "LENGTH_NS must be a whole number of ns");
+    asked.ends = calloc(TestRte_ComponentCount + 1U, sizeof(*asked.ends));
+    if (asked.ends == NULL) {
+        abort();
+    }
+    for (uint32 i = 0U; i < TestRte_ComponentCount; i++) {
+        asked.ends[i] = UINT64_MAX;
+    }
+    take_options(count, arguments, &asked);
+    return asked;
 }
 
 /* -- time ---------------------------------------------------------------------------------------------------------- */
@@ -161,81 +140,57 @@ static uint64 earlier(uint64 a, uint64 b)
     return (a < b) ? a : b;
 }
 
-static void play(trace *from, uint64 length, boolean is_free, end_of_component *ends, uint32 count)
+/* Ends the components whose time has come, and says when the next one's does. */
+static uint64 end_components(const uint64 *ends, uint64 t)
+{
+    uint64 next = UINT64_MAX;
+    for (uint32 i = 0U; i < TestRte_ComponentCount; i++) {
+        if (ends[i] <= t) {
+            Os_EndComponent(i);
+        } else {
+            next = earlier(next, ends[i]);
+        }
+    }
+    return next;
+}
+
+static void play(const request *asked)
 {
     struct timespec start;
     (void)clock_gettime(CLOCK_MONOTONIC, &start);
     const uint64 begin = Os_Now();
-    const uint64 end = begin + length;
-    uint64 t = earlier(from->time, Os_NextTime());
+    const uint64 end = begin + asked->length;
+    uint64 t = earlier(Trace_Time(), Os_NextTime());
     while (t <= end) {
-        if (is_free != FALSE) {
+        if (asked->is_free != FALSE) {
             wait_until(&start, t - begin);
         }
-        uint64 next_end = UINT64_MAX;
-        for (uint32 i = 0U; i < count; i++) {
-            if (ends[i].time <= t) {
-                Os_EndComponent(ends[i].component);
-            } else {
-                next_end = earlier(next_end, ends[i].time);
-            }
-        }
+        const uint64 next_end = end_components(asked->ends, t);
         Os_SetTime(t);
-        deliver_until(from, t);
+        Trace_DeliverUntil(t);
         Os_Run();
-        t = earlier(earlier(from->time, Os_NextTime()), next_end);
+        t = earlier(earlier(Trace_Time(), Os_NextTime()), next_end);
     }
     Os_SetTime(end);
 }
 
 /* -- the process --------------------------------------------------------------------------------------------------- */
 
-static end_of_component end_of(const char *text)
-{
-    const char *const at = strchr(text, '@');
-    const size_t length = (at != NULL) ? (size_t)(at - text) : 0U;
-    for (uint32 i = 0U; at != NULL && i < TestRte_ComponentCount; i++) {
-        if (strlen(TestRte_Functions[i]) == length && strncmp(TestRte_Functions[i], text, length) == 0) {
-            return (end_of_component){i, strtoull(at + 1, NULL, 10), FALSE};
-        }
-    }
-    (void)fprintf(stderr, "test_rte: this is no function with a time: %s\n", text);
-    exit(EXIT_FAILURE);
-}
-
 int main(int count, char **arguments)
 {
-    end_of_component ends[COLUMNS];
-    uint32 end_count = 0U;
-    const char *folder = NULL;
-    if (count < 6 || TestRte_OpenRecords(arguments[3], arguments[4]) == FALSE) {
-        (void)fprintf(stderr, "test_rte MODE TRACE SENT TOLD LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]\n");
-        return EXIT_FAILURE;
-    }
-    for (int i = 6; i < count; i++) {
-        if (strcmp(arguments[i], "-n") == 0 && i + 1 < count) {
-            i++;
-            folder = arguments[i];
-        } else if (strcmp(arguments[i], "-i") == 0 && i + 1 < count) {
-            i++;
-            TestRte_SetCycle((uint32)strtoul(arguments[i], NULL, 10));
-        } else if (end_count < COLUMNS) {
-            ends[end_count] = end_of(arguments[i]);
-            end_count++;
-        }
-    }
-    trace from = opened(arguments[2]);
-    read_next(&from);
-    NvM_ReadAll(folder);
-    Os_Begin((from.time != UINT64_MAX) ? from.time : 0U);
+    const request asked = asked_for(count, arguments);
+    Trace_Open(asked.trace);
+    TestRte_OpenRecords(asked.sent, asked.told);
+    NvM_ReadAll(asked.folder);
+    Os_Begin((Trace_Time() != UINT64_MAX) ? Trace_Time() : 0U);
     TestRte_StartUp();
-    play(&from, strtoull(arguments[5], NULL, 10), (strcmp(arguments[1], "free") == 0) ? TRUE : FALSE, ends, end_count);
+    play(&asked);
     TestRte_ShutDown();
     Os_Run();
     (void)Rte_Stop();
-    NvM_WriteAll(folder);
+    NvM_WriteAll(asked.folder);
     TestRte_CloseRecords();
-    free(from.line);
-    (void)fclose(from.file);
+    Trace_Close();
+    free(asked.ends);
     return EXIT_SUCCESS;
 }

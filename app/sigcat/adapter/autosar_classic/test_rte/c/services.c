@@ -1,4 +1,5 @@
 /* Stand-ins for the services that components call: DEM, FiM, WdgM, NvM, the clock. They record what they are told. */
+#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,17 +14,36 @@ static FILE *sent_file;
 static FILE *told_file;
 static uint32 ignition_cycle = 1U;
 
-boolean TestRte_OpenRecords(const char *sent, const char *told)
+static void fail(const char *name)
+{
+    (void)fprintf(stderr, "test_rte: %s cannot be written: %s\n", name, strerror(errno));
+    exit(TEST_RTE_REFUSED);
+}
+
+/* Neither is there, or both are. */
+void TestRte_OpenRecords(const char *sent, const char *told)
 {
     sent_file = fopen(sent, "w");
+    if (sent_file == NULL) {
+        fail(sent);
+    }
     told_file = fopen(told, "w");
-    return (sent_file != NULL && told_file != NULL) ? TRUE : FALSE;
+    if (told_file == NULL) {
+        const int reason = errno;
+        (void)fclose(sent_file);
+        (void)remove(sent);
+        errno = reason;
+        fail(told);
+    }
 }
 
 void TestRte_CloseRecords(void)
 {
-    (void)fclose(sent_file);
-    (void)fclose(told_file);
+    const boolean is_whole = (ferror(sent_file) == 0 && ferror(told_file) == 0) ? TRUE : FALSE;
+    const int closed = fclose(sent_file) | fclose(told_file);
+    if (is_whole == FALSE || closed != 0) {
+        fail("What was recorded");
+    }
 }
 
 void TestRte_Sent(const char *name, const TestRte_Shape *shape, const void *value)
@@ -146,8 +166,13 @@ void NvM_ReadAll(const char *folder)
     for (uint32 i = 0U; folder != NULL && i < TestRte_BlockCount; i++) {
         FILE *const file = opened(folder, TestRte_Blocks[i].name, "rb");
         if (file != NULL) {
-            was_read[i] = (fread(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file) == 1U) ? TRUE : FALSE;
+            was_read[i] = (fread(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file) == 1U && fgetc(file) == EOF) ? TRUE : FALSE;
             (void)fclose(file);
+            if (was_read[i] == FALSE) {
+                (void)memset(TestRte_Blocks[i].ram, 0, TestRte_Blocks[i].size);
+                (void)fprintf(stderr, "test_rte: %s/%s.nvm is left out: it must have %u bytes\n",
+                    folder, TestRte_Blocks[i].name, TestRte_Blocks[i].size);
+            }
         }
     }
 }
@@ -155,10 +180,11 @@ void NvM_ReadAll(const char *folder)
 void NvM_WriteAll(const char *folder)
 {
     for (uint32 i = 0U; folder != NULL && i < TestRte_BlockCount; i++) {
-        FILE *const file = (has_changed_[i] != FALSE) ? opened(folder, TestRte_Blocks[i].name, "wb") : NULL;
-        if (file != NULL) {
-            (void)fwrite(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file);
-            (void)fclose(file);
+        if (has_changed_[i] != FALSE) {
+            FILE *const file = opened(folder, TestRte_Blocks[i].name, "wb");
+            if (file == NULL || fwrite(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file) != 1U || fclose(file) != 0) {
+                fail(TestRte_Blocks[i].name);
+            }
         }
     }
 }

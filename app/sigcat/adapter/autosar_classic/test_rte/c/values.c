@@ -14,19 +14,7 @@ static const uint32 sizes[] = {1U, 1U, 1U, 2U, 2U, 4U, 4U, 8U, 8U, 4U, 8U};
 
 /* -- reading ----------------------------------------------------------------------------------------------------- */
 
-static boolean is_whole(const char *word)
-{
-    const char *const rest = word + ((*word == '-' || *word == '+') ? 1 : 0);
-    return (*rest != '\0' && rest[strspn(rest, "0123456789")] == '\0') ? TRUE : FALSE;
-}
-
-static uint64 whole(const char *word)
-{
-    if (is_whole(word) == FALSE) {
-        return (uint64)(sint64)strtod(word, NULL);
-    }
-    return (*word == '-') ? (uint64)strtoll(word, NULL, 10) : (uint64)strtoull(word, NULL, 10);
-}
+static char wanted[128]; /* what a number must be */
 
 /* Whether they are equal but for the case of letters. */
 static boolean is_alike(const char *one, const char *other)
@@ -49,70 +37,151 @@ static boolean symbol(const char *word, const TestRte_Symbol *symbols, uint64 *n
     return FALSE;
 }
 
+static boolean is_signed(TestRte_Kind kind)
+{
+    return (kind == TEST_RTE_SINT8 || kind == TEST_RTE_SINT16 || kind == TEST_RTE_SINT32 || kind == TEST_RTE_SINT64) ? TRUE : FALSE;
+}
+
+static uint64 greatest(TestRte_Kind kind)
+{
+    const uint32 unused = 64U - (8U * sizes[kind]) + ((is_signed(kind) != FALSE) ? 1U : 0U);
+    return (kind == TEST_RTE_BOOLEAN) ? 1U : (UINT64_MAX >> unused);
+}
+
+static sint64 least(TestRte_Kind kind)
+{
+    return (is_signed(kind) != FALSE) ? (-(sint64)greatest(kind) - 1) : 0;
+}
+
+static boolean is_decimal(const char *word)
+{
+    char *end = NULL;
+    (void)strtod(word, &end);
+    return (end != word && *end == '\0' && word[strspn(word, "0123456789+-.eE")] == '\0') ? TRUE : FALSE;
+}
+
+/* A whole number within the range of its kind, also as tables write it that know no other: 3.0. */
+static boolean whole(const char *word, TestRte_Kind kind, uint64 *number)
+{
+    const char *const digits = word + ((*word == '-' || *word == '+') ? 1 : 0);
+    const boolean is_plain = (*digits != '\0' && digits[strspn(digits, "0123456789")] == '\0') ? TRUE : FALSE;
+    const float64 wide = strtod(word, NULL);
+    (void)snprintf(wanted, sizeof(wanted), "must be a whole number from %" PRId64 " to %" PRIu64, least(kind), greatest(kind));
+    if (is_decimal(word) == FALSE || (is_plain == FALSE && (floor(wide) != wide || fabs(wide) > 9007199254740992.0))) {
+        return FALSE;
+    }
+    errno = 0;
+    if (wide < 0.0) {
+        const sint64 found = (is_plain != FALSE) ? strtoll(word, NULL, 10) : (sint64)wide;
+        *number = (uint64)found;
+        return (errno == 0 && found >= least(kind)) ? TRUE : FALSE;
+    }
+    *number = (is_plain != FALSE) ? strtoull(digits, NULL, 10) : (uint64)wide;
+    return (errno == 0 && *number <= greatest(kind)) ? TRUE : FALSE;
+}
+
+static boolean boolean_of(const char *word, uint64 *number)
+{
+    if (is_alike(word, "true") != FALSE || is_alike(word, "false") != FALSE) {
+        *number = (tolower((unsigned char)*word) == 't') ? 1U : 0U;
+        return TRUE;
+    }
+    const boolean is_right = whole(word, TEST_RTE_BOOLEAN, number);
+    (void)snprintf(wanted, sizeof(wanted), "must be true or false");
+    return is_right;
+}
+
+static boolean floating(const char *word, TestRte_Kind kind, float64 *number)
+{
+    const char *const name = word + ((*word == '-' || *word == '+') ? 1 : 0);
+    const boolean is_named =
+        (is_alike(name, "nan") != FALSE || is_alike(name, "inf") != FALSE || is_alike(name, "infinity") != FALSE) ? TRUE : FALSE;
+    *number = strtod(word, NULL);
+    (void)snprintf(wanted, sizeof(wanted), "must be a number%s", (kind == TEST_RTE_FLOAT32) ? " that a float holds" : "");
+    if (is_named != FALSE) {
+        return TRUE;
+    }
+    const boolean is_held = (isinf(*number) == 0 && (kind == TEST_RTE_FLOAT64 || isinf((float32)*number) == 0)) ? TRUE : FALSE;
+    return (is_decimal(word) != FALSE && is_held != FALSE) ? TRUE : FALSE;
+}
+
 static boolean put(const char *word, const TestRte_Number *number, unsigned char *value)
 {
     uint64 bits = 0U;
     float64 wide = 0.0;
     float32 narrow = 0.0F;
     const void *from = &bits; /* of a little-endian machine */
-    char *end = NULL;
+    boolean is_right = TRUE;
     if (number->kind >= TEST_RTE_FLOAT32) {
-        wide = strtod(word, &end);
-        narrow = (float32)wide;
-        if (end == word || *end != '\0') {
-            return FALSE;
-        }
+        is_right = floating(word, number->kind, &wide);
+        narrow = (is_right != FALSE) ? (float32)wide : 0.0F;
         from = (number->kind == TEST_RTE_FLOAT32) ? (const void *)&narrow : (const void *)&wide;
-    } else if (number->kind == TEST_RTE_BOOLEAN && (is_alike(word, "true") != FALSE || is_alike(word, "false") != FALSE)) {
-        bits = (tolower((unsigned char)*word) == 't') ? 1U : 0U;
+    } else if (number->kind == TEST_RTE_BOOLEAN) {
+        is_right = boolean_of(word, &bits);
     } else if (symbol(word, number->symbols, &bits) == FALSE) {
-        (void)strtod(word, &end);
-        if (end == word || *end != '\0') {
-            return FALSE;
+        is_right = whole(word, number->kind, &bits);
+        if (is_right == FALSE && number->symbols != NULL) {
+            (void)snprintf(wanted, sizeof(wanted), "must be one of its names, or a number that its datatype holds");
         }
-        bits = whole(word);
     }
     (void)memcpy(&value[number->offset], from, sizes[number->kind]);
-    return TRUE;
+    return is_right;
 }
 
-static const char *skipped(const char *text)
+static const char *without_spaces(const char *text)
 {
-    return text + strspn(text, " \t[]{},");
+    return text + strspn(text, " \t");
 }
 
-/* The next word that is no key. */
-static const char *next_word(const char *text, char *word)
+/* What stands before a number or after the last one, with any spaces between; NULL if something else does. */
+static const char *after(const char *text, const char *expected)
 {
-    for (;;) {
-        text = skipped(text);
-        const boolean is_quoted = (*text == '"') ? TRUE : FALSE;
-        text += (is_quoted != FALSE) ? 1 : 0;
-        const size_t length = (is_quoted != FALSE) ? strcspn(text, "\"") : strcspn(text, " \t,]}:");
-        if (length == 0U || length >= LONGEST) {
-            return NULL;
-        }
-        (void)memcpy(word, text, length);
-        word[length] = '\0';
-        text += length + ((is_quoted != FALSE && text[length] == '"') ? 1U : 0U);
-        text += strspn(text, " \t");
-        if (*text != ':') {
-            return text;
-        }
-        text++;
+    for (; text != NULL && *expected != '\0'; expected++) {
+        text = without_spaces(text);
+        text = (*text == *expected) ? (text + 1) : NULL;
     }
+    return text;
 }
 
-boolean TestRte_Read(const char *text, const TestRte_Shape *shape, void *value)
+/* A number or a name: the rest of the text, or within a list or a mapping to what ends it. */
+static const char *take_word(const char *text, char *word, boolean is_inner)
 {
+    text = without_spaces(text);
+    const boolean is_quoted = (is_inner != FALSE && *text == '"') ? TRUE : FALSE;
+    text += (is_quoted != FALSE) ? 1 : 0;
+    const size_t length = strcspn(text, (is_quoted != FALSE) ? "\"" : (is_inner != FALSE) ? ",]} \t" : " \t");
+    if (length == 0U || length >= LONGEST) {
+        return NULL;
+    }
+    (void)memcpy(word, text, length);
+    word[length] = '\0';
+    text += length;
+    if (is_quoted == FALSE) {
+        return text;
+    }
+    return (*text == '"') ? (text + 1) : NULL;
+}
+
+const char *TestRte_Read(const char *text, const TestRte_Shape *shape, void *value)
+{
+    static const char form[] = "must be a list or a mapping of JSON, with its members in the order of their declaration";
     char word[LONGEST];
+    const boolean is_inner = (*shape->after != '\0') ? TRUE : FALSE;
     for (uint32 i = 0U; i < shape->count; i++) {
-        text = next_word(text, word);
-        if (text == NULL || put(word, &shape->numbers[i], value) == FALSE) {
-            return FALSE;
+        text = after(text, shape->numbers[i].before);
+        text = (text != NULL) ? take_word(text, word, is_inner) : NULL;
+        if (text == NULL) {
+            return (is_inner != FALSE) ? form : "must be a value";
+        }
+        if (put(word, &shape->numbers[i], value) == FALSE) {
+            return wanted;
         }
     }
-    return (*skipped(text) == '\0') ? TRUE : FALSE;
+    text = after(text, shape->after);
+    if (text == NULL || *without_spaces(text) != '\0') {
+        return (is_inner != FALSE) ? form : "must be one value";
+    }
+    return NULL;
 }
 
 /* -- writing ----------------------------------------------------------------------------------------------------- */

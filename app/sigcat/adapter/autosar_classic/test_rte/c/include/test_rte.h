@@ -97,7 +97,7 @@ void Os_ExitArea(uint32 component);
 
 /* -- services, which record what they are told --------------------------------------------------------------------- */
 
-boolean TestRte_OpenRecords(const char *sent, const char *told);
+void TestRte_OpenRecords(const char *sent, const char *told);
 void TestRte_CloseRecords(void);
 void TestRte_Sent(const char *name, const TestRte_Shape *shape, const void *value);
 void TestRte_Told(const char *service, const char *name, const char *value);
@@ -114,7 +114,16 @@ void TestRte_SetCycle(uint32 cycle);
 
 /* -- texts of values ----------------------------------------------------------------------------------------------- */
 
-boolean TestRte_Read(const char *text, const TestRte_Shape *shape, void *value);
+const char *TestRte_Read(const char *text, const TestRte_Shape *shape, void *value); /* NULL, or what it must be */
 void TestRte_Write(FILE *file, const TestRte_Shape *shape, const void *value);
+
+/* -- the trace ----------------------------------------------------------------------------------------------------- */
+
+#define TEST_RTE_REFUSED 2 /* status of a program that refuses what it was given */
+
+void Trace_Open(const char *name); /* reads all of it once: what is wrong in it ends the program */
+uint64 Trace_Time(void); /* of the row that comes next; UINT64_MAX: there is none */
+void Trace_DeliverUntil(uint64 t);
+void Trace_Close(void);
 
 #endif /* TEST_RTE_H */
