@@ -94,6 +94,10 @@ class Definition:
         """Of attributes that make a problem together, the one that was written last."""
         return next((name for s in reversed(self.statements) for name in attributes if name in s.values), attributes[0])
 
+    def spelled(self, attribute: str) -> str:
+        """The key under which the last file that says something of the node has an attribute, or would have it."""
+        return self.statements[-1].spelled(attribute) if self.statements else attribute
+
     def history(self, attribute: str) -> tuple[tuple[Any, Origin], ...]:
         """Every value that the layers gave an attribute, first to last, with its origin."""
         return tuple(

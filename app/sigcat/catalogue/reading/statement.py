@@ -96,6 +96,10 @@ class Statement:
         line, column = (line, column) if at_key else (line + lines_between, column_of_value)
         return Origin(self.file.name, line + 1, column + 1, self.file.overlay)
 
+    def spelled(self, attribute: str) -> str:
+        """The key under which its file has an attribute, or would have it."""
+        return attribute
+
     def packed(self) -> tuple[str, Mapping[str, Any], int, bytes]:
         """All but the file, in types that marshal knows."""
         return self.path, self.values, self._key_mark, array(_MARKS, self._marks).tobytes()

@@ -69,6 +69,10 @@ class DefinedStatement(Statement):
         """Position of the attribute; a declaration knows no better."""
         return self.origin(attribute)
 
+    def spelled(self, attribute: str) -> str:
+        """The key of the declaration."""
+        return self._node.keys.get(attribute, attribute)
+
     def placed(self, prefix: str) -> "Statement":
         """Nothing includes a declaration."""
         raise NotImplementedError(prefix)

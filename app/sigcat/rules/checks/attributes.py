@@ -20,9 +20,9 @@ def required(rule: Rule, _tree: Tree) -> NodeTest:
     def test(definition: Definition) -> Iterator[Problem]:
         for attribute in names:
             if is_empty(definition.values.get(attribute)):
-                message = f"The node has no `{attribute}`."
+                key = definition.spelled(attribute)
                 given = attribute if attribute in definition.values else ""
-                yield Problem(definition, message, given, f"Add `{attribute}`.", {"attribute": attribute})
+                yield Problem(definition, f"The node has no `{key}`.", given, f"Add `{key}`.", {"attribute": attribute})
 
     return test
 

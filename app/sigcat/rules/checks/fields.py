@@ -41,9 +41,10 @@ def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
         for name in needed:
             if is_empty(definition.values.get(name)):
                 unit = f" in {table[name]['unit']}" if "unit" in table[name] else ""
-                message = f"The interface has no `{name}`."
+                key = definition.spelled(name)
+                message = f"The interface has no `{key}`."
                 facts = {"attribute": name}
-                yield Problem(definition, message, "", f"Add `{name}`{unit}.", facts)
+                yield Problem(definition, message, "", f"Add `{key}`{unit}.", facts)
         yield from _nested_missing(definition, table)
 
     return test

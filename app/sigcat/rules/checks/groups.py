@@ -54,7 +54,7 @@ def asil_of_step(rule: Rule, tree: Tree) -> NodeTest:
         level, highest = max(wanted, key=lambda each: rank(each[0]), default=(None, None))
         if highest is not None:
             message = f"The ASIL must be at least {level}, as that of {highest.path!r}, not {own}."
-            yield Problem(definition, message, "ASILlevel", f"Raise `ASILlevel` to {level}.")
+            yield Problem(definition, message, "ASILlevel", f"Raise `{definition.spelled('ASILlevel')}` to {level}.")
 
     return test
 
