@@ -293,6 +293,7 @@ def life() -> FunctionJson:
         method("Fetch", "Consumer", {"Key": U8, "Row2": "DT_Bytes"}, {"Value": "DT_Gear", "Row3": "DT_Floats"},
                RequestVariable="ask", StatusVariable="status", Timeout="20"),
         method("Tell", "Consumer", {"What": DOUBLE}, {}, RequestVariable="tell", StatusVariable="told"),
+        method("Move", "Provider", {"Whole": "DT_Mixed"}, {"Moved": "DT_Outer"}, Symbol="move"),
     )  # fmt: skip
     calls = [
         call("Init", "Init", gain, SuccessValue=0),

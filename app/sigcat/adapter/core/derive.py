@@ -1,6 +1,6 @@
 """From a resolved function to the plan of its core, and what stands in the way."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
@@ -25,8 +25,9 @@ from sigcat.adapter.core.structs import wire_structs
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.walk import data, parameters, runnables
+from sigcat.function.function_json.walk import data, methods, parameters, runnables
 
 T = TypeVar("T")
 
@@ -63,17 +64,16 @@ def _planned(context: Context) -> Planning[CorePlan]:
     mode = yield from mode_in(context)
     out = yield from mode_out(context)
     values = yield from parameters_of(listed, context)
-    methods = yield from methods_of(listed, context)
+    called = yield from methods_of(listed, context)
     calls = yield from _calls(listed, context)
     steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.is_step)
     status = yield from _status(listed, calls, mode, values, context)
-    references = [item.datatype for walk in (data(function), parameters(function)) for _, _, item in walk]
     return CorePlan(
         function=identifier(context.name),
         version=function.info.version,
         description=comment(function.info.description),
         code=(yield from planned_code(context)),
-        structs=wire_structs(references, context),
+        structs=wire_structs(_references(function), context),
         ports=received(calls, frozenset(step.name for step in steps)),
         parameters=values,
         errors=status.errors,
@@ -81,12 +81,18 @@ def _planned(context: Context) -> Planning[CorePlan]:
         reactions=status.reactions,
         mode_in=mode,
         mode_out=out,
-        methods=methods,
+        methods=called,
         inits=_of_type(INIT, calls, listed),
         steps=steps,
         due=in_order_of_due(steps),
         terminates=_of_type(TERMINATE, calls, listed),
     )
+
+
+def _references(function: FunctionJson) -> Iterator[str]:
+    """Datatypes of everything that is received and sent."""
+    yield from (item.datatype for walk in (data(function), parameters(function)) for _, _, item in walk)
+    yield from (each.datatype for _, _, item in methods(function) for each in (*item.inputs, *item.outputs))
 
 
 class _Status(NamedTuple):

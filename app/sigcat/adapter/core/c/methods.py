@@ -4,7 +4,17 @@ from sigcat.adapter.core.c import modes
 from sigcat.adapter.core.c.lines import Lines, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.values import Ends, assigned, check, flag, index, known_values, names_functions, needs_index
+from sigcat.adapter.core.c.values import (
+    Ends,
+    assigned,
+    check,
+    flag,
+    index,
+    index_of_check,
+    known_values,
+    names_functions,
+    needs_index,
+)
 from sigcat.adapter.core.plan import CLASS, Argument, Call, Method
 
 STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
@@ -104,13 +114,15 @@ def _checked_functions(method: Method, scope: Scope) -> list[Lines]:
     for each in items:
         if each.value.is_checked:
             ends = _ends(each, method, scope, f"given->{each.name}", scope.variable(each.variable))
-            declared = [index(each.value), known_values(each.value)]
+            known = known_values(each.value)
             found.append(function(f"static bool {_known_name(each, method, scope)}(const {struct} *given)", [
-                *declared, flag(each.value), check(each.value, ends), lines("return is_within;"),
+                index_of_check(each.value), known, flag(each.value), check(each.value, ends), lines("return is_within;"),
             ]))  # fmt: skip
             name = f"{scope.prefix}_Take_{method.named.name}_{each.name}"
             head = f"static void {name}({scope.self_argument}, const {struct} *given)"
-            found.append(function(head, [*declared, assigned(each.value, ends, scope.prefix, is_new=True)]))
+            found.append(
+                function(head, [index(each.value), known, assigned(each.value, ends, scope.prefix, is_new=True)])
+            )
     return found
 
 

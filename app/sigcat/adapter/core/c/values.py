@@ -71,6 +71,12 @@ def index(value: Value) -> Lines:
     return lines("uint32_t i;") if needs_index(value) else ()
 
 
+def index_of_check(value: Value) -> Lines:
+    """The variable that runs over arrays in a check: not every array has something to check."""
+    is_looped = any(leaf.length is not None and _may_be_outside(leaf) for leaf in value.leaves)
+    return index(value) if is_looped else ()
+
+
 def check(value: Value, ends: Ends) -> Lines:
     """Sets `is_within`: whether every number is within its range. It is declared here where there is one number."""
     conditions = [(leaf, _condition(leaf, number, ends)) for number, leaf in enumerate(value.leaves)]
