@@ -258,6 +258,15 @@ def test_three_executables_with_162_events_are_three_programs_and_a_player(tmp_p
     assert sum(name.endswith("/main.cpp") for name in made) == 3 + 1
 
 
+def test_the_player_begins_with_the_status_that_the_function_begins_with_itself():
+    ports = re.sub(r"\s+", "", full()["player/ports.cpp"])
+    for field, status in {
+        "Full_Mode_In": "DT_FullModeIn::ON",
+        "Stop_SftyCondSts": "DT_FullSftyCondSts::ACTIVE",
+    }.items():
+        assert re.search(rf"{field}\.Update\([\w:]*{status}\)", ports), field
+
+
 # -- compilers ----------------------------------------------------------------------------------------------------
 
 

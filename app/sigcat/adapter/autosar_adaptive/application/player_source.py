@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.bench.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import string
-from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, ServiceField, TypeEntry
 
 CPP = Path(__file__).parent / "player_cpp"
 """Files that are the same in every player."""
@@ -22,7 +22,12 @@ class _Element(NamedTuple):
     name: str
     member: str
     type: str
-    is_field: bool
+    initial: str | None = None
+    """Of a field: what it has before the trace says anything."""
+
+    @property
+    def is_field(self) -> bool:
+        return self.initial is not None
 
 
 class _Method(NamedTuple):
@@ -87,9 +92,9 @@ def ports_source(model: IntegrationModel) -> Lines:
 
 def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:
     elements = (
-        *(_Element(each.vss_path or each.name, member_name(each.name), types.type(each.datatype), is_field=False)
+        *(_Element(each.vss_path or each.name, member_name(each.name), types.type(each.datatype))
           for each in whole.events),
-        *(_Element(each.name, member_name(each.name), types.type(each.word), is_field=True)
+        *(_Element(each.name, member_name(each.name), types.type(each.word), _initial(each, model, types))
           for each in whole.fields),
     )  # fmt: skip
     methods = tuple(
@@ -111,6 +116,23 @@ def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:
     return _Port(
         whole.name, service_names(whole, model), player_port(whole.name, model), elements, methods, key, len(listeners)
     )
+
+
+def _initial(field: ServiceField, model: IntegrationModel, types: TypeNames) -> str:
+    """What the function begins with itself, so that it does the same as where nobody sends the field."""
+    type_ = cpp_type(types.type(field.word))
+    entries = (entry for entry in model.datatypes or () if entry.name == field.word)
+    symbols = (each.symbol for entry in entries for each in entry.symbols or ())
+    found = next((symbol for symbol in symbols if symbol.upper() == _beginning(field).upper()), None)
+    return f"{type_}::{found}" if found else f"{type_}{{}}"
+
+
+def _beginning(field: ServiceField) -> str:
+    if field.mode is not None:
+        return field.mode.initial or next(iter(field.mode.modes or ()), "")
+    if field.safety_reaction is not None:
+        return field.safety_reaction.initial or "INACTIVE"
+    return "PASSED"
 
 
 def _includes(offered: Iterable[_Port], used: Iterable[_Port], entries: list[TypeEntry], types: TypeNames) -> Lines:
@@ -224,7 +246,7 @@ def _constructor(offered: Iterable[_Port]) -> Lines:
                 lines("};"),
             ]))  # fmt: skip
             if each.is_field:
-                parts.append(lines(f"static_cast<void>({place}.Update({cpp_type(each.type)}{{}}));"))
+                parts.append(lines(f"static_cast<void>({place}.Update({each.initial}));"))
     head = "Ports::Ports(Recorder& recorder) : services_{std::make_unique<Services>(recorder)}"
     return block(head, parts)
 
