@@ -20,7 +20,6 @@ from sigcat.catalogue.comparing.diff_report import class_table
 from sigcat.data import INTERFACE_RULES
 from sigcat.platforms.schemas import schema
 from sigcat.rules.checks import CHECKS
-from sigcat.rules.checks.kind import OneOf
 from sigcat.rules.pages import field_table
 from sigcat.rules.record import load_rules
 
@@ -116,20 +115,11 @@ def _checks() -> str:
     """The checks that rules can use, with their options; those that a rule has to give are bold."""
     lines = ["| check | options | what holds where it finds nothing |", "|---|---|---|"]
     for name, check in sorted(CHECKS.items()):
-        kinds = {each: _option_kind(kind) for each, kind in check.options.items()}
+        kinds = {each: kind.name for each, kind in check.options.items()}
         options = [f"{f'**`{each}`**' if each in check.required else f'`{each}`'} {kinds[each]}" for each in kinds]
         meaning = (check.prepare.__doc__ or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
         lines.append(f"| `{name}` | {', '.join(options) or '–'} | {' '.join(meaning.split())} |")
     return "\n".join(lines)
-
-
-def _option_kind(kind: type | OneOf) -> str:
-    if isinstance(kind, OneOf):
-        return f"{'list of ' if kind.is_list else ''}{', '.join(f'`{value}`' for value in kind.values)}"
-    return _OPTION_KINDS[kind]
-
-
-_OPTION_KINDS = {str: "text", int: "whole number", list: "list", dict: "mapping"}
 
 
 def _settings() -> str:

@@ -1,8 +1,11 @@
 """Rules of a company, in a file of its own."""
 
+import json
+
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.rules.checks import CHECKS
 from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.options import LintOptions
 from tests.rules.linting.conftest import CABIN
@@ -72,10 +75,18 @@ def test_a_rule_that_cannot_be_checked_is_told_and_not_used(tree, text):
         ("text", "{attribute: comment, repair: dot}", "Option 'repair' of rule ACME001 must be capitalize, period or deprecation, not 'dot'."),
         ("name", "{case: loud}", "Option 'case' of rule ACME001 must be screaming, not 'loud'."),
         ("name-length", "{most: 9, target: C, of: paths}", "Option 'of' of rule ACME001 must be name or path, not 'paths'."),
-        ("node-type", "{types: sensor}", "Option 'types' of rule ACME001 must be a list, not 'sensor'."),
+        ("name", "{prefixes: [5]}", "Option 'prefixes' of rule ACME001 must be a list of names, not [5]."),
+        ("path-depth", "{most: -1}", "Option 'most' of rule ACME001 must be a whole number from 0 to 1,000,000, not -1."),
+        ("implied", "{attribute: ''}", "Option 'attribute' of rule ACME001 must be the name of an attribute, none within it, not ''."),
+        ("required-fields", "{fields: {watchdog: {fields: 5}}}", "`fields` of field 'watchdog' must be a mapping, not 5."),
+        ("required-fields", "{fields: {watchdog: {fields: {kind: {requird: true}}}}}", "Unknown key 'requird' of field 'kind'."),
+        ("field-values", "{fields: {watchdog: {values: []}}}", "`values` of field 'watchdog' must be a list of at least one text, number or boolean, not []."),
+        ("field-values", "{fields: {watchdog: {min: low}}}", "`min` of field 'watchdog' must be a number, not 'low'."),
+        ("node-type", "{types: []}", "Option 'types' of rule ACME001 must be branch, sensor, actuator, attribute, struct or property, not []."),
+        ("node-type", "{types: sensor}", "Option 'types' of rule ACME001 must be a list of texts, not 'sensor'."),
     ],
 )  # fmt: skip
-def test_an_option_that_takes_one_of_a_few_words_takes_no_other(tree, check, options, message):
+def test_an_option_of_another_kind_is_told_by_its_rule(tree, check, options, message):
     own = tree / "own.yaml"
     text = OWN.format(pattern=".").replace("check: name", f"check: {check}")
     own.write_text(text.replace("options: {pattern: '.'}", f"options: {options}"))
@@ -97,3 +108,40 @@ def test_the_option_of_a_shipped_rule_can_be_changed(tree):
     assert len(lint_paths([tree / "vspec"], options).findings) == 1
     changed = options._replace(rule_options={"V102": {"prefixes": ["Is", "Has"]}})
     assert lint_paths([tree / "vspec"], changed).findings == ()
+
+
+ANYTHING = (
+    "", " ", "(", "a.b", 5, -1, 10**30, 1.5, True, None, [], [5], [""], [None], [[]], [["a"]], [{}], ["("], {}, {"a": 5}, {5: {}},
+    {"a": {}}, {"a": {"fields": 5}}, {"a": {"fields": {"b": 5}}}, {"a": {"fields": {"b": {"values": 5}}}}, {"a": {"datatype": 5}},
+    {"a": {"datatype": []}}, {"a": {"values": 5}}, {"a": {"values": []}}, {"a": {"values": [[]]}}, {"a": {"min": "x"}},
+    {"a": {"max": []}}, {"a": {"pattern": 5}}, {"a": {"pattern": "("}}, {"a": {"repairs": 5}}, {"a": {"repairs": {"x": 5}}},
+    {"a": {"unit": 5}}, {"a": {"required": "yes"}}, {"a": {"title": []}},
+)  # fmt: skip
+SIGNALS = """
+Cabin.Sound: {type: sensor, datatype: uint8, min: 0, max: 9, allowed: [1, 2, 2], default: 3, a: {b: [1, x]}, description: Noise, comment: v}
+Cabin.Door: {type: branch, description: Doors., instances: ["Row[1,2]"], a: {b: {}}}
+Cabin.Door.IsOpen: {type: sensor, datatype: boolean, a: [1, text], description: Noise}
+"""
+
+
+@pytest.mark.parametrize("check", CHECKS)
+def test_options_of_any_kind_are_findings_or_work(tree, check):
+    options = CHECKS[check].options
+    usable = {name: _usable(kind) for name, kind in options.items() if name in CHECKS[check].required}
+    given = [{**usable, name: value} for name in options for value in ANYTHING]
+    record = {"name": "any", "title": "Any.", "severity": "warning", "why": "Any.", "check": check, "source": "ACME"}
+    own = tree / "own.yaml"
+    rules = {f"ACME{at:03}": {**record, "options": each} for at, each in enumerate([usable, *given], 1)}
+    own.write_text(json.dumps(rules))
+    (tree / "vspec" / "Cabin.vspec").write_text(CABIN + SIGNALS)
+    found = lint_paths([tree / "vspec"], LintOptions(rule_files=(own,), select=("ACME",))).findings
+    assert "ACME001" not in {f.path for f in found if f.rule == "L010"}
+
+
+def _usable(kind):
+    good = {
+        "text": ".", "name": "description", "attribute": "description", "list of attributes": ["description"], "whole number": 3, "list of texts": ["."], "list of names": ["description"],
+        "list of values": [1], "table of fields": {"description": {"required": True}},
+    }  # fmt: skip
+    word = kind.name.partition("`")[2].partition("`")[0]
+    return good.get(kind.name) or ([word] if kind.name.startswith("list of") else word)

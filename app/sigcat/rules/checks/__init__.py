@@ -19,82 +19,100 @@ from sigcat.rules.checks import (
     signals,
     text,
 )
-from sigcat.rules.checks.kind import Check, LineCheck, NodeCheck, OneOf, Options, TreeCheck
+from sigcat.rules.checks.kind import (
+    ATTRIBUTE,
+    ATTRIBUTES,
+    COUNT,
+    NAME,
+    NAMES,
+    TEXT,
+    TEXTS,
+    VALUES,
+    Check,
+    LineCheck,
+    NodeCheck,
+    Options,
+    TreeCheck,
+    one_of,
+)
 
-_PORTABLE: Options = {"case": OneOf(portable.CASES), "target": str}
-_SCREAMING = OneOf(("screaming",))
-_NAME_OR_PATH = OneOf(("name", "path"))
+_PORTABLE: Options = {"case": one_of(portable.CASES), "target": TEXT}
+_SCREAMING = one_of(("screaming",))
+_NAME_OR_PATH = one_of(("name", "path"))
 
 CHECKS: Mapping[str, Check] = {
     "name": NodeCheck(
-        naming.name, {"pattern": str, "prefixes": list, "exempt": list, "endings": list, "case": _SCREAMING}
+        naming.name, {"pattern": TEXT, "prefixes": NAMES, "exempt": NAMES, "endings": NAMES, "case": _SCREAMING}
     ),
-    "instance-name": NodeCheck(naming.instance_name, {"pattern": str}, ("pattern",), "=instances"),
-    "path": NodeCheck(signals.path, {"pattern": str}, ("pattern",)),
-    "path-depth": NodeCheck(signals.path_depth, {"most": int}, ("most",)),
+    "instance-name": NodeCheck(naming.instance_name, {"pattern": TEXT}, ("pattern",), "=instances"),
+    "path": NodeCheck(signals.path, {"pattern": TEXT}, ("pattern",)),
+    "path-depth": NodeCheck(signals.path_depth, {"most": COUNT}, ("most",)),
     "text": NodeCheck(
         text.text,
         {
-            "attribute": str,
-            "pattern": str,
-            "forbidden": str,
-            "each": OneOf(("key", "value")),
+            "attribute": ATTRIBUTE,
+            "pattern": TEXT,
+            "forbidden": TEXT,
+            "each": one_of(("key", "value")),
             "case": _SCREAMING,
-            "repair": OneOf(text.REPAIRS),
-            "except": str,
+            "repair": one_of(text.REPAIRS),
+            "except": TEXT,
         },
         ("attribute",),
         "attribute",
     ),
-    "line-length": LineCheck(text.line_length, {"most": int}, ("most",)),
-    "required": NodeCheck(attributes.required, {"attributes": list}, ("attributes",)),
-    "forbidden": NodeCheck(attributes.forbidden, {"attributes": list}, ("attributes",)),
-    "exclusive": NodeCheck(attributes.exclusive, {"attributes": list}, ("attributes",)),
+    "line-length": LineCheck(text.line_length, {"most": COUNT}, ("most",)),
+    "required": NodeCheck(attributes.required, {"attributes": ATTRIBUTES}, ("attributes",)),
+    "forbidden": NodeCheck(attributes.forbidden, {"attributes": ATTRIBUTES}, ("attributes",)),
+    "exclusive": NodeCheck(attributes.exclusive, {"attributes": ATTRIBUTES}, ("attributes",)),
     "implied": NodeCheck(
         attributes.implied,
-        {"attribute": str, "values": list, "then": list, "never": list},
+        {"attribute": ATTRIBUTE, "values": VALUES, "then": NAMES, "never": NAMES},
         ("attribute",),
         "attribute",
     ),
     "backed": NodeCheck(
-        attributes.backed, {"attribute": str, "by": str, "value": str}, ("attribute", "by", "value"), "attribute"
+        attributes.backed,
+        {"attribute": ATTRIBUTE, "by": ATTRIBUTE, "value": TEXT},
+        ("attribute", "by", "value"),
+        "attribute",
     ),
-    "ordered": NodeCheck(attributes.ordered, {"attributes": list}, ("attributes",)),
+    "ordered": NodeCheck(attributes.ordered, {"attributes": NAMES}, ("attributes",)),
     "default-first": NodeCheck(attributes.default_first, {}, (), "=default"),
-    "distinct-items": NodeCheck(attributes.distinct_items, {"attribute": str}, ("attribute",), "attribute"),
+    "distinct-items": NodeCheck(attributes.distinct_items, {"attribute": ATTRIBUTE}, ("attribute",), "attribute"),
     "distinct-from-siblings": NodeCheck(
-        attributes.distinct_from_siblings, {"attribute": str, "except": str}, ("attribute",), "attribute"
+        attributes.distinct_from_siblings, {"attribute": ATTRIBUTE, "except": TEXT}, ("attribute",), "attribute"
     ),
-    "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": list}),
-    "required-fields": NodeCheck(fields.required_fields, {"fields": dict}, ("fields",)),
-    "field-values": NodeCheck(fields.field_values, {"fields": dict}, ("fields",)),
+    "known-attributes": NodeCheck(attributes.known_attributes, {"attributes": ATTRIBUTES}),
+    "required-fields": NodeCheck(fields.required_fields, {"fields": fields.FIELDS}, ("fields",)),
+    "field-values": NodeCheck(fields.field_values, {"fields": fields.FIELDS}, ("fields",)),
     "reference": NodeCheck(
         references.reference,
-        {"attribute": str, "to": OneOf(CATEGORIES), "external": str},
+        {"attribute": NAME, "to": one_of(CATEGORIES), "external": TEXT},
         ("attribute", "to"),
         "attribute",
         needs_whole_tree=True,
     ),
-    "reference-cycle": TreeCheck(references.cycle, {"attribute": str}, ("attribute",), needs_whole_tree=True),
-    "companions": NodeCheck(groups.companions, {"required": list}, ("required",), needs_whole_tree=True),
-    "node-type": NodeCheck(groups.type_of, {"types": OneOf(TYPES, is_list=True)}, ("types",)),
+    "reference-cycle": TreeCheck(references.cycle, {"attribute": NAME}, ("attribute",), needs_whole_tree=True),
+    "companions": NodeCheck(groups.companions, {"required": TEXTS}, ("required",), needs_whole_tree=True),
+    "node-type": NodeCheck(groups.type_of, {"types": one_of(TYPES, is_list=True)}, ("types",)),
     "asil-of-step": NodeCheck(
-        groups.asil_of_step, {"provides": OneOf(CATEGORIES, is_list=True)}, ("provides",), needs_whole_tree=True
+        groups.asil_of_step, {"provides": one_of(CATEGORIES, is_list=True)}, ("provides",), needs_whole_tree=True
     ),
     "deprecated-unit": NodeCheck(signals.deprecated_unit, {}, (), "=unit"),
     "unit-spelling": NodeCheck(signals.unit_spelling, {}, (), "=unit"),
     "deprecation-target": NodeCheck(signals.deprecation_target, {}, (), "=deprecation", needs_whole_tree=True),
-    "instance-start": NodeCheck(signals.instance_start, {"first": int}, ("first",), "=instances"),
+    "instance-start": NodeCheck(signals.instance_start, {"first": COUNT}, ("first",), "=instances"),
     "instance-duplicates": NodeCheck(signals.instance_duplicates, {}, (), "=instances"),
     "unique-path": TreeCheck(signals.unique_path, {}),
-    "twice-written": TreeCheck(signals.twice_written, {"ignored": list}),
+    "twice-written": TreeCheck(signals.twice_written, {"ignored": ATTRIBUTES}),
     "overlay-unknown-node": NodeCheck(overlays.unknown_node, {}, of_overlays=True),
     "overlay-deletes-nothing": NodeCheck(overlays.deletes_nothing, {}, (), "=delete", of_overlays=True),
     "overlay-changes": NodeCheck(
-        overlays.changes, {"attributes": list, "given": list}, ("attributes",), of_overlays=True
+        overlays.changes, {"attributes": ATTRIBUTES, "given": ATTRIBUTES}, ("attributes",), of_overlays=True
     ),
     "overlay-narrows": NodeCheck(overlays.narrows, {}, of_overlays=True),
-    "overlay-conflict": NodeCheck(overlays.conflict, {"ignored": list}, of_overlays=True, of_stacks=True),
+    "overlay-conflict": NodeCheck(overlays.conflict, {"ignored": ATTRIBUTES}, of_overlays=True, of_stacks=True),
     "overlay-instances": NodeCheck(overlays.keeps_instances, {}, of_overlays=True),
     "overlay-below-deleted": TreeCheck(overlays.below_deleted, {}),
     "overlay-no-effect": TreeCheck(overlays.no_effect, {}, of_stacks=True),
@@ -106,10 +124,10 @@ CHECKS: Mapping[str, Check] = {
     "can-message": NodeCheck(network.unambiguous, {}, (), f"={network.ANY_MAPPING}"),
     "can-names": NodeCheck(network.names_in_database, {}, (), f"={network.ANY_MAPPING}"),
     "can-range": NodeCheck(network.range_fits, {}, (), f"={network.ANY_MAPPING}"),
-    "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": list}, ("words", "target")),
-    "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": str}, ("pattern", "target")),
+    "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": NAMES}, ("words", "target")),
+    "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": TEXT}, ("pattern", "target")),
     "name-length": NodeCheck(
-        portable.name_length, {"most": int, "of": _NAME_OR_PATH, "target": str}, ("most", "target")
+        portable.name_length, {"most": COUNT, "of": _NAME_OR_PATH, "target": TEXT}, ("most", "target")
     ),
     "collision": TreeCheck(portable.collision, {**_PORTABLE, "of": _NAME_OR_PATH}, ("target",)),
 }

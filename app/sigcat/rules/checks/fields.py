@@ -11,11 +11,14 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
 from sigcat.rules.checks.attributes import is_empty
-from sigcat.rules.checks.kind import BadOption, NodeTest, either, is_number
+from sigcat.rules.checks.kind import BadOption, Kind, NodeTest, either, is_number
 from sigcat.rules.patterns import Pattern, compile_pattern
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
+
+Table = Mapping[str, Mapping[str, Any]]
+"""Records of fields by name."""
 
 _DATATYPES: Mapping[str, Callable[[Any], bool]] = {
     "text": lambda value: isinstance(value, str),
@@ -27,27 +30,87 @@ _DATATYPES: Mapping[str, Callable[[Any], bool]] = {
     "text or list": lambda value: isinstance(value, str | list),
     "mapping": lambda value: isinstance(value, dict),
 }
-_KEYS = frozenset(
-    ("required", "datatype", "unit", "values", "min", "max", "pattern", "fields", "description", "repairs", "title")
-)
+
+
+def _is_list_of_values(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(item, str | int | float) for item in value)
+
+
+def _is_repairs(value: Any) -> bool:
+    return isinstance(value, dict) and all(isinstance(text, str) for text in (*value, *value.values()))
+
+
+_KEYS: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
+    "required": ("true or false", _DATATYPES["boolean"]),
+    "datatype": (either(_DATATYPES), lambda value: isinstance(value, str) and value in _DATATYPES),
+    "unit": ("a text", _DATATYPES["text"]),
+    "values": ("a list of at least one text, number or boolean", _is_list_of_values),
+    "min": ("a number", is_number),
+    "max": ("a number", is_number),
+    "pattern": ("a text", _DATATYPES["text"]),
+    "fields": ("a mapping", _DATATYPES["mapping"]),
+    "description": ("a text", _DATATYPES["text"]),
+    "title": ("a text", _DATATYPES["text"]),
+    "repairs": ("a mapping of texts to texts", _is_repairs),
+}
+"""What the record of a field may hold: what each key must be, and whether a value is that."""
+
+
+def _check_table(option: str, fields: Any) -> None:
+    """Raises BadOption if this is no table of fields, whatever is wrong at any depth."""
+    if not isinstance(fields, dict):
+        raise BadOption(f"{option} must be a mapping, not {shown(fields)}.")
+    for name, field in fields.items():
+        if not isinstance(name, str) or not name.strip():
+            raise BadOption(f"The name of a field must be a text, not {shown(name)}.")
+        if not isinstance(field, dict):
+            raise BadOption(f"Field {name!r} must be a mapping, not {shown(field)}.")
+        for key, value in field.items():
+            if key not in _KEYS:
+                raise BadOption(f"Unknown key {key!r} of field {name!r}.", did_you_mean(str(key), _KEYS))
+            expected, fits = _KEYS[key]
+            if not fits(value):
+                raise BadOption(f"`{key}` of field {name!r} must be {expected}, not {shown(value)}.")
+        _check_table(option, field.get("fields", {}))
+
+
+FIELDS = Kind("table of fields", _check_table)
 
 
 def required_fields(rule: Rule, _tree: Tree) -> NodeTest:
-    """Every field that the table requires is there."""
-    needed = tuple(name for name, field in _table(rule.options["fields"]).items() if field.get("required"))
-    table = rule.options["fields"]
+    """Every field that the table requires is there, within fields too."""
+    table: Table = rule.options["fields"]
 
     def test(definition: Definition) -> Iterator[Problem]:
-        for name in needed:
-            if is_empty(definition.values.get(name)):
-                unit = f" in {table[name]['unit']}" if "unit" in table[name] else ""
+        for name, field in table.items():
+            if field.get("required") and is_empty(definition.values.get(name)):
+                unit = f" in {field['unit']}" if "unit" in field else ""
                 key = definition.spelled(name)
                 message = f"The interface has no `{key}`."
-                facts = {"attribute": name}
-                yield Problem(definition, message, "", f"Add `{key}`{unit}.", facts)
-        yield from _nested_missing(definition, table)
+                yield Problem(definition, message, "", f"Add `{key}`{unit}.", {"attribute": name})
+        for name, field in table.items():
+            for outer, missing, within in _missing_within(name, field, definition.values.get(name, _ABSENT)):
+                message = f"`{outer}` has no `{missing}`."
+                fix, facts = f"Add `{missing}` to `{outer}`.", {"attribute": missing}
+                yield Problem(definition, message, name, fix, facts, within=within)
 
     return test
+
+
+_ABSENT = object()
+
+
+def _missing_within(
+    name: str, field: Mapping[str, Any], value: Any, within: tuple[int | str, ...] = ()
+) -> Iterator[tuple[str, str, tuple[int | str, ...]]]:
+    """The fields that are missing in the mapping of a field: that of which one, its name, and the steps to the mapping."""
+    if not isinstance(value, dict | None):
+        return
+    given = value or {}
+    for inner, record in field.get("fields", {}).items():
+        if record.get("required") and is_empty(given.get(inner)):
+            yield name, inner, within
+        yield from _missing_within(f"{name}.{inner}", record, given.get(inner, _ABSENT), (*within, inner))
 
 
 def field_values(rule: Rule, _tree: Tree) -> NodeTest:
@@ -55,7 +118,7 @@ def field_values(rule: Rule, _tree: Tree) -> NodeTest:
 
     What VSS itself says of its own attributes is found while composing (V004 and others) and not said twice.
     """
-    table = _table(rule.options["fields"])
+    table: Table = rule.options["fields"]
     judged = {name: field for name, field in table.items() if name not in CORE_ATTRIBUTES or "values" in field}
     tests = {name: _value_test(name, field, rule) for name, field in judged.items()}
 
@@ -81,39 +144,11 @@ class _Wrong(NamedTuple):
     at_key: bool = False
 
 
-def _table(fields: Any) -> Mapping[str, Mapping[str, Any]]:
-    for name, field in fields.items():
-        if not isinstance(field, dict):
-            raise BadOption(f"Field {name!r} must be a mapping, not {shown(field)}.")
-        for key in field:
-            if key not in _KEYS:
-                raise BadOption(f"Unknown key {key!r} of field {name!r}.", did_you_mean(str(key), _KEYS))
-        if field.get("datatype", "value") not in _DATATYPES:
-            given = shown(field["datatype"])
-            raise BadOption(f"The datatype of field {name!r} must be {either(_DATATYPES)}, not {given}.")
-    table: Mapping[str, Mapping[str, Any]] = fields
-    return table
-
-
-_ABSENT = object()
-
-
-def _nested_missing(definition: Definition, table: Mapping[str, Any]) -> Iterator[Problem]:
-    for name, field in table.items():
-        value = definition.values.get(name, _ABSENT)
-        if "fields" not in field or not isinstance(value, dict | None):
-            continue
-        for inner, inner_field in _table(field["fields"]).items():
-            if inner_field.get("required") and is_empty((value or {}).get(inner)):
-                message = f"`{name}` has no `{inner}`."
-                yield Problem(definition, message, name, f"Add `{inner}` to `{name}`.", {"attribute": inner})
-
-
 def _value_test(name: str, field: Mapping[str, Any], rule: Rule) -> Callable[[Any], Iterator[_Wrong]]:
     datatype = field.get("datatype", "value")
     fits = _DATATYPES[datatype]
     pattern = compile_pattern(field["pattern"], trusted=rule.trusted) if "pattern" in field else None
-    inner = {key: _value_test(f"{name}.{key}", value, rule) for key, value in _table(field.get("fields", {})).items()}
+    inner = {key: _value_test(f"{name}.{key}", value, rule) for key, value in field.get("fields", {}).items()}
 
     def test(value: Any) -> Iterator[_Wrong]:
         if not fits(value):

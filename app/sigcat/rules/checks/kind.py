@@ -24,14 +24,75 @@ TreeTest = Callable[[], Iterable[Problem]]
 LineTest = Callable[[str], Iterable[LineProblem]]
 
 
-class OneOf(NamedTuple):
-    """The kind of an option that is one of these texts, or a list of such."""
+class Kind(NamedTuple):
+    """What an option holds."""
 
-    values: Collection[str]
-    is_list: bool = False
+    name: str
+    """As the reference calls it."""
+    check: Callable[[str, Any], None]
+    """Given what the option is called, and its value: raises BadOption if it is of another kind."""
 
 
-Options = Mapping[str, type | OneOf]
+def _kind(name: str, expected: str, fits: Callable[[Any], bool]) -> Kind:
+    def check(option: str, value: Any) -> None:
+        if not fits(value):
+            raise BadOption(f"{option} must be {expected}, not {shown(value)}.")
+
+    return Kind(name, check)
+
+
+def one_of(values: Collection[str], *, is_list: bool = False) -> Kind:
+    """One of these texts, or a list of such."""
+
+    def check(option: str, value: Any) -> None:
+        (TEXTS if is_list else TEXT).check(option, value)
+        if not value:
+            raise BadOption(f"{option} must be {either(values)}, not {shown(value)}.")
+        for item in value if is_list else [value]:
+            if item not in values:
+                fix = did_you_mean(item, values)
+                raise BadOption(f"{option} must be {either(values)}, not {shown(item)}.", fix)
+
+    return Kind(f"{'list of ' if is_list else ''}{', '.join(f'`{value}`' for value in values)}", check)
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+def _is_name(value: Any) -> bool:
+    return isinstance(value, str) and bool(value.strip())
+
+
+def _is_list_of(fits: Callable[[Any], bool]) -> Callable[[Any], bool]:
+    return lambda value: isinstance(value, list) and all(map(fits, value))
+
+
+_HIGHEST_COUNT = 1_000_000
+
+
+def _is_attribute(value: Any) -> bool:
+    return _is_name(value) and not set(value) & set(".|")
+
+
+TEXT = _kind("text", "a text", _is_text)
+NAME = _kind("name", "a name", _is_name)
+ATTRIBUTE = _kind("attribute", "the name of an attribute, none within it", _is_attribute)
+COUNT = _kind(
+    "whole number",
+    f"a whole number from 0 to {_HIGHEST_COUNT:,}",
+    lambda value: isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= _HIGHEST_COUNT,
+)
+TEXTS = _kind("list of texts", "a list of texts", _is_list_of(_is_text))
+NAMES = _kind("list of names", "a list of names", _is_list_of(_is_name))
+ATTRIBUTES = _kind("list of attributes", "a list of names of attributes, none within them", _is_list_of(_is_attribute))
+VALUES = _kind(
+    "list of values",
+    "a list of texts, numbers or booleans",
+    _is_list_of(lambda value: isinstance(value, str | int | float)),
+)
+
+Options = Mapping[str, Kind]
 """The options of a check by name, each with its kind."""
 
 
@@ -70,8 +131,6 @@ class LineCheck(NamedTuple):
     of_stacks: Literal[False] = False
 
 
-_TYPES: Mapping[type, str] = {str: "a text", int: "a whole number", list: "a list", dict: "a mapping"}
-
 Check = NodeCheck | TreeCheck | LineCheck
 
 
@@ -83,24 +142,10 @@ def check_options(rule: Rule, check: Check) -> None:
             options = f"Its options are {', '.join(check.options)}." if check.options else "It has none."
             fix = f"{did_you_mean(str(name), check.options)} {options}".lstrip()
             raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", fix)
-        _check_value(f"Option {name!r} of rule {rule.id}", value, kind)
+        kind.check(f"Option {name!r} of rule {rule.id}", value)
     for name in check.required:
         if name not in rule.options:
             raise BadOption(f"Rule {rule.id} must have the option {name!r}.")
-
-
-def _check_value(option: str, value: Any, kind: type | OneOf) -> None:
-    if isinstance(kind, OneOf):
-        _check_value(option, value, list if kind.is_list else str)
-        for item in value if kind.is_list else [value]:
-            if item not in kind.values:
-                fix = did_you_mean(str(item), kind.values)
-                raise BadOption(f"{option} must be {either(kind.values)}, not {shown(item)}.", fix)
-        return
-    if not isinstance(value, kind) or (isinstance(value, bool) and kind is int):
-        raise BadOption(f"{option} must be {_TYPES[kind]}, not {shown(value)}.")
-    if isinstance(value, list) and not all(isinstance(item, str | int | float | list) for item in value):
-        raise BadOption(f"{option} must be a list of texts or numbers.")
 
 
 def listed(names: Iterable[str], last: str = "and") -> str:
