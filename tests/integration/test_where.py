@@ -1,5 +1,7 @@
 """An integration starts from resolved functions: findings point into the file, and carried definitions are used."""
 
+from collections import Counter
+
 import pytest
 
 from sigcat.errors import InputRefused
@@ -11,6 +13,7 @@ from sigcat.integration.declared_fields import TARGETS
 from sigcat.integration.reading import read_functions
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
+from tests.adapter.autosar_adaptive.application.generated import FULL
 from tests.function.shipped import FUNCTIONS, interfaces
 
 TEXT = scaffold("Parking")
@@ -117,3 +120,29 @@ def test_the_report_begins_with_what_the_author_wrote(platform):
     assert (asil.function, asil.interface) == ("Parking", f"parking.yaml:{line}")
     assert "AsilLevel" in asil.target
     assert [entry for entry in written.values() if entry.target == "Function JSON, "] == []
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_the_report_of_each_platform_has_every_field_that_has_a_value(platform):
+    (function,) = read_functions([((FULL / "function.yaml").read_bytes(), "full.yaml")], interfaces()).functions
+    filled = Counter(_filled(function.function))
+    report = integrate(PLATFORMS[platform], [function]).report
+    told = Counter(entry.field for entry in report if entry.kind != "declaration")
+    assert len(filled) > 70
+    assert filled - told == Counter()
+
+
+def _filled(function):
+    """The names of the fields that have a value, of each call and of each of its interfaces."""
+    for component in function.components:
+        for call in component.runnables:
+            parts = [call, *(each for contract in call.contracts or () for each in _interfaces(contract))]
+            yield from (name for part in parts for name, value in _fields(part) if value not in (None, (), [], {}))
+
+
+def _interfaces(contract):
+    return [each for _, value in _fields(contract) if isinstance(value, list | tuple) for each in value]
+
+
+def _fields(model):
+    return [(field.alias or name, getattr(model, name)) for name, field in type(model).model_fields.items()]

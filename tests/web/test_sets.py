@@ -8,9 +8,12 @@ import pytest
 
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, shipped_sources
+from sigcat.platforms.platform import Platform
+from sigcat.platforms.table import PLATFORMS
 from sigcat.web.forms import PostedFile
 from sigcat.web.site import create_site
 from sigcat.web.views.function_sets import as_text, distinct, documents_in
+from sigcat.web.views.generated_documents import CORE, SET_VIEWS
 from tests.api.conftest import Ask, asker
 
 
@@ -147,3 +150,13 @@ def test_a_text_of_several_documents_is_taken_apart_and_put_together() -> None:
 
 def test_files_of_one_name_are_told_apart() -> None:
     assert [file.name for file in distinct([PostedFile("a", b"1"), PostedFile("a", b"2")])] == ["a", "a (2)"]
+
+
+def test_no_view_takes_the_place_of_another_one() -> None:
+    """A generator that is called as its platform needs a `view` of its own."""
+    names = [CORE, *(name for platform in PLATFORMS.values() for name in _views(platform))]
+    assert sorted(names) == sorted(set(names)) == sorted(SET_VIEWS)
+
+
+def _views(platform: Platform) -> list[str]:
+    return [platform.name, *{generator.view or generator.name for generator in platform.generators}]

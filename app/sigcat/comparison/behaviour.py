@@ -114,7 +114,7 @@ def _bits(value: object) -> object:
 
 
 def in_free_run(expected: Sent, found: Sent, cycle: int, ignored: Iterable[str] = ()) -> tuple[Aligned, ...]:
-    """Each name that both have sent, aligned by its times; `cycle` is how far a value may be from its place, in ns."""
+    """Each name that both have sent, aligned by its times; a value may be two `cycle`s, in ns, from its place."""
     names = sorted(({*expected} & {*found}) - set(ignored))
     return tuple(_aligned(name, expected[name], found[name], cycle) for name in names)
 
@@ -143,7 +143,7 @@ def _aligned(name: str, expected: Sequence[tuple[int, str]], found: Sequence[tup
 def _near(
     expected: Sequence[tuple[int, str]], ours: Sequence[object], at: int, time: int, cycle: int
 ) -> Iterator[object]:
-    """What was sent within a cycle before or after a time, and a value before it."""
+    """What was sent within two cycles before or after a time, at most two values away from the nearest."""
     for index in range(max(0, at - 2), min(len(expected), at + 3)):
         if abs(expected[index][0] - time) <= 2 * cycle:
             yield ours[index]

@@ -6,8 +6,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
+from sigcat.catalogue.network.can_database import NEEDED
 from sigcat.errors import UsageError
-from sigcat.gateway.frames import FORMS, NEEDED, Frame
+from sigcat.gateway.frames import FORMS, Frame
 
 _LARGEST_CLASSIC = 8
 

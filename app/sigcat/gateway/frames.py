@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import IO, Any, NamedTuple, cast
 
 from sigcat import codes
+from sigcat.catalogue.network.can_database import NEEDED
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.gateway.log_lines import CutLine, LogLines
 from sigcat.limits import LOG_FINDINGS
 
-NEEDED = "CAN needs the packages cantools and python-can: run `pip install sigcat[can]`"
 FORMS = (".asc", ".blf", ".log")
 """Endings of logs: those of Vector, as text and as bytes, and that of candump; each may be packed with gzip."""
 _COARSE = 4_000_000

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from sigcat.catalogue.network.can_database import NEEDED
 from sigcat.errors import UsageError
-from sigcat.gateway.frames import NEEDED, Frame, Passed, frame_of
+from sigcat.gateway.frames import Frame, Passed, frame_of
 
 _ENDS = (signal.SIGINT, signal.SIGTERM)
 _WAIT = 0.2

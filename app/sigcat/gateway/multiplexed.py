@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from cantools.database.utils import decode_data
-
 
 def defined_parts(message: Any, data: bytes) -> tuple[Mapping[str, float], Sequence[str]]:
     """The numbers of a frame as they were transmitted, and what is undefined in it. Raises what cantools does."""
+    from cantools.database.utils import decode_data
+
     found: dict[str, float] = {}
     undefined: list[str] = []
     waiting = [message._codecs]  # noqa: SLF001 — message.decode goes the same way, and gives up where it ends

@@ -1,5 +1,6 @@
 """The package of nodes in C++, as text: what is built and run of it is with the tests that need real ROS 2."""
 
+import json
 import re
 from pathlib import Path
 
@@ -143,6 +144,50 @@ def test_a_queue_that_shares_its_message_is_refused():
     (finding,) = refused.value.findings
     assert "The queue Many must travel alone" in finding.message
     assert "`signal`" in (finding.fix or "")
+
+
+READING = """\
+function: Reader
+description: Reads an enumeration.
+responsible: Us
+code: {{signature: globals, headers: [reader.h]}}
+components:
+  - name: Reader
+    runnables:
+      - interface: Step
+        symbol: reader_step
+        data:
+          - {{path: Vehicle.Level, role: consumed, variable: level, datatype: uint8, values: {values}, provider: Outside, init: V0}}
+define:
+  data:
+    Vehicle.Level: {{datatype: string, allowed: {texts}, asil: QM, description: A level.}}
+  scheduling:
+    Step: {{description: Runs., cycleTime: 20, scheduling: Preemptive, asil: QM}}
+"""
+
+
+def with_texts(count, tmp_path):
+    """The workspace of a function that reads an enumeration of so many texts, sent as text alone."""
+    numbers = {f"V{number}": number for number in range(count)}
+    function = tmp_path / "reader.yaml"
+    function.write_text(READING.format(values=json.dumps(numbers), texts=json.dumps([*numbers])))
+    return generated.files(generated.integration(function, deployment={"ros2": {"enumerations": "text"}}))
+
+
+@pytest.mark.parametrize(("count", "nameless"), [(140, 255), (255, 255), (3, 255)])
+def test_a_text_that_is_no_value_becomes_a_number_that_is_none(count, nameless, tmp_path):
+    made = with_texts(count, tmp_path)
+    assert f"message.level, {nameless})" in source(made, "reader")
+    module = next(text for name, text in made.items() if name.endswith("reader_node.py"))
+    assert f"}}.get(message.level, {nameless})" in module
+
+
+def test_an_enumeration_that_leaves_no_number_free_is_refused_with_what_to_do(tmp_path):
+    with pytest.raises(InputRefused) as refused:
+        with_texts(256, tmp_path)
+    (finding,) = refused.value.findings
+    assert "must have a number that is no value" in finding.message
+    assert "`number`" in finding.fix
 
 
 def test_every_learned_number_has_a_line_in_what_is_stored():

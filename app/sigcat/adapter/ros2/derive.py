@@ -37,6 +37,8 @@ def derive(model: Ros2Integration, cores: Sequence[SourceCore], release: str) ->
     contexts = [_context(node, by_function[node.function], model) for node in package.nodes]
     _refuse_disagreements(contexts)
     _refuse_mixed_queues(contexts)
+    nodes = tuple(_node(context, package.name, interfaces) for context in contexts)
+    _refuse_full_enumerations(nodes)
     return WorkspacePlan(
         application=model.info.function_name,
         name=package.name,
@@ -48,7 +50,7 @@ def derive(model: Ros2Integration, cores: Sequence[SourceCore], release: str) ->
         license=package.license,
         namespace=package.nodes[0].namespace,
         release=release,
-        nodes=tuple(_node(context, package.name, interfaces) for context in contexts),
+        nodes=nodes,
         package=package,
     )
 
@@ -96,6 +98,23 @@ def _refuse_mixed_queues(contexts: Iterable[NodeContext]) -> None:
         )
         for index, context in enumerate(contexts)
         for mixed in mixed_queues(context)
+    ]
+    if found:
+        raise _refused(found)
+
+
+def _refuse_full_enumerations(nodes: Iterable[NodePlan]) -> None:
+    """A text that is none of an enumeration becomes a number that is none of it either."""
+    found = [
+        _problem(
+            f"The enumeration {taken.place} must have a number that is no value, for texts that are none.",
+            f"/NodePackageList/0/Nodes/{index}",
+            "Set `enumerations` to `number` or `both` in the deployment file.",
+        )
+        for index, node in enumerate(nodes)
+        for subscription in node.subscriptions
+        for taken in subscription.takes
+        if taken.symbols and taken.nameless is None
     ]
     if found:
         raise _refused(found)

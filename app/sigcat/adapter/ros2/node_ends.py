@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat.adapter.core.identifiers import identifier, unique
+from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Method, Output, Port, WireType
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import (
@@ -85,7 +86,20 @@ def _subscription(
 def _taken(mapping: FieldMapping, port: Port) -> Taken:
     symbols = () if mapping.number_field else _text_symbols(mapping, port.wire)
     field = mapping.number_field or mapping.field
-    return Taken(port.name, field, port.wire, port.comment, symbols, wakes=bool(port.triggers))
+    nameless = _nameless(port.wire) if symbols else None
+    return Taken(port.name, field, port.wire, port.comment, symbols, nameless, wakes=bool(port.triggers))
+
+
+_FIRST_NAMELESS = 2**31 - 1
+"""The highest number that is tried: code reads better with one of few digits."""
+
+
+def _nameless(wire: WireType) -> int | None:
+    kind, named = type_of_c(wire.c), {number for _, number in wire.symbols}
+    if kind is None:
+        return None
+    numbers = range(min(int(kind.largest), _FIRST_NAMELESS), int(kind.smallest) - 1, -1)
+    return next((number for number in numbers if number not in named), None)
 
 
 def _together(qualities: list[QualityOfService]) -> QualityOfService:

@@ -42,6 +42,8 @@ class Taken(NamedTuple):
     comment: str
     symbols: tuple[Symbol, ...] = ()
     """Texts, where the field has nothing else."""
+    nameless: int | None = None
+    """A number that none of the texts stands for: the core takes it as one out of range. None if every number has a text."""
     numbers: tuple[tuple[int, int], ...] = ()
     """Numbers of the message and of the core, where they differ."""
     wakes: bool = False

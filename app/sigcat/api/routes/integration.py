@@ -96,6 +96,7 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
             Query(
                 alias=generator.release_word,
                 description=f"{generator.release_word.capitalize()} of {platform.title}; {default} if absent.",
+                include_in_schema=bool(generator.releases),
             ),
         ] = None,
         bench: Annotated[

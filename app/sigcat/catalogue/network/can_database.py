@@ -10,6 +10,7 @@ from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS
 
+NEEDED = "CAN needs the packages cantools and python-can: run `pip install cantools python-can`"
 FORMS = ("dbc", "kcd", "sym", "arxml")
 """Endings of the files that cantools reads."""
 
@@ -151,7 +152,7 @@ def _messages(path: Path) -> Sequence[Any]:
     try:
         from cantools import database
     except ImportError:
-        raise UsageError("CAN needs the packages cantools and python-can: run `pip install sigcat[can]`") from None
+        raise UsageError(NEEDED) from None
     logging.getLogger("cantools").setLevel(logging.CRITICAL)  # what it warns of is no matter of the mapping
     if path.stat().st_size > DEFAULT_LIMITS.file_bytes:
         raise _Unreadable(f"The file must have at most {DEFAULT_LIMITS.file_bytes:,} bytes.")

@@ -92,7 +92,7 @@ class Aligned(Part):
     same: Count
     """Equal to the nearest in time."""
     shifted: Count
-    """Equal to what the reference sent up to a cycle before or after: an input came between the two calls."""
+    """Equal to what the reference sent up to two cycles before or after: an input came between the two calls."""
     other: Count
     """Neither."""
     lost: int

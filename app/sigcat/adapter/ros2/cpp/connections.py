@@ -10,7 +10,6 @@ from sigcat.adapter.ros2.cpp.names import (
     is_plain,
     short,
     table,
-    unknown_number,
 )
 from sigcat.adapter.ros2.plan import MethodService, NodePlan, Publisher, Subscription, Taken, WorkspacePlan
 from sigcat.integration.ros2.model import QualityOfService
@@ -90,12 +89,12 @@ def _value(taken: Taken, field: str) -> tuple[str, str]:
         if taken.symbols:
             return (
                 "",
-                f"static_cast<{wire.c}>(\n  symbol_number({table(taken.place)}, {field}, {unknown_number(wire)}))",
+                f"static_cast<{wire.c}>(\n  symbol_number({table(taken.place)}, {field}, {taken.nameless}))",
             )
         return "", _renumbered(taken, field) if taken.numbers else field
     name = f"taken_{taken.place}"
     if taken.symbols:
-        assign = f"assign_numbers({table(taken.place)}, {field}, {name}, {unknown_number(wire)});"
+        assign = f"assign_numbers({table(taken.place)}, {field}, {name}, {taken.nameless});"
     else:
         assign = f"assign({field}, {name});"
     return text([declared(wire, name), assign]), name if wire.length is not None else f"&{name}"

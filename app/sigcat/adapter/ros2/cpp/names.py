@@ -92,12 +92,6 @@ def is_plain(wire: WireType) -> bool:
     return not wire.is_struct and wire.length is None
 
 
-def unknown_number(wire: WireType) -> int:
-    """A number that no value of an enumeration has."""
-    known = {number for _, number in wire.symbols}
-    return next(number for number in range(127, -129, -1) if number not in known and (number >= 0 or wire.c[0] == "i"))
-
-
 def report_name(node: NodePlan, call: Call) -> str:
     """The local variable that has what is told of a call."""
     return f"{_call_name(node, call)}_report"

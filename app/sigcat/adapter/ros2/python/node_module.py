@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines
-from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireType
 from sigcat.adapter.ros2.plan import (
     ArgumentField,
@@ -236,7 +235,7 @@ def _taken(taken: Taken, node: NodePlan) -> Lines:
     value, is_array = f"message.{taken.field}", taken.wire.length is not None
     if taken.symbols:
         pairs = [(text(each.text), str(each.number)) for each in taken.symbols]
-        value = _looked_up(value, pairs, str(_nameless(taken)), is_array=is_array)
+        value = _looked_up(value, pairs, str(taken.nameless), is_array=is_array)
     elif taken.numbers:
         value = _looked_up(value, [(str(one), str(other)) for one, other in taken.numbers], None, is_array=is_array)
     elif taken.wire.is_struct:
@@ -251,14 +250,6 @@ def _looked_up(value: str, pairs: Iterable[tuple[str, str]], other: str | None, 
     one = "each" if is_array else value
     found = f"{table}.get({one}, {one if other is None else other})"
     return f"[{found} for each in {value}]" if is_array else found
-
-
-def _nameless(taken: Taken) -> int:
-    """A number that no value has: the core takes it as one out of range."""
-    kind = type_of_c(taken.wire.c)
-    assert kind is not None
-    used = {each.number for each in taken.symbols}
-    return next(each for each in range(int(kind.largest), -1, -1) if each not in used)
 
 
 def _send(node: NodePlan) -> Lines:
