@@ -110,7 +110,7 @@ def test_the_option_of_a_shipped_rule_can_be_changed(tree):
     assert lint_paths([tree / "vspec"], changed).findings == ()
 
 
-ANYTHING = (
+ANYTHING: tuple[object, ...] = (
     "", " ", "(", "a.b", 5, -1, 10**30, 1.5, True, None, [], [5], [""], [None], [[]], [["a"]], [{}], ["("], {}, {"a": 5}, {5: {}},
     {"a": {}}, {"a": {"fields": 5}}, {"a": {"fields": {"b": 5}}}, {"a": {"fields": {"b": {"values": 5}}}}, {"a": {"datatype": 5}},
     {"a": {"datatype": []}}, {"a": {"values": 5}}, {"a": {"values": []}}, {"a": {"values": [[]]}}, {"a": {"min": "x"}},
