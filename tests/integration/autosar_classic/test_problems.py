@@ -42,6 +42,33 @@ def of(listed, name):
     return next(each for each in listed if each["Name"] == name)
 
 
+def supervised(document, component=0):
+    """The supervised entity of a component."""
+    return document["Components"][component]["SupervisedEntities"][0]
+
+
+def element(document, port):
+    """The element of a port of the first component."""
+    return of(first(document)["Ports"], port)["Elements"][0]
+
+
+def typed(document, kind):
+    """The element of a port, with a datatype of the code."""
+    three = {"Name": "Three", "Category": "ARRAY", "ElementType": "uint8", "Length": 3}
+    members = [{"Name": name, "Type": "uint8"} for name in ("A", "B")]
+    pair = {"Name": "Pair", "Category": "STRUCTURE", "Members": members}
+    small = {"Name": "sint8", "Category": "VALUE", "Base": "sint8"}
+    known = {each["Name"] for each in document["ImplementationTypes"]}
+    document["ImplementationTypes"] += [each for each in (three, pair, small) if each["Name"] not in known]
+    of(document["SenderReceiverInterfaces"], "Vehicle_Speed")["Elements"][0].update(Type=kind)
+    return element(document, "Vehicle_Speed")
+
+
+def literals(document):
+    """Names and numbers of an enumeration."""
+    return next(each["Symbols"] for each in document["CompuMethods"] if len(each.get("Symbols", ())) > 1)
+
+
 CHANGES = {
     "two ports of one name": (lambda d: copied(first(d)["Ports"]), "is one already"),
     "two names that differ in case": (lambda d: first(d)["Runnables"][0].update(Name="STEP"), "is one already"),
@@ -91,6 +118,86 @@ CHANGES = {
         lambda d: first(d)["SupervisedEntities"][0]["Alive"][0].update(Checkpoint="Other"), "known checkpoint",
     ),
     "a block of no memory": (lambda d: first(d)["NvBlocks"][0].update(PerInstanceMemory="Other"), "per-instance memory"),
+    "a block of another service": (lambda d: first(d)["NvBlocks"][0].update(Port="Clock"), "operation of the NvRamManager"),
+    "a count of an error that is not there": (lambda d: first(d)["NvBlocks"][0]["Errors"].append("Other"), "known error"),
+    "a diagnostic event of another service": (
+        lambda d: first(d)["DiagnosticEvents"][0].update(Port="Clock"), "operation of the DiagnosticEventManager",
+    ),
+    "more occurrences than are counted": (
+        lambda d: first(d)["DiagnosticEvents"][0].update(OccurrenceCountLimit=256), "from 0 to 255",
+    ),
+    "two diagnostic events of one name": (lambda d: copied(first(d)["DiagnosticEvents"]), "is one already"),
+    "an inhibition by an error that is not there": (
+        lambda d: first(d)["Inhibitions"][0]["Events"].append("Other"), "known error",
+    ),
+    "a checkpoint of another service": (
+        lambda d: supervised(d)["Checkpoints"][0].update(Port="Clock"), "operation of the WatchdogManager",
+    ),
+    "one number for two checkpoints": (lambda d: supervised(d)["Checkpoints"][1].update(Number=0), "of one checkpoint"),
+    "a number that no checkpoint has": (lambda d: supervised(d)["Checkpoints"][1].update(Number=-1), "from 0 to 65,535"),
+    "an indication that is never expected": (
+        lambda d: supervised(d)["Alive"][0].update(ExpectedIndications=0), "At least 1 indication",
+    ),
+    "more missing than expected": (lambda d: supervised(d)["Alive"][0].update(MinMargin=11), "No more than the 10"),
+    "a cycle of no time": (lambda d: supervised(d)["Alive"][0].update(ReferenceCycle=0), "longer than 0 s"),
+    "a supervision of an error that is not there": (
+        lambda d: supervised(d)["Alive"][0].update(Error="Other"), "known error",
+    ),
+    "a deadline between one checkpoint": (
+        lambda d: supervised(d, 1)["Deadline"][0].update(End="Step_Begin"), "another checkpoint",
+    ),
+    "a deadline that ends before it begins": (
+        lambda d: supervised(d, 1)["Deadline"][0].update(Min=1, Max=0.5), "from 0 to the longest",
+    ),
+    "a queue without end": (lambda d: element(d, "Vehicle_Speed").update(QueueLength=65_536), "65,535 at most"),
+    "a text where a number is": (lambda d: element(d, "Vehicle_Speed").update(InitValue="fast"), "number for float32, not 'fast'"),
+    "a truth where a number is": (lambda d: element(d, "Vehicle_Speed").update(InitValue=True), "number for float32"),
+    "a number that no float holds": (lambda d: element(d, "Vehicle_Speed").update(InitValue=1e39), "for float32"),
+    "a number above its datatype": (lambda d: typed(d, "uint8").update(InitValue=256), "from 0 to 255 for uint8"),
+    "a number below its datatype": (lambda d: typed(d, "sint8").update(InitValue=-129), "from -128 to 127 for sint8"),
+    "part of a number": (lambda d: typed(d, "uint8").update(InitValue=0.5), "whole number for uint8"),
+    "an array that is too short": (lambda d: typed(d, "Three").update(InitValue=[0, 1]), "must have 3 elements"),
+    "an array with a text in it": (lambda d: typed(d, "Three").update(InitValue=[0, 1, "2"]), "must be a number"),
+    "an array with too large a number": (lambda d: typed(d, "Three").update(InitValue=[0, 1, 256]), "from 0 to 255"),
+    "a struct without a member": (lambda d: typed(d, "Pair").update(InitValue={"A": 0}), "B is missing"),
+    "a struct with one member more": (lambda d: typed(d, "Pair").update(InitValue={"A": 0, "B": 1, "C": 2}), "C is not one"),
+    "a value of the composition": (
+        lambda d: of(d["Composition"]["Ports"], "Vehicle_Speed").update(InitValue="fast"), "must be a number",
+    ),
+    "a parameter that is too large": (
+        lambda d: d["ParameterComponents"][0]["Ports"][0]["Elements"][0].update(InitValue=1e39), "must be from",
+    ),
+    "one name for two numbers": (lambda d: literals(d)[1].update(Symbol=literals(d)[0]["Symbol"]), "name of one value"),
+    "one number for two names": (lambda d: literals(d)[1].update(Value=literals(d)[0]["Value"]), "number of one value"),
+    "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "no keyword"),
+    "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "identifier of C"),
+    "an enumeration of nothing": (lambda d: literals(d).clear(), "must have a value"),
+    "a range upside down": (lambda d: d["DataConstraints"][0].update(Min=2, Max=1), "must be 1 or less"),
+    "a function of the core": (
+        lambda d: first(d)["Runnables"][0].update(Symbol="CoreAcc_Adapter_Init"), "those of the core of CoreAcc",
+    ),
+    "a function of the source around it": (
+        lambda d: first(d)["Runnables"][0].update(Symbol="CoreAcc_Swc_Now"), "those of the source of CoreAcc",
+    ),
+    "a function of the code": (
+        lambda d: first(d)["Runnables"][0].update(Symbol="CoreAcc_Step"), "that of the function CoreAcc too",
+    ),
+    "a function of the RTE": (lambda d: first(d)["Runnables"][0].update(Symbol="Rte_Start"), "of the base software"),
+    "a memory with code for a type": (
+        lambda d: first(d)["PerInstanceMemories"][0].update(Type="int; int evil"), "identifier of C",
+    ),
+    "a memory with code for its definition": (
+        lambda d: first(d)["PerInstanceMemories"][0].update(TypeDefinition="int x; typedef int"), "identifier of C",
+    ),
+    "a memory with code for a header": (
+        lambda d: first(d)["PerInstanceMemories"][0].update(Header='a.h"\n#define A'), "name of a file",
+    ),
+    "one type for two memories": (
+        lambda d: copied(first(d)["PerInstanceMemories"], Name="Other", TypeDefinition="Other"), "must be defined once",
+    ),
+    "one section for code and variables": (
+        lambda d: first(d)["MemorySections"][1].update(Name="CODE_ASIL_B"), "must be of kind",
+    ),
 }  # fmt: skip
 
 

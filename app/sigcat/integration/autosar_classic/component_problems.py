@@ -1,32 +1,28 @@
-"""What an RTE generator would refuse in a component: its ports, runnables, events and needs."""
+"""What an RTE generator would refuse in a component: its ports, runnables and events."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.autosar_classic.model import (
-    ClassicIntegration,
-    Component,
-    Event,
-    Port,
-    Runnable,
-    SupervisedEntity,
-)
-from sigcat.integration.autosar_classic.problem import name, names, unknown
+from sigcat.integration.autosar_classic.model import Component, Event, Port, Runnable
+from sigcat.integration.autosar_classic.problem import Named, names, names_of, unknown
 from sigcat.integration.checked_document import Problem
 
 Interfaces = Mapping[str, tuple[str, frozenset[str]]]
 """Kind and elements of each interface."""
+LONGEST_QUEUE = 65_535
+"""Values or calls that may wait: what an index of 16 bits counts."""
 
 
 def component_problems(component: Component, at: Pointer, known: Interfaces) -> Iterator[Problem]:
     yield from ports_problems(component.ports, at, known)
-    yield from names((*at, "Runnables"), (each.name for each in component.runnables))
-    inner = [
-        *(each.name for each in component.events), *(each.name for each in component.runnables),
-        *(each.name for each in component.exclusive_areas), *(each.name for each in component.memories),
-        *(each.name for each in component.parameters),
-    ]  # fmt: skip
-    yield from names((*at, "Events"), inner)
+    inner: dict[str, Sequence[Named]] = {
+        "Runnables": component.runnables,
+        "Events": component.events,
+        "ExclusiveAreas": component.exclusive_areas,
+        "PerInstanceMemories": component.memories,
+        "InternalParameters": component.parameters,
+    }
+    yield from names_of(at, inner)
     yield from names((*at, "MemorySections"), (each.name for each in component.sections))
     yield from _served(component, at)
     ports = {port.name: port for port in component.ports}
@@ -39,7 +35,6 @@ def component_problems(component: Component, at: Pointer, known: Interfaces) -> 
         yield from _accesses(runnable, (*at, "Runnables", index), ports, component)
     for index, event in enumerate(component.events):
         yield from _event(event, (*at, "Events", index), ports, runnables)
-    yield from _needs(component, at, ports)
 
 
 def _served(component: Component, at: Pointer) -> Iterator[Problem]:
@@ -67,8 +62,13 @@ def ports_problems(ports: Iterable[Port], at: Pointer, known: Interfaces) -> Ite
             if port.kind == "SenderReceiver" and element.queue_length is None and element.init is None and port.direction == "Required":  # fmt: skip
                 message = f"{element.name} of {port.name} must have an initial value, since nothing may have been sent when it is read."
                 yield Problem((*here, "Elements", number), message, "Give `InitValue`.")
-            if element.queue_length is not None and element.queue_length < 1:
-                yield Problem((*here, "Elements", number, "QueueLength"), f"A queue must hold at least 1, not {element.queue_length}.", "Correct it.")  # fmt: skip
+            yield from _queue(element.queue_length, (*here, "Elements", number, "QueueLength"))
+
+
+def _queue(length: int | None, at: Pointer) -> Iterator[Problem]:
+    if length is not None and not 1 <= length <= LONGEST_QUEUE:
+        message = f"A queue must hold at least 1, and {LONGEST_QUEUE:,} at most, not {length}."
+        yield Problem(at, message, "Correct it.")
 
 
 _DIRECTIONS = {
@@ -121,43 +121,3 @@ def _event(
         elements = {access.element for access in source.accesses if access.kind == "AsynchronousCall"} if source else set()  # fmt: skip
         if event.element not in (names if event.kind == "InternalTrigger" else elements):
             yield unknown(at, f"access {event.element} of a runnable", str(event.source))
-
-
-def _needs(component: Component, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
-    """Needs of the base software, which go through ports of the component."""
-    memories = {memory.name for memory in component.memories}
-    for index, block in enumerate(component.nv_blocks):
-        if block.memory not in memories:
-            yield unknown((*at, "NvBlocks", index), "per-instance memory", block.memory)
-        if block.port not in ports:
-            yield unknown((*at, "NvBlocks", index), "port", block.port)
-    for index, event in enumerate(component.diagnostic_events):
-        if event.port not in ports:
-            yield unknown((*at, "DiagnosticEvents", index), "port", event.port)
-    for index, entity in enumerate(component.supervised_entities):
-        yield from _supervision(entity, (*at, "SupervisedEntities", index), ports)
-
-
-def _supervision(entity: SupervisedEntity, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
-    points = {point.name for point in entity.checkpoints}
-    for index, point in enumerate(entity.checkpoints):
-        if point.port not in ports:
-            yield unknown((*at, "Checkpoints", index), "port", point.port)
-    used = [each.checkpoint for each in entity.alive]
-    used += [each for deadline in entity.deadlines for each in (deadline.start, deadline.end)]
-    used += [each for step in entity.transitions for each in (step.source, step.target)]
-    for each in used:
-        if each not in points:
-            yield unknown(at, "checkpoint", each)
-
-
-def symbol_problems(model: ClassicIntegration) -> Iterator[Problem]:
-    """Functions of C: one for each symbol on the whole ECU."""
-    seen: dict[str, str] = {}
-    for index, component in enumerate(model.components):
-        for number, runnable in enumerate(component.runnables):
-            at: Pointer = ("Components", index, "Runnables", number, "Symbol")
-            yield from name(at, runnable.symbol)
-            other = seen.setdefault(runnable.symbol, f"{component.name}.{runnable.name}")
-            if other != f"{component.name}.{runnable.name}":
-                yield Problem(at, f"{runnable.symbol} must be the function of one runnable, and is that of {other} too.", "Rename it.")  # fmt: skip

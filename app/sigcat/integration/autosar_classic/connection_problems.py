@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
-from sigcat.integration.autosar_classic.problem import names, unknown
+from sigcat.integration.autosar_classic.problem import Named, names, names_of, unknown
 from sigcat.integration.checked_document import Problem
 
 
@@ -20,11 +20,13 @@ def connection_problems(model: ClassicIntegration) -> Iterator[Problem]:
     for index, each in enumerate(model.composition.prototypes):
         if each.type not in types:
             yield unknown((*at, "Components", index), "component type", each.type)
-    connectors = [each.name for each in model.composition.assemblies]
-    connectors += [each.name for each in model.composition.delegations]
-    inside = [each.name for each in model.composition.prototypes]
-    inside += [each.name for each in model.composition.ports]
-    yield from names((*at, "Assemblies"), (*connectors, *inside))
+    inside: dict[str, Sequence[Named]] = {
+        "Components": model.composition.prototypes,
+        "Ports": model.composition.ports,
+        "Assemblies": model.composition.assemblies,
+        "Delegations": model.composition.delegations,
+    }
+    yield from names_of(at, inside)
     writers: dict[tuple[str, str], str] = {}
     for index, assembly in enumerate(model.composition.assemblies):
         here: Pointer = (*at, "Assemblies", index)

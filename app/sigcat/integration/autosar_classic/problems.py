@@ -1,13 +1,17 @@
 """What an RTE generator would refuse in an Integration JSON, each with its place."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
-from sigcat.integration.autosar_classic.component_problems import component_problems, ports_problems, symbol_problems
+from sigcat.integration.autosar_classic.component_problems import component_problems, ports_problems
 from sigcat.integration.autosar_classic.connection_problems import connection_problems, task_problems
 from sigcat.integration.autosar_classic.interface_problems import interface_problems
+from sigcat.integration.autosar_classic.literal_problems import literal_problems
 from sigcat.integration.autosar_classic.model import ClassicIntegration
-from sigcat.integration.autosar_classic.problem import name, names
+from sigcat.integration.autosar_classic.need_problems import need_problems
+from sigcat.integration.autosar_classic.problem import Named, name, names_of
+from sigcat.integration.autosar_classic.symbol_problems import symbol_problems
 from sigcat.integration.autosar_classic.type_problems import type_problems
+from sigcat.integration.autosar_classic.value_problems import value_problems
 from sigcat.integration.checked_document import Problem
 
 
@@ -20,12 +24,15 @@ def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
             ("ClassicDeployment", "Tick"), message, "Name the period of the counter that starts timing events."
         )
     yield from type_problems(model)
+    yield from literal_problems(model)
+    yield from value_problems(model)
     yield from interface_problems(model)
     known = interfaces_of(model)
     for index, component in enumerate(model.components):
         yield from component_problems(component, ("Components", index), known)
     for index, parameters in enumerate(model.parameter_components):
         yield from ports_problems(parameters.ports, ("ParameterComponents", index), known)
+    yield from need_problems(model)
     yield from symbol_problems(model)
     yield from connection_problems(model)
     yield from task_problems(model)
@@ -47,15 +54,20 @@ def interfaces_of(model: ClassicIntegration) -> Mapping[str, tuple[str, frozense
 
 def _all_names(model: ClassicIntegration) -> Iterator[Problem]:
     yield from name(("ClassicDeployment", "Package"), model.deployment.package)
-    lists: tuple[tuple[str, Iterable[object]], ...] = (
-        ("ImplementationTypes", model.implementation_types), ("ApplicationTypes", model.application_types),
-        ("ModeGroups", model.mode_groups), ("Components", (*model.components, *model.parameter_components)),
-        ("CompuMethods", model.compu_methods), ("Units", model.units), ("DataConstraints", model.constraints),
-    )  # fmt: skip
-    for key, listed in lists:
-        yield from names((key,), (each.name for each in listed))  # type: ignore[attr-defined]
-    interfaces = [each.name for each in model.sender_receiver_interfaces]
-    interfaces += [each.name for each in model.client_server_interfaces]
-    interfaces += [each.name for each in model.mode_switch_interfaces]
-    interfaces += [each.name for each in model.parameter_interfaces]
-    yield from names(("SenderReceiverInterfaces",), interfaces)
+    spaces: tuple[dict[str, Sequence[Named]], ...] = (
+        {"ImplementationTypes": model.implementation_types},
+        {"ApplicationTypes": model.application_types},
+        {"ModeGroups": model.mode_groups},
+        {"Components": model.components, "ParameterComponents": model.parameter_components},
+        {"CompuMethods": model.compu_methods},
+        {"Units": model.units},
+        {"DataConstraints": model.constraints},
+        {
+            "SenderReceiverInterfaces": model.sender_receiver_interfaces,
+            "ClientServerInterfaces": model.client_server_interfaces,
+            "ModeSwitchInterfaces": model.mode_switch_interfaces,
+            "ParameterInterfaces": model.parameter_interfaces,
+        },
+    )
+    for space in spaces:
+        yield from names_of((), space)

@@ -1,0 +1,151 @@
+"""Initial values that their datatype cannot hold: an initializer in C that does not compile, or that another value results from."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple, Union
+
+from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_classic.model import (
+    ClassicIntegration,
+    ImplementationType,
+    ParameterInterface,
+    Port,
+    SenderReceiverInterface,
+)
+from sigcat.integration.checked_document import Problem
+
+_LARGEST_FLOAT = {"float32": 3.4028234663852886e38, "float64": 1.7976931348623157e308}
+
+
+class _Shape(NamedTuple):
+    """What a datatype is made of."""
+
+    base: str = ""
+    """Platform type of a number."""
+    element: Union["_Shape", None] = None
+    length: int = 0
+    members: Mapping[str, "_Shape"] = {}
+
+
+def value_problems(model: ClassicIntegration) -> Iterator[Problem]:
+    """Values of ports of components and of the composition, and of parameters."""
+    shapes = _shapes(model)
+    elements = _elements(model, shapes)
+    for index, component in enumerate(model.components):
+        at: Pointer = ("Components", index)
+        yield from _of_ports(component.ports, at, elements)
+        for number, parameter in enumerate(component.parameters):
+            here = (*at, "InternalParameters", number, "InitValue")
+            yield from _value(parameter.init, shapes.get(parameter.type), here)
+    for index, parameters in enumerate(model.parameter_components):
+        yield from _of_ports(parameters.ports, ("ParameterComponents", index), elements)
+    for index, port in enumerate(model.composition.ports):
+        of_interface = [shape for (interface, _), shape in elements.items() if interface == port.interface]
+        yield from _value(port.init, next(iter(of_interface), None), ("Composition", "Ports", index, "InitValue"))
+
+
+def _shapes(model: ClassicIntegration) -> dict[str, _Shape]:
+    """Shapes of all datatypes by name. What refers to something that does not stand before it has none."""
+    found: dict[str, _Shape] = {}
+    for each in model.implementation_types:
+        if (shape := _shape(each, found)) is not None:
+            found[each.name] = shape
+    meant = {each.name: found[each.implementation] for each in model.application_types if each.implementation in found}
+    return {**found, **meant}
+
+
+def _shape(each: ImplementationType, known: Mapping[str, _Shape]) -> _Shape | None:
+    if each.category == "ARRAY":
+        element = known.get(each.element or "")
+        return _Shape(element=element, length=each.length or 0) if element else None
+    if each.category == "STRUCTURE":
+        members = {member.name: known[member.type] for member in each.members or () if member.type in known}
+        return _Shape(members=members) if members else None
+    return known.get(each.base or "") or _Shape(base=each.base or "")
+
+
+def _elements(model: ClassicIntegration, shapes: Mapping[str, _Shape]) -> dict[tuple[str, str], _Shape]:
+    """Shapes of data elements and parameters, by interface and name."""
+    interfaces: tuple[SenderReceiverInterface | ParameterInterface, ...] = (
+        *model.sender_receiver_interfaces,
+        *model.parameter_interfaces,
+    )
+    return {
+        (interface.name, element.name): shapes[element.type]
+        for interface in interfaces
+        for element in interface.elements
+        if element.type in shapes
+    }
+
+
+def _of_ports(ports: tuple[Port, ...], at: Pointer, elements: Mapping[tuple[str, str], _Shape]) -> Iterator[Problem]:
+    for index, port in enumerate(ports):
+        for number, element in enumerate(port.elements):
+            here = (*at, "Ports", index, "Elements", number, "InitValue")
+            yield from _value(element.init, elements.get((port.interface, element.name)), here)
+
+
+def _value(value: Any, shape: _Shape | None, at: Pointer) -> Iterator[Problem]:
+    """One number may stand for every element and every member."""
+    if value is None or shape is None:
+        return
+    if shape.element is not None and isinstance(value, list):
+        yield from _listed(value, shape, shape.element, at)
+    elif shape.members and isinstance(value, dict):
+        yield from _struct(value, shape, at)
+    elif shape.element is not None:
+        yield from _value(value, shape.element, at)
+    elif shape.members:
+        for member in shape.members.values():
+            yield from _value(value, member, at)
+    else:
+        yield from _number(value, shape.base, at)
+
+
+def _listed(value: list[Any], shape: _Shape, element: _Shape, at: Pointer) -> Iterator[Problem]:
+    if len(value) != shape.length:
+        message = f"The initial value must have {shape.length} elements, as its datatype has, not {len(value)}."
+        yield Problem(at, message, "Give one for each.")
+        return
+    for index, each in enumerate(value):
+        yield from _value(each, element, (*at, index))
+
+
+def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Problem]:
+    for name in value.keys() ^ shape.members.keys():
+        what = "is not one" if name in value else "is missing"
+        message = (
+            f"The initial value must have the members of its datatype, {', '.join(shape.members)}: {name[:60]} {what}."
+        )
+        yield Problem(at, message, "Give one value for each.")
+    for name, member in shape.members.items():
+        yield from _value(value.get(name), member, (*at, name))
+
+
+def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
+    if isinstance(value, str | list | dict) or (isinstance(value, bool) and base != "boolean"):
+        yield Problem(at, f"The initial value must be a number for {base}, not {_shown(value)}.", "Correct it.")
+        return
+    low, high = _range(base)
+    if not low <= value <= high:
+        yield Problem(at, f"The initial value must be from {low} to {high} for {base}, not {value}.", "Correct it.")
+    elif base not in _LARGEST_FLOAT and int(value) != value:
+        yield Problem(at, f"The initial value must be a whole number for {base}, not {value}.", "Correct it.")
+
+
+def _range(base: str) -> tuple[float, float]:
+    """Smallest and largest value of a platform type; of another type those of the largest."""
+    if base == "boolean":
+        return 0, 1
+    if base.startswith("uint"):
+        return 0, 2 ** int(base.removeprefix("uint")) - 1
+    if base.startswith("sint"):
+        half = 2 ** (int(base.removeprefix("sint")) - 1)
+        return -half, half - 1
+    largest = _LARGEST_FLOAT.get(base, _LARGEST_FLOAT["float64"])
+    return -largest, largest
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "an object"
+    return repr(value)[:60]
