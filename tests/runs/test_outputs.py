@@ -49,6 +49,40 @@ def test_mcap_has_what_was_received_and_sent(run, tmp_path):
     assert json.loads(speed)["properties"] == {"value": {"type": "number", "description": "In km/h."}}
 
 
+def test_mcap_is_a_trace_too_with_the_same_results(run, tmp_path, capfd):
+    pytest.importorskip("mcap.reader", reason="MCAP: pip install mcap")
+    run("-o", "out.mcap")
+    again = [str(tmp_path / "out.mcap") if each == "trace.csv" else each for each in RUN]
+    assert main([*again, "-o", str(tmp_path / "again.csv")]) == 0
+    assert (tmp_path / "again.csv").read_text() == RUNS.text(CASE.name)
+    assert "one of them provides it" in capfd.readouterr().err  # what the functions sent is in the file, too
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"time,Vehicle.Speed\n0,1\n", "The file must be in MCAP: it does not begin as such a file."),
+        (b"", "The file must be in MCAP: it does not begin as such a file."),
+    ],
+)
+def test_a_file_that_is_no_mcap_is_refused_at_its_name(tmp_path, monkeypatch, capfd, content, said):
+    pytest.importorskip("mcap.reader", reason="MCAP: pip install mcap")
+    monkeypatch.chdir(CASE)
+    (tmp_path / "drive.mcap").write_bytes(content)
+    arguments = [str(tmp_path / "drive.mcap") if each == "trace.csv" else each for each in RUN]
+    assert main([*arguments]) == 1
+    assert f"drive.mcap: error T001 {said}" in capfd.readouterr().err
+
+
+def test_an_mcap_that_was_cut_is_refused(run, tmp_path, capfd):
+    pytest.importorskip("mcap.reader", reason="MCAP: pip install mcap")
+    run("-o", "out.mcap")
+    whole = (tmp_path / "out.mcap").read_bytes()
+    (tmp_path / "cut.mcap").write_bytes(whole[: len(whole) // 2])
+    assert main([str(tmp_path / "cut.mcap") if each == "trace.csv" else each for each in RUN]) == 1
+    assert "The file must be in MCAP: it ends in the middle, or is damaged." in capfd.readouterr().err
+
+
 def test_two_runs_give_the_same_mcap(run, tmp_path):
     pytest.importorskip("mcap.reader", reason="MCAP: pip install mcap")
     run("-o", "out1.mcap", "-o", "out2.mcap")

@@ -56,7 +56,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--platforms", metavar="P,P", help="which, separated by commas (default: all that are installed)"
     )
     parser.add_argument(
-        "--trace", type=Path, metavar="TRACE", help="the drive, as CSV or a log of CAN (default: that of compare.yaml)"
+        "--trace",
+        type=Path,
+        metavar="TRACE",
+        help="the drive, as CSV, MCAP or a log of CAN (default: that of compare.yaml)",
     )
     add_dbc(parser, "CAN database (DBC) of such a log")
     parser.add_argument(
@@ -133,6 +136,7 @@ def _tell(text: str) -> None:
 def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     from sigcat.comparison.compare import Asked
     from sigcat.comparison.compared_set import read_compared
+    from sigcat.runs.recording.mcap_trace import as_csv
     from sigcat.runs.recording.times import NANOSECONDS
 
     platforms = _platforms(arguments.platforms)
@@ -143,7 +147,7 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     tree = read_tree(arguments)
     subject = _subject(arguments, compared, tree)
     carried = _carried(arguments, compared, existing_file(trace), tree, folder)
-    trace = carried.trace if carried else trace
+    trace = carried.trace if carried else as_csv(trace, folder)
     first, last = _span(existing_file(trace), subject)
     end = last if arguments.duration is None else min(last, first + round(arguments.duration * NANOSECONDS))
     free = min(end, round(arguments.free_run * NANOSECONDS))

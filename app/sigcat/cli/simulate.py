@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,7 +34,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         ),
     )
     parser.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
-    parser.add_argument("--trace", type=Path, metavar="TRACE", help="what the functions receive, as CSV")
+    parser.add_argument("--trace", type=Path, metavar="TRACE", help="what the functions receive, as CSV or MCAP")
     add_outputs(
         parser, "-o", "--output", metavar="OUT",
         help="write here instead of CSV to standard output: .csv, .mcap, or .svg by its ending; may be repeated",
@@ -71,8 +72,8 @@ def simulate(arguments: argparse.Namespace) -> int:
 
     found: list[Finding] = []
     try:
-        with ended_by_signals():
-            return _simulate(arguments, found)
+        with ended_by_signals(), tempfile.TemporaryDirectory(prefix="sigcat-trace-") as folder:
+            return _simulate(arguments, found, Path(folder))
     except InputRefused as refused:
         found += refused.findings
         raise
@@ -81,7 +82,7 @@ def simulate(arguments: argparse.Namespace) -> int:
             write_text(report(found, arguments.format, sources_of(found)), arguments.report)
 
 
-def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
+def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> int:
     """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
@@ -90,7 +91,7 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
 
     forms = _forms(arguments)
     tools = toolchain()
-    prepared, trace = _prepared(arguments, found)
+    prepared, trace = _prepared(arguments, found, folder)
     check_plotted(arguments.plot, signals_of(prepared, trace))
     stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
     simulated = run(prepared, trace, _settings(arguments, stored.values), tools)
@@ -122,10 +123,11 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
 
 
-def _prepared(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[Prepared, Trace | None]":
+def _prepared(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> "tuple[Prepared, Trace | None]":
     """The functions and the trace; what is found in them goes to standard error."""
     from sigcat.integration.reading import read_functions
     from sigcat.runs.prepare import prepare
+    from sigcat.runs.recording.mcap_trace import as_csv
     from sigcat.runs.recording.trace_file import open_trace
 
     catalogue = read_tree(arguments)
@@ -137,7 +139,7 @@ def _prepared(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[P
     if arguments.trace is None:
         return prepared, None
     known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
-    trace = open_trace(existing_file(arguments.trace), known)
+    trace = open_trace(as_csv(existing_file(arguments.trace), folder), known)
     _told(trace.findings, found)
     return prepared, trace
 

@@ -21,6 +21,13 @@ class CallTime(NamedTuple):
     """From the begin of SetInput to the end of GetOutput."""
     t_logic_ns: int
     """The function itself."""
+    begin_ns: int = 0
+    """When it began, by the clock of the machine."""
+
+    @property
+    def end_ns(self) -> int:
+        """When it ended, by the clock of the machine."""
+        return self.begin_ns + self.t_exec_ns
 
     @property
     def t_adapter_ns(self) -> int:
@@ -70,6 +77,8 @@ class Recording(NamedTuple):
     play_s: float = 0.0
     silent: tuple[str, ...] = ()
     """Columns that the platform has no message for: an AUTOSAR application writes safety reactions to its log."""
+    end_to_end: Mapping[str, tuple[int, ...]] = {}
+    """By function: how long it took from a row of the drive to each value that was sent by a call that has seen it, in ns."""
     fields: tuple[str, ...] = ()
     """Columns that have a value from the beginning, as a service is offered with the values of its fields (SWS_CM). What depends on
     the first one may have its own first value earlier than where a first value has to come."""

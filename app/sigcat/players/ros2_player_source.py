@@ -12,7 +12,7 @@ from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
 
 _OWN = Path(__file__).with_name("ros2_player")
-_SHARED = ("cell.cpp", "cell.h", "trace.cpp", "trace.h")
+_SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
 """Files that the player of AUTOSAR has, too: they know of no platform."""
 
 

@@ -29,6 +29,14 @@ def started(path: Path) -> int:
     return int(path.read_text())
 
 
+def ends(process: int) -> bool:
+    """Whether a process that was killed is gone soon."""
+    until = time.monotonic() + 10
+    while is_running(process) and time.monotonic() < until:
+        time.sleep(0.01)
+    return not is_running(process)
+
+
 def waiting(path: Path) -> str:
     """A script that waits until another one has begun."""
     return f'while [ ! -s "{path}" ]; do sleep 0.01; done'
@@ -96,10 +104,7 @@ def test_nothing_goes_on_when_the_caller_ends(number, tmp_path):
     caller.wait(10)
     assert caller.stderr is not None
     caller.stderr.close()
-    until = time.monotonic() + 10
-    while is_running(node) and time.monotonic() < until:
-        time.sleep(0.01)
-    assert not is_running(node)
+    assert ends(node)
 
 
 @pytest.mark.skipif(own_network() is None, reason="a network of a test's own")
@@ -108,3 +113,19 @@ def test_in_a_network_of_its_own_the_loopback_interface_is_up(tmp_path):
     player = Process("player", (sys.executable, "-c", script), dict(os.environ))
     outcome = launched([], player, tmp_path / "run", own_network() or ())
     assert outcome.last_words == ""
+
+
+def test_a_process_that_records_nothing_any_more_is_ended_and_told_as_hanging(tmp_path):
+    stuck = process("player", 'echo $$ > "$0"; echo stuck here >&2; while :; do sleep 0.05; done', tmp_path / "begun")
+    outcome = launched([], stuck, tmp_path / "run", patience=2)
+    assert outcome.last_words == "player hangs: nothing was recorded for 2 s. stuck here"
+    assert ends(started(tmp_path / "begun"))
+
+
+def test_a_process_that_records_slowly_has_all_its_time(tmp_path):
+    slow = process(
+        "player",
+        'for i in 1 2 3 4 5 6 7 8 9 10 11 12; do echo "$i" >> "$0"; sleep 0.5; done',
+        tmp_path / "run/recorded",
+    )
+    assert launched([], slow, tmp_path / "run", patience=5).last_words == ""

@@ -9,6 +9,7 @@ from pathlib import Path
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import marks
+from sigcat.comparison.running.end_to_end import read_end_to_end
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
 from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
@@ -90,6 +91,7 @@ def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, r
         last_words=outcome.last_words,
         play_s=outcome.seconds,
         silent=tuple(marked.reactions),
+        end_to_end=read_end_to_end(run / "recorded.csv.times", drive.trace, prepared, marked.calls),
         fields=_fields(prepared.connections),
     )
 

@@ -54,7 +54,8 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     files = (str(drive.trace.absolute()), str(sent), str(run / "told.csv"))
     command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
     environment = {**os.environ, marks.FOLDER: str(run / marks.NAME)}
-    outcome = launched((), Process("test_rte", command, environment, (program,)), run)
+    patience = drive.step_limit_s if drive.mode == "lock step" else drive.end_ns / 1e9 + drive.step_limit_s
+    outcome = launched((), Process("test_rte", command, environment, (program,)), run, patience=patience)
     prepared = subject.prepared
     marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
     loads = tuple(each._replace(is_player=False) for each in outcome.loads)

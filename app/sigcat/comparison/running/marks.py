@@ -149,7 +149,7 @@ def _records(path: Path) -> Iterator[tuple[int, ...]]:
 
 def _call_time(function: str, names: Sequence[str], record: tuple[int, ...]) -> CallTime:
     now, begins, called, returned, ends, call, _ = record
-    return CallTime(function, names[call - 1], now, ends - begins, returned - called)
+    return CallTime(function, names[call - 1], now, ends - begins, returned - called, begins)
 
 
 def _reactions(

@@ -4,6 +4,7 @@ import json
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -12,7 +13,10 @@ from sigcat.comparison.recording import ProcessLoad
 from sigcat.players.commands import GROUPS
 
 _LAUNCHER = Path(__file__).with_name("launch.py")
+_TOLD = "launcher.txt"
 _LAST_LINES = 8
+_LOOK = 0.5
+"""Seconds after which one looks whether something was recorded."""
 
 
 class Process(NamedTuple):
@@ -36,9 +40,16 @@ class Outcome(NamedTuple):
 
 
 def launched(
-    processes: Sequence[Process], player: Process, folder: Path, network: Sequence[str] = (), limit: float | None = None
+    processes: Sequence[Process],
+    player: Process,
+    folder: Path,
+    network: Sequence[str] = (),
+    patience: float | None = None,
 ) -> Outcome:
-    """Run processes until the player has ended, or one has died. Nothing of them goes on, however this ends."""
+    """Run processes until the player has ended, or one has died. Nothing of them goes on, however this ends.
+
+    With a patience, they are ended when nothing was recorded in the folder for so many seconds.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     spec, outcome = folder / "launch.json", folder / "outcome.json"
     outcome.unlink(missing_ok=True)
@@ -53,9 +64,12 @@ def launched(
         ),
         "utf-8",
     )
-    status = _run_to_end([*network, sys.executable, str(_LAUNCHER), str(spec)], folder / "launcher.txt", limit)
+    status = _run_to_end([*network, sys.executable, str(_LAUNCHER), str(spec)], folder, patience)
+    if status is None:
+        words = _last_lines(folder / f"{player.name}.txt")
+        return Outcome((), f"{player.name} hangs: nothing was recorded for {patience:g} s. {words}".strip(), 0.0)
     if not outcome.exists():
-        words = _last_lines(folder / "launcher.txt")
+        words = _last_lines(folder / _TOLD)
         return Outcome((), f"The launcher ended with status {status}. {words}".strip(), 0.0)
     return _outcome(json.loads(outcome.read_text("utf-8")), (*processes, player), folder)
 
@@ -64,16 +78,21 @@ def _described(process: Process) -> Mapping[str, object]:
     return {"name": process.name, "command": process.command, "environment": process.environment}
 
 
-def _run_to_end(command: Sequence[str], told: Path, limit: float | None) -> int | None:
-    """The status of a command, which leads a group of its own that is ended with it; None: it took longer than it may."""
+def _run_to_end(command: Sequence[str], folder: Path, patience: float | None) -> int | None:
+    """The status of a command, which leads a group of its own that is ended with it; None: nothing was recorded for too long."""
     with (
-        told.open("wb") as output,
+        (folder / _TOLD).open("wb") as output,
         GROUPS.started(command, stdin=subprocess.DEVNULL, stdout=output, stderr=output) as process,
     ):
-        try:
-            return int(process.wait(limit))
-        except subprocess.TimeoutExpired:
-            return None
+        recorded, since = -1, time.monotonic()
+        while patience is None or time.monotonic() - since < patience:
+            try:
+                return int(process.wait(None if patience is None else min(patience, _LOOK)))
+            except subprocess.TimeoutExpired:
+                size = _size(each for each in folder.rglob("*"))
+                if size != recorded:
+                    recorded, since = size, time.monotonic()
+        return None
 
 
 def _outcome(told: Mapping[str, object], processes: Sequence[Process], folder: Path) -> Outcome:

@@ -14,6 +14,7 @@ from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import marks
+from sigcat.comparison.running.end_to_end import read_end_to_end
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
@@ -114,9 +115,10 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
         outcome = launched(processes, Process("player", command, environment, (player,)), run)
     marked = marks.read_marks(subject.prepared.connections, run / marks.NAME, 0)
     sent = read_recorded(recorded, subject.prepared.columns)
+    ages = read_end_to_end(recorded.with_name(f"{recorded.name}.times"), drive.trace, subject.prepared, marked.calls)
     return Recording(
         built.platform, drive.mode, built, sent, marked.calls, outcome.loads,
-        last_words=outcome.last_words, play_s=outcome.seconds,
+        last_words=outcome.last_words, play_s=outcome.seconds, end_to_end=ages,
     )  # fmt: skip
 
 

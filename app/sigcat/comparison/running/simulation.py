@@ -12,7 +12,7 @@ from sigcat.comparison.recording import Built, Recording, Sent
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.recorded import begin_of, fresh_run, write_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.recorded import Recorded
@@ -56,9 +56,14 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
         built,
         sent,
         marked.calls,
-        last_words=str(simulated.stop or ""),
+        last_words=_last_words(simulated.stop),
         play_s=time.monotonic() - begin,
     )
+
+
+def _last_words(stop: InputRefused | None) -> str:
+    """Whether a call crashed or hangs, then what it had received."""
+    return " ".join([*(each.message for each in stop.findings), str(stop)]) if stop else ""
 
 
 def _with_marks(tools: Toolchain, prepared: Prepared, folder: Path) -> Toolchain:

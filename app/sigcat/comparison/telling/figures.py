@@ -49,6 +49,20 @@ def translations(material: Material) -> Iterator[model.Measured]:
         )
 
 
+def ends_to_ends(material: Material) -> Iterator[model.Measured]:
+    """From rows of the drive to what depends on them, on each platform that kept its own time."""
+    for each in material.platforms:
+        for function, ages in (each.free_run.end_to_end if each.free_run else {}).items():
+            found = distribution(ages)
+            if found:
+                yield model.Measured(
+                    name=f"end to end, {function}",
+                    platform=each.name,
+                    description="from the newest row of the drive that a call has seen, to its value at the player; in free run",
+                    durations=_durations(found),
+                )
+
+
 def processes(material: Material) -> Iterator[model.Process]:
     """Each process of each platform, in each run."""
     for each in material.platforms:

@@ -70,8 +70,8 @@ private:
 template <typename RowsT>
 class Play final {
 public:
-    Play(RowsT& rows, player::Ports& ports, player::Steps& steps, std::vector<Kill> kills)
-        : rows_{rows}, ports_{ports}, steps_{steps}, kills_{std::move(kills)} {}
+    Play(RowsT& rows, player::Ports& ports, player::Steps& steps, player::Record& record, std::vector<Kill> kills)
+        : rows_{rows}, ports_{ports}, steps_{steps}, record_{record}, kills_{std::move(kills)} {}
 
     std::uint64_t Count() const { return count_; }
 
@@ -103,6 +103,7 @@ public:
             }
             KillUntil(time);
             SendUntil(time, false, epoch + static_cast<std::int64_t>(time));
+            record_.TellSent(time);
         }
         if (rows_.End() != kNever) {
             std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(rows_.End())});
@@ -150,6 +151,7 @@ private:
     RowsT& rows_;
     player::Ports& ports_;
     player::Steps& steps_;
+    player::Record& record_;
     std::vector<Kill> kills_;
     std::uint64_t begin_{0};
     std::uint64_t count_{0};
@@ -231,7 +233,7 @@ std::uint64_t Run(const std::string& mode, RowsT& rows, player::Record& record, 
     }
     TellUnknown(ports, rows.Columns(), record);
     record.Say("ready");
-    Play<RowsT> play{rows, ports, steps, std::move(kills)};
+    Play<RowsT> play{rows, ports, steps, record, std::move(kills)};
     if (is_lock_step) {
         const std::uint64_t first = BeginOf(rows);
         record.Begin(epoch, first);
@@ -262,7 +264,11 @@ void Run(int count, char** arguments) {
         kills.push_back(KillOf(arguments[i]));
     }
     ReadRows rows{player::ReadTrace(arguments[2]), std::stoull(arguments[4])};
-    const std::uint64_t begin = std::string{arguments[1]} == "lock" ? BeginOf(rows) : 0;
+    const bool is_lock_step = std::string{arguments[1]} == "lock";
+    if (!is_lock_step) {
+        record.TimeIn(std::string{arguments[3]} + ".times");
+    }
+    const std::uint64_t begin = is_lock_step ? BeginOf(rows) : 0;
     static_cast<void>(Run(arguments[1], rows, record, std::move(kills), begin));
 }
 

@@ -38,6 +38,7 @@ void Record::Hear(
         const std::uint64_t time = begin_ + static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp - epoch_));
         for (const auto& each : values) {
             out_ << time << ',' << each.first << ',' << Quoted(each.second) << '\n';
+            times_.TellHeard(each.first);
         }
         if (is_read_) {
             out_.flush();
@@ -58,6 +59,16 @@ void Record::Say(const std::string& line) {
         const std::lock_guard<std::mutex> lock{mutex_};
         out_ << line << std::endl;
     }
+}
+
+void Record::TimeIn(const std::string& file) {
+    const std::lock_guard<std::mutex> lock{mutex_};
+    times_.Open(file);
+}
+
+void Record::TellSent(std::uint64_t row) {
+    const std::lock_guard<std::mutex> lock{mutex_};
+    times_.TellSent(row);
 }
 
 void Record::Forget(std::size_t node) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "player/cell.h"
+#include "player/times.h"
 #include "rclcpp/rclcpp.hpp"
 
 namespace player {
@@ -90,6 +91,8 @@ public:
     void Give(const Takers& takers);
     void Forget(std::size_t node);
     void Say(const std::string& line);  // to the program that reads
+    void TimeIn(const std::string& file);  // when rows are sent and values come
+    void TellSent(std::uint64_t row);
 
     std::uint64_t Given(std::size_t node) const;
     std::uint64_t GivenInAll() const;
@@ -101,6 +104,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::ofstream out_;
+    Times times_;
     bool is_read_;
     std::int64_t epoch_{0};
     std::uint64_t begin_{0};

@@ -155,6 +155,7 @@ void PlayInRealTime(const player::Trace& trace, std::uint64_t end, player::Recor
     for (; rows.Time() <= end; rows.Advance()) {
         std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(rows.Time())});
         SendRow(ports, trace.columns, rows.Row());
+        recorder.TellSent(rows.Time());
     }
     std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(end)});
     ports.Leave();
@@ -207,6 +208,7 @@ int Play(const std::string& file, const std::string& recorded, double seconds, K
             RepeatedRows rows{trace, end};
             PlayInLockStep(rows, static_cast<std::uint16_t>(std::atoi(port)), std::move(kills), recorder);
         } else {
+            recorder.TimeIn(recorded + ".times");
             PlayInRealTime(trace, end, recorder);
         }
         return EXIT_SUCCESS;

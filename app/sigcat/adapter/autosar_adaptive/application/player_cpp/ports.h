@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "player/cell.h"
+#include "player/times.h"
 
 namespace player {
 
@@ -27,9 +28,12 @@ public:
     void SetTime(std::uint64_t time);
     void Take(const char* name, const std::string& value);
     void Say(const std::string& line);  // to the program that reads
+    void TimeIn(const std::string& file);  // when rows are sent and values come
+    void TellSent(std::uint64_t row);
 
 private:
     std::mutex mutex_;
+    Times times_;
     std::ofstream out_;
     bool is_read_;
     std::uint64_t time_{0};

@@ -27,6 +27,7 @@ void Recorder::Take(const char* name, const std::string& value) {
     if (!has_begun_) {
         return;
     }
+    times_.TellHeard(name);
     const std::chrono::nanoseconds passed = is_live_ ? std::chrono::steady_clock::now() - start_ : std::chrono::nanoseconds{0};
     out_ << (is_live_ ? static_cast<std::uint64_t>(passed.count()) : time_) << ',' << name << ",\"";
     for (const char each : value) {
@@ -36,6 +37,16 @@ void Recorder::Take(const char* name, const std::string& value) {
     if (is_read_) {
         out_.flush();
     }
+}
+
+void Recorder::TimeIn(const std::string& file) {
+    const std::lock_guard<std::mutex> lock{mutex_};
+    times_.Open(file);
+}
+
+void Recorder::TellSent(std::uint64_t row) {
+    const std::lock_guard<std::mutex> lock{mutex_};
+    times_.TellSent(row);
 }
 
 void Recorder::Say(const std::string& line) {
