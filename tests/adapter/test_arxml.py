@@ -233,6 +233,31 @@ def test_a_process_is_started_as_the_deployment_says():
     assert values(model, "/Eco/Processes/DemoProcess")["NUMBER-OF-RESTART-ATTEMPTS"] == "2"
 
 
+def test_a_further_process_of_an_executable_has_instances_of_its_own():
+    model = with_settings(
+        identifiers={"DemoService:instance": 2}, components={"Demo": {"processes": {"RearDemo": {"DemoService": 3}}}}
+    )
+    for process, instance, number in (
+        ("DemoProcess", "Demo_DemoService_PPort_Instance", "2"),
+        ("RearDemo", "RearDemo_DemoService_PPort_Instance", "3"),
+    ):
+        assert values(model, f"/Eco/ServiceInstances/{instance}")["SERVICE-INSTANCE-ID"] == number
+        mapping = values(model, f"/Eco/PortMappings/{instance}_Mapping")
+        assert mapping["PROCESS-REF"] == f"/Eco/Processes/{process}"
+        assert mapping["TARGET-PORT-PROTOTYPE-REF"].endswith("/DemoService_PPort")
+        assert values(model, f"/Eco/Processes/{process}")["DESIGN-REF"] == "/Eco/ProcessDesigns/Demo_Design"
+
+
+def test_a_further_process_is_refused_where_it_stands():
+    value = document()
+    value["ComponentList"][0]["Processes"] = [
+        {"Name": "Rear", "Instances": [{"Service": "Nothing", "ServiceInstanceID": 3}]}
+    ]
+    (finding,) = refused(value)
+    assert "Nothing" in finding.message
+    assert finding.line > 1
+
+
 def test_a_unit_has_its_dimension_and_its_factor_to_si_units():
     model = with_settings()
     assert values(model, "/Eco/Units/km_h") == {

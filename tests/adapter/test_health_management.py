@@ -68,6 +68,22 @@ def test_it_is_of_the_checkpoint_that_the_process_reports_and_active_where_the_c
     assert str(state["TARGET-MODE-DECLARATION-REF"]).endswith("/Run")
 
 
+def test_each_process_of_an_executable_is_supervised_for_itself():
+    whole = json.loads(document(Reset="Restart"))
+    instances = [{"Service": "FullService", "ServiceInstanceID": 3}]
+    whole["ComponentList"][0]["Processes"] = [{"Name": "RearFull", "Instances": instances}]
+    for release in VERSIONS:
+        model = arxml(json.dumps(whole).encode(), release)
+        assert dangling(model) == misplaced(model) == doubled_names(model) == []
+        points = all_of(model, "SUPERVISION-CHECKPOINT")
+        assert {texts(point)["PROCESS-REF"] for point in points} == {
+            "/Full/Processes/FullProcess",
+            "/Full/Processes/RearFull",
+        }
+        checked = [texts(alive)["CHECKPOINT-REF"] for alive in all_of(model, "ALIVE-SUPERVISION")]
+        assert checked == [point.path for point in points]
+
+
 @pytest.mark.parametrize("error", [{}, {"Reset": "Restart", "MaturationTime": 10}, {"Reset": "Vehicle.Full.Reset"}])
 def test_one_whose_error_matures_or_heals_has_none(error):
     """What has expired there stays so, at once."""

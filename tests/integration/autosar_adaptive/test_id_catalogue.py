@@ -138,6 +138,16 @@ def test_earlier_arxml_has_all_ids_that_it_was_made_with(release):
     assert read_arxml(file.data, file.name, DEFAULT_LIMITS) == identifiers_of(model)
 
 
+def test_of_several_instances_that_of_the_component_is_taken():
+    settings = {
+        "identifiers": {"WheelService:instance": 20},
+        "components": {"Wheel": {"processes": {"ARearWheel": {"WheelService": 3}}}},
+    }
+    derived = derive([function("Wheel", [at("Vehicle.A.B", "Provider")])], deployed(autosarAdaptive=settings))
+    (file,) = [file for file in generate(derived.model) if file.name == "deployment.arxml"]
+    assert read_arxml(file.data, file.name, DEFAULT_LIMITS)["WheelService:instance"] == 20
+
+
 def test_ids_of_earlier_arxml_stay_whatever_is_added():
     before = derive([function(signals=[at(path) for path in PATHS[100:300]])]).model
     files = [(file.data, file.name) for file in generate(before)]

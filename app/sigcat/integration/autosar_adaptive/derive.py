@@ -20,6 +20,7 @@ from sigcat.integration.autosar_adaptive.elements import Service, element_paths,
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
+from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
 from sigcat.integration.autosar_adaptive.protection import protected, report_open_lengths, report_unset_errors
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
@@ -88,6 +89,7 @@ def derive(
         functions=tuple(each.function for each in app.functions),
     )
     report_open_lengths(integration, context)
+    _report_processes(components, context)
     report_unused(sides, all_services, context)
     report_units(units_of(integration), context)
     targets = field_targets(context, sides, all_services)
@@ -105,6 +107,12 @@ def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) 
         if entry.is_open:
             message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
+
+
+def _report_processes(components: Sequence[model.Component], context: Context) -> None:
+    """One finding for each further process of the deployment that cannot be."""
+    for _, problem in process_problems(components):
+        context.findings.report(codes.ID_REFUSED, problem.message, problem.process, problem.fix)
 
 
 def _report_asil(all_services: Sequence[Service], context: Context) -> None:
@@ -142,6 +150,7 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
         description=part.function.info.description,
         code=part.function.code,
         function_modes=function_modes(part),
+        processes=further_processes(settings.processes) or None,
     )
     return component.model_copy(update={"startup": _startup(component, settings, part, context)})
 

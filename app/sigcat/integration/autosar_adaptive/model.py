@@ -328,6 +328,22 @@ class FunctionMode(WireModel):
     calls: tuple[str, ...] | None = own("Calls", "Calls that run in it.", strict=False)
 
 
+class ProcessInstance(WireModel):
+    """The instance of a service that a further process offers or uses."""
+
+    service: str = always("Service", "Name of the service interface.")
+    instance_id: Integer = always("ServiceInstanceID", "SOME/IP id of the instance.")
+
+
+class FurtherProcess(WireModel):
+    """Another process of the executable, with instances of its own."""
+
+    name: str = always("Name", "Name of the process.")
+    instances: tuple[ProcessInstance, ...] = always(
+        "Instances", "Instances that are not those of the component.", strict=False
+    )
+
+
 class Component(WireModel):
     """A component, its calls and its services; one executable each."""
 
@@ -344,6 +360,9 @@ class Component(WireModel):
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
     startup: StartupSettings | None = own("Startup", "How the process is started.")
+    processes: tuple[FurtherProcess, ...] | None = own(
+        "Processes", "Further processes of the executable.", strict=False
+    )
 
     @property
     def wishes(self) -> tuple[Wish, ...]:

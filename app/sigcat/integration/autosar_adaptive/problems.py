@@ -19,6 +19,7 @@ from sigcat.integration.autosar_adaptive.model import (
     Services,
     TypeEntry,
 )
+from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
 from sigcat.integration.autosar_names import short_name
@@ -48,6 +49,12 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
         yield from _in_component(component, (*at, index), types)
     yield from _names(_storage_interfaces(model), "storage interface")
     yield from _identifiers(model)
+    for component, problem in process_problems(model.components):
+        position = model.components.index(component)
+        yield Problem((*at, position, "Processes"), problem.message, problem.fix)
+    further = [(position, each.processes or ()) for position, each in enumerate(model.components)]
+    for position, listed in further:
+        yield from _names((((*at, position, "Processes", i), each.name) for i, each in enumerate(listed)), "process")
 
 
 def _lengths(model: IntegrationModel, deployment: ArxmlDeployment) -> Iterator[Problem]:

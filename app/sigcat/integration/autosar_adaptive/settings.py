@@ -30,6 +30,12 @@ class ComponentSettings(DeclarationModel):
         None, description="Header files of the code; <Component>.h if the code's variables are known, else none."
     )
     startup: StartupSettings = Field(NO_STARTUP, description="How the process is started.")
+    processes: dict[Identifier, dict[Text, Annotated[Integer, Field(ge=1, le=0xFFFE)]]] = Field(
+        {},
+        description="Further processes of the executable, by name: the SOME/IP ids of their instances of services, by the "
+        "name of the service. What they offer has an id of its own in each; what they use and do not name is that of the "
+        "component.",
+    )
 
 
 class ServiceSettings(DeclarationModel):

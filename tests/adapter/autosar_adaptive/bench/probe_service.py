@@ -3,7 +3,7 @@
 import json
 from typing import Any
 
-SERVICE_ID, INSTANCE_ID = 0x1234, 0x0042
+SERVICE_ID, INSTANCE_ID, REAR_INSTANCE_ID = 0x1234, 0x0042, 0x0043
 SPEED, TRACK, IMAGE, MODE = 0x8001, 0x8002, 0x8003, 0x8004
 ADD, RESET, GET_MODE = 0x0001, 0x0002, 0x0003
 FAST, FIELDS = 0x0010, 0x0020
@@ -76,6 +76,12 @@ def _component(name: str, role: str) -> dict[str, Any]:
         "ParameterList": None,
         "FunctionGroupModes": ["Run"],
         "FunctionList": [],
+        "Processes": [
+            {
+                "Name": f"Rear{name}",
+                "Instances": [{"Service": "ProbeService", "ServiceInstanceID": REAR_INSTANCE_ID}],
+            }
+        ],
         "ServiceInterfaceList": [
             {
                 "Name": "ProbeService",

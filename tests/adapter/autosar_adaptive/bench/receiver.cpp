@@ -111,7 +111,7 @@ void Do(ProbeServiceProxy& proxy, const std::string& line) {
 
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
     if (auto started = ara::core::Initialize(); !started) {
         Tell(started.Error().Message());
         return 1;
@@ -120,15 +120,20 @@ int main() {
         std::unique_ptr<ProbeServiceProxy> proxy;
         ara::core::Promise<ProbeServiceProxy::HandleType> found;
         auto handle = found.get_future();
-        auto search = ProbeServiceProxy::StartFindService(
+        const bool takes_any = count > 1 && std::string{arguments[1]} == "any";
+        const ara::com::FindServiceHandler<ProbeServiceProxy::HandleType> handler =
             [&found, was_found = false](const auto& handles, ara::com::FindServiceHandle) mutable {
                 Tell("found ", handles.size());
                 if (!handles.empty() && !was_found) {
                     was_found = true;
                     found.set_value(handles.front());
                 }
-            },
-            ara::core::InstanceSpecifier{"ReceiverExecutable/Receiver_Root/ProbeService_RPort"});
+            };
+        auto search =
+            takes_any
+                ? ProbeServiceProxy::StartFindService(handler, ara::com::InstanceIdentifier{"SOME/IP:4660:65535"})
+                : ProbeServiceProxy::StartFindService(
+                      handler, ara::core::InstanceSpecifier{"ReceiverExecutable/Receiver_Root/ProbeService_RPort"});
         Tell("ready");
         for (std::string line; std::getline(std::cin, line) && line != "quit";) {
             if (proxy == nullptr) {

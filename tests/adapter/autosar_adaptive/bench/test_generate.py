@@ -26,9 +26,10 @@ def made() -> dict[str, str]:
 
 
 def document(**service: Any) -> dict[str, Any]:
-    """The Integration JSON, with other fields of its first component's service."""
+    """The Integration JSON without further processes, with other fields of the service."""
     loaded: dict[str, Any] = json.loads(integration_json())
     for component in loaded["ComponentList"]:
+        del component["Processes"]
         component["ServiceInterfaceList"][0] |= service
     return loaded
 

@@ -132,6 +132,38 @@ def test_after_unsubscribing_nothing_arrives(net: Network, built: Mapping[str, P
     assert "speed 2" not in receiver.told
 
 
+def test_each_process_has_the_instance_that_its_manifest_names(net: Network, built: Mapping[str, Path]) -> None:
+    sender, receiver = pair(net, built)
+    rear_receiver = net.start([built["receiver"]], BENCH_PROCESS="RearReceiver").tells("ready")
+    rear_sender = net.start([built["sender"]], BENCH_PROCESS="RearSender").tells("ready")
+    subscribed(receiver)
+    rear_sender.do("mode 1", "offer").tells("done offer")
+    rear_receiver.tells("found 1")
+    subscribed(rear_receiver)
+    sender.do("speed 1").tells("done speed")
+    rear_sender.do("speed 2").tells("done speed")
+    receiver.tells("speed 1")
+    rear_receiver.tells("speed 2")
+    sender.do("speed 3", "stop").tells("done stop")
+    receiver.tells("speed 3", "found 0")
+    assert "speed 2" not in receiver.told
+    rear_sender.do("speed 4").tells("done speed")
+    rear_receiver.tells("speed 4")
+    assert not {"speed 1", "speed 3", "found 0"} & set(rear_receiver.told)
+
+
+def test_a_search_for_any_instance_finds_all_of_them(net: Network, built: Mapping[str, Path]) -> None:
+    receiver = net.start([built["receiver"], "any"]).tells("ready")
+    sender = net.start([built["sender"]]).tells("ready")
+    sender.do("mode 0", "offer").tells("done offer")
+    receiver.tells("found 1")
+    rear = net.start([built["sender"]], BENCH_PROCESS="RearSender").tells("ready")
+    rear.do("mode 1", "offer").tells("done offer")
+    receiver.tells("found 2")
+    sender.do("stop")
+    receiver.tells("found 1")
+
+
 def test_an_address_that_is_in_use_is_refused(net: Network, built: Mapping[str, Path]) -> None:
     net.start([built["sender"]], SIGCAT_BENCH_ADDRESS="127.0.0.9").tells("ready")
     net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS="127.0.0.9").tells("The network cannot be used.")

@@ -21,7 +21,7 @@ from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ServiceInterface, Use
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storage_name, storages
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import short_name
 
 COMPONENT = "ADAPTIVE-APPLICATION-SW-COMPONENT-TYPE"
 STORAGE = "PERSISTENCY-KEY-VALUE-STORAGE-INTERFACE"
@@ -293,8 +293,3 @@ def executables(component: Component, release: Release, paths: Paths) -> Tag:
 def design_name(component: Component) -> str:
     """Name of the design of a component's process."""
     return short_name(f"{component.name}_Design")
-
-
-def process_names(components: Iterable[Component]) -> dict[str, str]:
-    """Names of the processes, by component."""
-    return distinct({component.name: short_name(f"{component.name}Process") for component in components})

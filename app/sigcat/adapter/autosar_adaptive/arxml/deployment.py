@@ -9,7 +9,6 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
     design_name,
     executables,
     port_name,
-    process_names,
     root_name,
 )
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
@@ -28,6 +27,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_names import short_name
 
@@ -42,17 +42,18 @@ def packages(model: IntegrationModel, services: Sequence[Whole], release: Releas
     """The packages of the file of deployment."""
     assert model.deployment is not None
     components, function_group = model.components, model.deployment.function_group
-    pairs = [(component, interface) for component in components for interface in component.services]
+    run = processes(components)
+    pairs = [(process, interface) for process in run for interface in process.services]
     return [
         Package(FUNCTION_GROUPS, _function_groups(components, function_group, paths)),
         Package(STARTUP, _startups(components, release)),
-        Package(PROCESSES, tuple(_process(item, components, function_group, release, paths) for item in components)),
+        Package(PROCESSES, tuple(_process(each, function_group, release, paths) for each in run)),
         Package(DEPLOYMENTS, tuple(_deployment(service, paths) for service in services)),
         *someip.packages(model.deployment, services, release, paths),
         e2e.package(model),
-        health.package(components, _states(components, function_group, paths), release, paths),
+        health.package(run, _states(components, function_group, paths), release, paths),
         Package(INSTANCES, tuple(_instance(*pair, paths) for pair in pairs)),
-        Package(MAPPINGS, tuple(_mapping(*pair, components, release, paths) for pair in pairs)),
+        Package(MAPPINGS, tuple(_mapping(*pair, release, paths) for pair in pairs)),
     ]
 
 
@@ -126,7 +127,8 @@ def _timeout(chosen: StartupSettings) -> Tag | None:
     return listed("TIMEOUT", (tag(name, text=seconds(limit)) for name, limit in limits.items() if limit is not None))
 
 
-def _process(component: Component, components: Iterable[Component], group: str, release: Release, paths: Paths) -> Tag:
+def _process(process: Process, group: str, release: Release, paths: Paths) -> Tag:
+    component = process.component
     states = listed("FUNCTION-GROUP-STATE-IREFS", (_state(mode, group, paths) for mode in component.modes))
     startup = reference("STARTUP-CONFIG-REF", _startup_path(component, release, paths), "STARTUP-CONFIG")
     attempts = component.startup.restart_attempts if component.startup else None
@@ -136,7 +138,7 @@ def _process(component: Component, components: Iterable[Component], group: str, 
         executables(component, release, paths),
         tag("NUMBER-OF-RESTART-ATTEMPTS", text=attempts) if attempts is not None else None,
         tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
-        name=process_names(components)[component.name],
+        name=process.name,
     )
 
 
@@ -232,12 +234,12 @@ def _group(name: str, number: int, service: Whole, own: str) -> Tag:
 # -- instances ----------------------------------------------------------------------------------------------------
 
 
-def instance_name(component: Component, interface: ServiceInterface) -> str:
-    """Name of a component's instance of a service."""
-    return short_name(f"{component.name}_{port_name(interface)}_Instance")
+def instance_name(process: Process, interface: ServiceInterface) -> str:
+    """Name of a process's instance of a service."""
+    return short_name(f"{process.stem}_{port_name(interface)}_Instance")
 
 
-def _instance(component: Component, interface: ServiceInterface, paths: Paths) -> Tag:
+def _instance(process: Process, interface: ServiceInterface, paths: Paths) -> Tag:
     own = paths.of(DEPLOYMENTS, deployment_name(interface.name))
     is_provider = interface.role == "Provider"
     word = "PROVIDED" if is_provider else "REQUIRED"
@@ -257,18 +259,16 @@ def _instance(component: Component, interface: ServiceInterface, paths: Paths) -
         listed(f"{word}-EVENT-GROUPS", groups),
         someip.instance_timing(provides=is_provider, paths=paths),
         tag("SERVICE-INSTANCE-ID" if is_provider else "REQUIRED-SERVICE-INSTANCE-ID", text=interface.instance_id),
-        name=instance_name(component, interface),
+        name=instance_name(process, interface),
     )
 
 
-def _mapping(
-    component: Component, interface: ServiceInterface, components: Iterable[Component], release: Release, paths: Paths
-) -> Tag:
+def _mapping(process: Process, interface: ServiceInterface, release: Release, paths: Paths) -> Tag:
+    component = process.component
     is_provider = interface.role == "Provider"
     root = paths.of(EXECUTABLES, component.executable, root_name(component))
     port = paths.of(COMPONENTS, component.name, port_name(interface))
-    process = paths.of(PROCESSES, process_names(components)[component.name])
-    instance = paths.of(INSTANCES, instance_name(component, interface))
+    instance = paths.of(INSTANCES, instance_name(process, interface))
     kind = f"{'PROVIDED' if is_provider else 'REQUIRED'}-SOMEIP-SERVICE-INSTANCE"
     return tag(
         "SERVICE-INSTANCE-TO-PORT-PROTOTYPE-MAPPING",
@@ -279,7 +279,7 @@ def _mapping(
             else None,
             reference("TARGET-PORT-PROTOTYPE-REF", port, "P-PORT-PROTOTYPE" if is_provider else "R-PORT-PROTOTYPE"),
         ),
-        reference("PROCESS-REF", process, "PROCESS"),
+        reference("PROCESS-REF", paths.of(PROCESSES, process.name), "PROCESS"),
         reference("SERVICE-INSTANCE-REF", instance, kind),
-        name=short_name(f"{instance_name(component, interface)}_Mapping"),
+        name=short_name(f"{instance_name(process, interface)}_Mapping"),
     )

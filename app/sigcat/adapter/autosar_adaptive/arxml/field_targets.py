@@ -45,6 +45,10 @@ TABLES: Tables = {
         "Function": _COMPONENT + _ADMIN, "Version": _COMPONENT + _ADMIN, "Code": _COMPONENT + _ADMIN, "Description": _COMPONENT + _DESCRIPTION,
         "Startup": "deployment.arxml: STARTUP-CONFIG",
     }),
+    model.FurtherProcess: ("process", {"Name": "deployment.arxml: PROCESS"}),
+    model.ProcessInstance: ("process", {
+        "Service": _SOMEIP + "SERVICE-INSTANCE", "ServiceInstanceID": _SOMEIP + "SERVICE-INSTANCE",
+    }),
     model.Call: ("call", dict.fromkeys((
         "Name", "Modes", "RunType", "CycleTime", "Scheduling", "Function", "Description", "Trigger", "EventList",
         "Triggers", "FunctionModes", "PrevRunnable", "ExecOffset", "DebounceDelay", "Priority", "ParallelProcessing",

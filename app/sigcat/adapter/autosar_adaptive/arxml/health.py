@@ -12,7 +12,6 @@ from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, seconds, 
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     SUPERVISION_PORT,
     checkpoints,
-    process_names,
     root_name,
     supervision_name,
 )
@@ -21,6 +20,7 @@ from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.function.function_json.runnable import WatchdogLimits
 from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
+from sigcat.integration.autosar_adaptive.processes import Process
 from sigcat.integration.autosar_names import short_name
 
 CONTRIBUTION = "PLATFORM-HEALTH-MANAGEMENT-CONTRIBUTION"
@@ -71,33 +71,37 @@ def _supervision(call: Call, limits: WatchdogLimits) -> AliveSupervision:
     return AliveSupervision(call.name, expected, window, int(limits.min), int(limits.max), call.modes)
 
 
-def package(components: Sequence[Component], states: Mapping[str, Tag], release: Release, paths: Paths) -> Package:
+def package(run: Sequence[Process], states: Mapping[str, Tag], release: Release, paths: Paths) -> Package:
     """The package of supervisions; it is empty if there are none. `states` refer to those of the function group."""
-    supervised = [component for component in components if alive_supervisions(component)]
+    supervised = [process for process in run if alive_supervisions(process.component)]
     if not supervised:
         return Package(HEALTH, ())
     own = paths.of(HEALTH, NAME)
-    points = [point for component in supervised for point in _checkpoints(component, components, paths)]
-    each = [(_supervisions_name(component), alive_supervisions(component)) for component in supervised]
+    points = [point for process in supervised for point in _checkpoints(process, paths)]
+    each = [
+        _Supervised(_supervisions_name(process), process, alive_supervisions(process.component))
+        for process in supervised
+    ]
     parts = _with_locals(each, own) if release.has_local_supervisions else _with_modes(each, states, own)
     return Package(HEALTH, (tag(CONTRIBUTION, listed("CHECKPOINTS", points), *parts, name=NAME),))
 
 
-def _supervisions_name(component: Component) -> str:
-    return short_name(f"{component.name}_Supervision")
+def _supervisions_name(process: Process) -> str:
+    return short_name(f"{process.stem}_Supervision")
 
 
 # -- checkpoints --------------------------------------------------------------------------------------------------
 
 
-def _point_name(call: str) -> str:
-    return short_name(f"{call}_Checkpoint")
+def _point_name(call: str, process: Process) -> str:
+    """Calls have names of their own; each further process has them again."""
+    return short_name(f"{process.stem}_{call}_Checkpoint" if process.is_further else f"{call}_Checkpoint")
 
 
-def _checkpoints(component: Component, components: Iterable[Component], paths: Paths) -> Iterable[Tag]:
+def _checkpoints(process: Process, paths: Paths) -> Iterable[Tag]:
+    component = process.component
     root = paths.of(EXECUTABLES, component.executable, root_name(component))
     port = paths.of(COMPONENTS, component.name, SUPERVISION_PORT)
-    process = paths.of(PROCESSES, process_names(components)[component.name])
     numbers = {call: number for number, call in enumerate(checkpoints(component))}
     for each in alive_supervisions(component):
         point = paths.of(SUPERVISIONS, supervision_name(component), short_name(each.call))
@@ -110,20 +114,25 @@ def _checkpoints(component: Component, components: Iterable[Component], paths: P
                 reference("CONTEXT-R-PORT-PROTOTYPE-REF", port, "R-PORT-PROTOTYPE"),
                 reference("TARGET-PHM-CHECKPOINT-REF", point, "PHM-CHECKPOINT"),
             ),
-            reference("PROCESS-REF", process, "PROCESS"),
-            name=_point_name(each.call),
+            reference("PROCESS-REF", paths.of(PROCESSES, process.name), "PROCESS"),
+            name=_point_name(each.call, process),
         )
 
 
 # -- supervisions -------------------------------------------------------------------------------------------------
 
-_Supervised = Sequence[tuple[str, Sequence[AliveSupervision]]]
-"""Names of the supervisions of components, and what they supervise."""
+
+class _Supervised(NamedTuple):
+    """The supervisions of a process."""
+
+    name: str
+    process: Process
+    alive: Sequence[AliveSupervision]
 
 
-def _with_modes(supervised: _Supervised, states: Mapping[str, Tag], own: str) -> Iterable[Tag]:
+def _with_modes(supervised: Sequence[_Supervised], states: Mapping[str, Tag], own: str) -> Iterable[Tag]:
     """Supervisions that are active in states of the function group, as of R21-11."""
-    named = dict.fromkeys(state for _, alive in supervised for each in alive for state in each.states)
+    named = dict.fromkeys(state for part in supervised for each in part.alive for state in each.states)
     conditions = (
         tag(
             "SUPERVISION-MODE-CONDITION",
@@ -136,11 +145,11 @@ def _with_modes(supervised: _Supervised, states: Mapping[str, Tag], own: str) ->
     globals_ = (
         tag(
             "GLOBAL-SUPERVISION",
-            tag("ALIVE-SUPERVISIONS", *(_alive(each, own, has_tolerance=True) for each in alive)),
-            tag("SUPERVISION-MODES", *_modes(name, alive, own)),
-            name=name,
+            tag("ALIVE-SUPERVISIONS", *(_alive(each, part.process, own, has_tolerance=True) for each in part.alive)),
+            tag("SUPERVISION-MODES", *_modes(part.name, part.alive, own)),
+            name=part.name,
         )
-        for name, alive in supervised
+        for part in supervised
     )
     yield tag("GLOBAL-SUPERVISIONS", *globals_)
 
@@ -163,26 +172,28 @@ def _modes(name: str, alive: Sequence[AliveSupervision], own: str) -> Iterable[T
         )
 
 
-def _with_locals(supervised: _Supervised, own: str) -> Iterable[Tag]:
+def _with_locals(supervised: Sequence[_Supervised], own: str) -> Iterable[Tag]:
     """Local supervisions, and a global one of each, as R20-11 has them."""
     locals_ = (
         tag(
             "LOCAL-SUPERVISION",
-            tag("ALIVE-SUPERVISIONS", *(_alive(each, own, has_tolerance=False) for each in alive)),
+            tag("ALIVE-SUPERVISIONS", *(_alive(each, part.process, own, has_tolerance=False) for each in part.alive)),
             tag("FAILED-SUPERVISION-CYCLES-TOLERANCE", text=_TOLERANCE),
-            name=name,
+            name=part.name,
         )
-        for name, alive in supervised
+        for part in supervised
     )
     yield tag("LOCAL-SUPERVISIONS", *locals_)
     globals_ = (
         tag(
             "GLOBAL-SUPERVISION",
             tag("EXPIRED-SUPERVISION-CYCLES-TOLERANCE", text=_TOLERANCE),
-            tag("LOCAL-SUPERVISION-REFS", reference("LOCAL-SUPERVISION-REF", f"{own}/{name}", "LOCAL-SUPERVISION")),
-            name=short_name(f"{name}_Global"),
+            tag(
+                "LOCAL-SUPERVISION-REFS", reference("LOCAL-SUPERVISION-REF", f"{own}/{part.name}", "LOCAL-SUPERVISION")
+            ),
+            name=short_name(f"{part.name}_Global"),
         )
-        for name, _ in supervised
+        for part in supervised
     )
     yield tag("GLOBAL-SUPERVISIONS", *globals_)
 
@@ -191,12 +202,12 @@ def _alive_name(call: str) -> str:
     return short_name(f"{call}_Alive")
 
 
-def _alive(each: AliveSupervision, own: str, *, has_tolerance: bool) -> Tag:
+def _alive(each: AliveSupervision, process: Process, own: str, *, has_tolerance: bool) -> Tag:
     """As many indications in a window as expected, less or more by a margin."""
     return tag(
         "ALIVE-SUPERVISION",
         tag("ALIVE-REFERENCE-CYCLE", text=seconds(each.window)),
-        reference("CHECKPOINT-REF", f"{own}/{_point_name(each.call)}", _CHECKPOINT),
+        reference("CHECKPOINT-REF", f"{own}/{_point_name(each.call, process)}", _CHECKPOINT),
         tag("EXPECTED-ALIVE-INDICATIONS", text=each.expected),
         tag("FAILED-REFERENCE-CYCLES-TOLERANCE", text=_TOLERANCE) if has_tolerance else None,
         tag("MAX-MARGIN", text=max(each.most - each.expected, 0)),

@@ -35,11 +35,14 @@ def _entries(model: AutosarModel) -> Iterator[Entry]:
         for key, number in _of_service(deployment):
             yield 0, key, number
     names = {deployment.path: _target(deployment, "SERVICE-INTERFACE-REF") for deployment in services}
+    stated: set[str] = set()
     for _, element in model.elements_dfs:
         if element.element_name in _INSTANCES:
             service = names.get(_text(element, "SERVICE-INTERFACE-DEPLOYMENT-REF"), "")
             number = _text(element, _INSTANCES[element.element_name])
-            if service and number and number not in _ANY:
+            # Of several instances of a service the first is that of the component, others are of further processes.
+            if service and number and number not in _ANY and service not in stated:
+                stated.add(service)
                 yield 0, f"{service}:instance", number
 
 

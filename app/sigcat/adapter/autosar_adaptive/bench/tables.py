@@ -4,6 +4,7 @@ from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
+from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
 
@@ -52,14 +53,18 @@ def _protection(event: Event) -> str:
 
 def _instances(service: Service, model: IntegrationModel) -> list[str]:
     rows = [
-        f'    {{"{instance_specifier(component, interface)}", {_hex(interface.instance_id)}}},'
-        for component in model.components
-        for interface in component.services
+        f'    {{"{instance_specifier(process.component, interface)}", {_hex(interface.instance_id)}{_of(process)}}},'
+        for process in processes(model.components)
+        for interface in process.services
         if interface.name == service.whole.name
     ]
     rows.append(f'    {{"{player_port(service.whole.name, model)}", {_hex(service.whole.instance_id)}}},')
     head = f"static constexpr bench::InstanceDescription kInstances[{len(rows)}] = {{"
-    return ["\n".join(["// port, instance", head, *rows, "};"])]
+    return ["\n".join(["// port, instance; of which further process of the executable", head, *rows, "};"])]
+
+
+def _of(process: Process) -> str:
+    return f', "{process.name}"' if process.is_further else ""
 
 
 def player_port(service: str, model: IntegrationModel) -> str:

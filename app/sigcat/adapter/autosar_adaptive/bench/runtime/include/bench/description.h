@@ -49,10 +49,11 @@ struct EventDescription {
     Protection protection{};
 };
 
-// The instance that a port of an executable means.
+// The instance that a port of an executable means: in its own process, or in a further one, which is named.
 struct InstanceDescription {
     std::string_view specifier;
     std::uint16_t id;
+    std::string_view process{};
 };
 
 struct ServiceDescription {

@@ -1,4 +1,5 @@
 // What proxies and skeletons call: each takes the lock and hands over to the runtime.
+#include <cstdlib>
 #include <utility>
 
 #include "ara/com/com_error_domain.h"
@@ -14,10 +15,16 @@ namespace {
 using ara::com::ComErrc;
 using ara::core::Result;
 
-// The instance that a port means.
+// Which process of its executable this is; execution management would know.
+std::string_view ThisProcess() {
+    const char* const named = std::getenv("BENCH_PROCESS");
+    return named != nullptr ? named : "";
+}
+
+// The instance that a port means in this process.
 Result<std::uint16_t> InstanceOf(const ServiceDescription& service, const ara::core::InstanceSpecifier& port) {
     for (const auto& instance : service.instances) {
-        if (instance.specifier == port.ToString()) {
+        if (instance.specifier == port.ToString() && instance.process == ThisProcess()) {
             return instance.id;
         }
     }
