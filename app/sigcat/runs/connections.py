@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
-from sigcat.adapter.core.plan import CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import Argument, CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
 from sigcat.adapter.core.values import struct_name
 from sigcat.errors import InputRefused
@@ -74,6 +74,14 @@ class Exit(NamedTuple):
         return self.names[0]
 
 
+class Server(NamedTuple):
+    """Who answers the requests of a method that a function of the set uses: another one of them."""
+
+    member: int
+    method: int
+    """Its index among the methods of that function."""
+
+
 class Connections(NamedTuple):
     """A set of functions, connected."""
 
@@ -82,11 +90,13 @@ class Connections(NamedTuple):
     exits: tuple[Exit, ...]
     routes: tuple[tuple[int, ...], ...]
     """For each exit the entries that get what it sends."""
+    servers: Mapping[int, Server]
+    """For entries of answers who gives them, where that is a function of the set."""
 
     @property
     def received(self) -> Mapping[str, Shape]:
         """What comes from outside, by every name that it has."""
-        inside = {target for route in self.routes for target in route}
+        inside = {target for route in self.routes for target in route} | self.servers.keys()
         outside = (entry for index, entry in enumerate(self.entries) if index not in inside)
         return {name: entry.shape for entry in outside for name in entry.names}
 
@@ -102,10 +112,53 @@ def connect(members: Sequence[Member]) -> Connections:
     entries = tuple(entry for index, member in enumerate(members) for entry in _entries(index, member))
     exits = tuple(each for index, member in enumerate(members) for each in _exits(index, member))
     routes = tuple(tuple(_targets(each, entries)) for each in exits)
-    findings = tuple(_mismatches(members, entries, exits, routes))
+    servers = dict(_servers(members, entries))
+    findings = (*_mismatches(members, entries, exits, routes), *_unlike_methods(members, entries, servers))
     if findings:
         raise InputRefused("The functions cannot be connected.", findings)
-    return Connections(tuple(members), entries, exits, routes)
+    return Connections(tuple(members), entries, exits, routes, servers)
+
+
+def _servers(members: Sequence[Member], entries: Sequence[Entry]) -> Iterator[tuple[int, Server]]:
+    """The first function that offers what another one uses, by the name of the method."""
+    offered: dict[str, Server] = {}
+    for index, member in enumerate(members):
+        names = names_of(member)
+        for number, method in enumerate(member.plan.methods):
+            if method.is_offered:
+                offered.setdefault(names[method.named.pointer].name, Server(index, number))
+    for index, entry in enumerate(entries):
+        server = offered.get(entry.names[0]) if entry.is_answer else None
+        if server is not None and server.member != entry.member:
+            yield index, server
+
+
+def _unlike_methods(
+    members: Sequence[Member], entries: Sequence[Entry], servers: Mapping[int, Server]
+) -> Iterator[Finding]:
+    """Methods whose two sides do not take and give the same."""
+    for index, server in servers.items():
+        entry, member, other = entries[index], members[entries[index].member], members[server.member]
+        used = next(each for each in member.plan.methods if each.named.name == entry.receiver)
+        offered = other.plan.methods[server.method]
+        if any(_shapes(one, member) != _shapes(two, other)
+               for one, two in ((used.arguments, offered.arguments), (used.results, offered.results))):  # fmt: skip
+            message = f"{entry.names[0]} must have the arguments and results that it has in {other.name}."
+            fix = "Make them equal in both functions."
+            yield member.function.finding(codes.PROVIDED_AS_ANOTHER_DATATYPE, entry.pointer or (), message, fix)
+
+
+def _shapes(listed: Sequence[Argument], member: Member) -> list[Shape]:
+    structs = structs_of(member)
+    return [shape_of(each.value.wire, structs) for each in listed]
+
+
+def handed_over(member: Member) -> Iterator[Shape]:
+    """The arguments, and the results, of each method of a function."""
+    structs = structs_of(member)
+    for method in member.plan.methods:
+        for listed in (method.arguments, method.results):
+            yield Record(tuple((each.name, shape_of(each.value.wire, structs)) for each in listed))
 
 
 def _targets(given: Exit, entries: Sequence[Entry]) -> Iterator[int]:
@@ -152,9 +205,18 @@ def _entries(index: int, member: Member) -> Iterator[Entry]:
 
 
 def answer_struct(method: Method, plan: CorePlan) -> WireStruct:
-    """The results of a method that a function uses, as its adapter takes them."""
-    fields = (WireField(each.name, each.value.wire.c, each.value.wire.length, "") for each in method.results)
-    return WireStruct(f"{plan.type_name}_{method.named.name}_Results", "", tuple(fields))
+    """The results of a method, as the adapter takes or gives them."""
+    return _struct(f"{plan.type_name}_{method.named.name}_Results", method.results)
+
+
+def request_struct(method: Method, plan: CorePlan) -> WireStruct:
+    """The arguments of a method, as the adapter gives or takes them."""
+    return _struct(f"{plan.type_name}_{method.named.name}_Arguments", method.arguments)
+
+
+def _struct(name: str, listed: Sequence[Argument]) -> WireStruct:
+    fields = (WireField(each.name, each.value.wire.c, each.value.wire.length, "") for each in listed)
+    return WireStruct(name, "", tuple(fields))
 
 
 def _answers(index: int, member: Member) -> Iterator[Entry]:

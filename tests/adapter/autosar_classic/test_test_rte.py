@@ -34,6 +34,7 @@ ROWS = {
     "events_that_are_debounced": ("function.yaml",),
     "every_datatype_with_all_its_digits": ("function.yaml",),
     "members_of_a_class": ("function.yaml",),
+    "methods_of_another_function": ("server.yaml", "client.yaml"),
     "methods_that_the_trace_answers": ("function.yaml",),
     "one_function_feeds_another": ("filter.yaml", "counter.yaml"),
     "structs_and_queues": ("function.yaml",),
@@ -113,6 +114,14 @@ def test_a_function_that_is_gone_says_nothing_more_and_others_go_on(tmp_path):
     proposals = sent["Vehicle.ADAS.EcoControl.AccelerationProposal"]
     assert max(time for time, _ in proposals) < 37 * SECOND
     assert max(time for time, _ in sent["Vehicle.ADAS.EcoControl.AccelerationRequest"]) > 39 * SECOND
+
+
+def test_a_method_of_a_function_that_is_gone_is_not_answered(tmp_path):
+    folder = CASES / "methods_of_another_function"
+    drive = Drive(folder / "trace.csv", _length(folder / "trace.csv"), kills=(Kill("Server", SECOND // 50),))
+    simulated, sent = _both([folder / each for each in ROWS[folder.name]], drive, tmp_path)
+    assert sent == simulated
+    assert "40" in [value for _, value in sent["Vehicle.Calls.State"]]  # timed out
 
 
 @pytest.fixture(scope="module")

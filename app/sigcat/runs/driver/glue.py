@@ -1,13 +1,13 @@
 """A function, bound to the driver: a file in its own language that calls its adapter by name."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import CLASS, GLOBALS, Call, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import CLASS, GLOBALS, Call, Method, WireField, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
-from sigcat.runs.connections import Connections, Entry, Exit, Member, answer_struct
+from sigcat.runs.connections import Connections, Entry, Exit, Member, Server, answer_struct, request_struct
 from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
 from sigcat.runs.kept import Kept
 
@@ -21,7 +21,9 @@ class _Glue(NamedTuple):
     kept: tuple[tuple[int, Kept], ...]
     first_call: int
     largest: int
-    """Bytes of the largest value that is sent or kept."""
+    """Bytes of the largest value that is sent or kept, or handed over with a request."""
+    servers: Mapping[str, Server]
+    """Who answers a method that it uses, by the name of what takes the answer."""
 
     @property
     def p(self) -> str:
@@ -38,10 +40,13 @@ class _Glue(NamedTuple):
         return f"{self.p}_Instance" if self.scope.plan.code.signature == GLOBALS else f"{self.d}_Instance"
 
     @property
-    def answers(self) -> list[WireStruct]:
-        """Results of the methods that it uses."""
+    def handed_over(self) -> list[WireStruct]:
+        """Arguments and results of methods."""
         plan = self.scope.plan
-        return [answer_struct(each, plan) for each in plan.methods if not each.is_offered and each.results]
+        return [
+            struct(each, plan) for each in plan.methods for struct in (request_struct, answer_struct)
+            if struct(each, plan).fields
+        ]  # fmt: skip
 
     @property
     def at(self) -> str:
@@ -58,7 +63,9 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
         tuple((number, each) for number, each in enumerate(numbers.kept) if each.member == index),
         numbers.first_call(index),
         bytes_of_largest(connections, numbers),
-    )
+        {connections.entries[entry].receiver: server for entry, server in connections.servers.items()
+         if connections.entries[entry].member == index},
+    )  # fmt: skip
     ending = "cpp" if member.plan.code.signature == CLASS else "c"
     text = "\n".join(line.text for line in _whole(glue, member))
     return GeneratedFile(f"{member.name}_driver.{ending}", f"{text}\n".encode())
@@ -68,12 +75,12 @@ def _whole(glue: _Glue, member: Member) -> Lines:
     return spaced([
         lines(f'#include "{member.name}_adapter.h"\n#include "sigcat_driver.h"\n\n#include <string.h>'),
         _data(glue),
-        *_struct_functions([*glue.scope.plan.structs, *glue.answers]),
+        *_struct_functions([*glue.scope.plan.structs, *glue.handed_over]),
         _restore(glue), _store(glue), _start_up(glue), _start(glue), _receive(glue),
         _next_call(glue), _next_time(glue),
         *(_of_calls(glue, what, "uint64_t t", "t") for what in ("SetInput", "Begin")),
         _of_calls(glue, "Run", "", ""), _of_calls(glue, "GetOutput", "uint64_t t", "t"),
-        _plain(glue, "Supervise"), _send(glue), _plain(glue, "Terminate"),
+        _plain(glue, "Supervise"), _send(glue), _serve(glue), _plain(glue, "Terminate"),
         _table(glue),
     ])  # fmt: skip
 
@@ -166,8 +173,53 @@ def _send(glue: _Glue) -> Lines:
     return _function(f"void {glue.d}_Send(void)", body)
 
 
+def _asked(glue: _Glue, method: Method, server: Server) -> Lines:
+    """A request is answered within the same time, by the function of the set that offers the method."""
+    name, plan = method.named.name, glue.scope.plan
+    request, answer = request_struct(method, plan), answer_struct(method, plan)
+    place = f"{glue.instance}.method.{name}"
+    given = ", &results" if answer.fields else ""
+    taken = block("if (is_ok)", [lines(f"(void)take_{answer.name}(answer, &results);")]) if answer.fields else ()
+    return block(f"if ({glue.instance}.publish.{name} && sigcat_is_there({server.member}U))", [
+        lines("unsigned char answer[SIGCAT_BYTES];\nbool is_ok;"),
+        lines(f"{answer.name} results;\n(void)memset(&results, 0, sizeof(results));") if answer.fields else (),
+        lines(f"(void)put_{request.name}(bytes, &{place}.arguments);") if request.fields else (),
+        lines(f"is_ok = sigcat_serves({server.member}U, {server.method}U, bytes, answer);"),
+        taken,
+        lines(f"{glue.p}_Answer_{name}({glue.at}, {place}.number, is_ok{given}, {glue.instance}.now);"),
+    ])  # fmt: skip
+
+
+def _serve(glue: _Glue) -> Lines:
+    """What others of the set ask for."""
+    cases = [
+        (f"{number}U", _served(glue, method)) for number, method in enumerate(glue.scope.plan.methods)
+        if method.is_offered
+    ]  # fmt: skip
+    head = f"bool {glue.d}_Serve(uint32_t method, const unsigned char *at, unsigned char *to)"
+    unused = lines("(void)at;\n(void)to;")
+    return _function(head, [lines("bool is_ok = false;"), _switch("method", cases), unused, lines("return is_ok;")])
+
+
+def _served(glue: _Glue, method: Method) -> Lines:
+    plan = glue.scope.plan
+    request, answer = request_struct(method, plan), answer_struct(method, plan)
+    given = "".join((", &arguments" if request.fields else "", ", &results" if answer.fields else ""))
+    ok = glue.scope.constant("OK")
+    return block("", [
+        lines(f"{request.name} arguments;") if request.fields else (),
+        lines(f"{answer.name} results;") if answer.fields else (),
+        lines(f"(void)take_{request.name}(at, &arguments);") if request.fields else (),
+        lines(f"is_ok = {glue.p}_Method_{method.named.name}({glue.at}{given}) == {ok};"),
+        block("if (is_ok)", [lines(f"(void)put_{answer.name}(to, &results);")]) if answer.fields else (),
+    ])  # fmt: skip
+
+
 def _answered(glue: _Glue, entry: Entry) -> Lines:
     """A request is answered within the same time, as the trace said last."""
+    if entry.receiver in glue.servers:
+        method = next(each for each in glue.scope.plan.methods if each.named.name == entry.receiver)
+        return _asked(glue, method, glue.servers[entry.receiver])
     name, number = f"{glue.d}_{entry.receiver}", f"{glue.instance}.method.{entry.receiver}.number"
     given = f"true, &{name}_Answer" if entry.wire.is_struct else f"{name}_Answer"
     answer = lines(f"{glue.p}_Answer_{entry.receiver}({glue.at}, {number}, {given}, {glue.instance}.now);")
@@ -271,7 +323,7 @@ def _steps(glue: _Glue) -> tuple[Call, ...]:
 def _table(glue: _Glue) -> Lines:
     plan, names = glue.scope.plan, (
         "Restore", "StartUp", "Start", "Receive", "NextCall", "NextTime", "SetInput", "Begin", "Run", "GetOutput",
-        "Supervise", "Send", "Terminate", "Store",
+        "Supervise", "Send", "Serve", "Terminate", "Store",
     )  # fmt: skip
     steps = len(plan.steps)
     init = f"{glue.first_call + steps}U" if plan.inits else "SIGCAT_NONE"

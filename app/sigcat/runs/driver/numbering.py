@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Call
-from sigcat.runs.connections import Connections, Member
+from sigcat.runs.connections import Connections, Member, handed_over
 from sigcat.runs.kept import Kept, kept_of
 from sigcat.runs.recording.shapes import packing
 
@@ -39,6 +39,7 @@ def _calls(member: Member) -> tuple[Call | None, ...]:
 
 
 def bytes_of_largest(connections: Connections, numbers: Numbers) -> int:
-    """Bytes of the largest value that is sent or kept."""
+    """Bytes of the largest value that is sent or kept, or handed over with a request."""
     shapes = [*(each.shape for each in connections.exits), *(each.shape for each in numbers.kept)]
+    shapes += [shape for member in connections.members for shape in handed_over(member)]
     return max((packing(shape).struct.size for shape in shapes), default=8)

@@ -97,6 +97,16 @@ void sigcat_sends(uint32_t number, const unsigned char *bytes)
     }
 }
 
+bool sigcat_is_there(uint32_t function)
+{
+    return !running_calls[function].is_gone;
+}
+
+bool sigcat_serves(uint32_t function, uint32_t method, const unsigned char *arguments, unsigned char *results)
+{
+    return sigcat_functions[function]->serve(method, arguments, results);
+}
+
 void sigcat_stores(uint32_t number, const unsigned char *bytes, size_t size)
 {
     tell_value('K', number, bytes, size);

@@ -32,6 +32,7 @@ typedef struct {
     void (*get_output)(uint32_t call, uint64_t t);
     void (*supervise)(uint64_t t);
     void (*send)(void); /* hands what is to be published to sigcat_sends */
+    bool (*serve)(uint32_t method, const unsigned char *arguments, unsigned char *results);
     void (*terminate_at)(uint64_t t);
     void (*store)(void); /* hands what is to be stored to sigcat_stores */
 } sigcat_function;
@@ -60,6 +61,8 @@ extern const uint32_t sigcat_call_count;
 extern const uint32_t sigcat_largest;
 
 void sigcat_sends(uint32_t number, const unsigned char *bytes);
+bool sigcat_is_there(uint32_t function); /* whether anything of it is called any more */
+bool sigcat_serves(uint32_t function, uint32_t method, const unsigned char *arguments, unsigned char *results);
 void sigcat_stores(uint32_t number, const unsigned char *bytes, size_t size);
 
 const unsigned char *sigcat_take(const unsigned char *from, void *to, size_t size);

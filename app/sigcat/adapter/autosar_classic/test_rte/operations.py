@@ -104,13 +104,16 @@ def _request(end: MethodEnd, call: Call, swc: SwcPlan, rte: TestRte) -> list[Lin
     unused = [lines(f"(void){each.name};") for each in call.parameters]
     if found is None:
         return [*unused, block(f"if ({place}.is_there != FALSE)", [ready]), lines("return RTE_E_OK;")]
+    assert provider is not None
     runnable, answered = found
+    is_gone = block(f"if (Os_HasEnded({rte.index(provider.swc)}U) != FALSE)", [lines("return RTE_E_OK;")])
     results = [
         f"{place}.value.{each.place}" if each.type.is_array else f"&{place}.value.{each.place}" for each in end.results
     ]
     given = ", ".join([*(each.name for each in call.parameters), *results])
     return [
         lines(f"extern {head(runnable, answered)};\n"),
+        (Line("/* One that is gone answers nothing. */"), *is_gone),
         lines(f"{place}.status = {runnable.symbol}({given});"),
         ready,
         lines("return RTE_E_OK;"),

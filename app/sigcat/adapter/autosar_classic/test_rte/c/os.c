@@ -100,6 +100,11 @@ void Os_EndComponent(uint32 component)
     has_ended[component] = TRUE;
 }
 
+boolean Os_HasEnded(uint32 component)
+{
+    return has_ended[component];
+}
+
 void Os_EnterArea(uint32 component)
 {
     depth[component]++;

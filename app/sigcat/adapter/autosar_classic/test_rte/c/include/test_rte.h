@@ -92,6 +92,7 @@ void Os_SetTime(uint64 t); /* timing events that are due by then are activated *
 void Os_Activate(uint32 event);
 void Os_Run(void); /* until nothing is activated */
 void Os_EndComponent(uint32 component); /* nothing of it runs any more */
+boolean Os_HasEnded(uint32 component);
 void Os_EnterArea(uint32 component);
 void Os_ExitArea(uint32 component);
 
