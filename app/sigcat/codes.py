@@ -39,6 +39,7 @@ CHECKPOINT_UNREACHED = RuleCode("F231", "error")
 CHECKPOINT_UNSUPERVISED = RuleCode("F232", "warning")
 SUPERVISION_IN_WORDS = RuleCode("F233", "info")
 ARGUMENT_OF_OPEN_LENGTH = RuleCode("F234", "warning")
+UNKNOWN_MODE_UNTOLD = RuleCode("F235", "warning")
 
 # configuration
 NOT_TOML = RuleCode("C001", "error")
@@ -208,6 +209,7 @@ CONVERSION_NOT_A_NUMBER = RuleCode("N217", "error")
 SEVERAL_PUBLISHERS = RuleCode("N218", "warning")
 NOT_WRITABLE_AS_ROS2 = RuleCode("N219", "error")
 QUALITY_OF_NOTHING = RuleCode("N220", "warning")
+POLICY_WITHOUT_PRIORITY = RuleCode("N221", "warning")
 
 # lint
 SUPPRESSION_UNUSED = RuleCode("L001", "warning")

@@ -128,6 +128,16 @@ def test_parts_that_no_node_uses_are_left_out():
     assert "watch.cpp" not in generated.storing()[next(n for n in generated.storing() if n.endswith("CMakeLists.txt") and "_interfaces" not in n)]  # fmt: skip
 
 
+def test_a_policy_that_the_deployment_gives_is_the_default_of_its_parameter():
+    """In both languages, and in the file of parameters."""
+    made = generated.files(
+        generated.integration(FULL / "function.yaml", deployment={"ros2": {"schedulingPolicy": "fifo"}})
+    )
+    assert 'declare_parameter<std::string>(\n    "scheduling_policy", "fifo",' in source(made, "full")
+    assert "    policy = 'fifo'\n" in made["full_py/full_py/full_node.py"]
+    assert "    scheduling_policy: fifo\n" in made["full/config/full.yaml"]
+
+
 def test_cmake_says_where_it_looked_for_the_code():
     """The folder of a function's code is a setting; without the code, configuring stops with both ways to give it."""
     text = generated.ecocontrol()["eco_control/CMakeLists.txt"]

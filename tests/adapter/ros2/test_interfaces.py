@@ -222,6 +222,19 @@ def test_a_document_has_one_package_of_each_kind(key):
     assert f"/{key}" in {finding.pointer for finding in caught.value.findings}
 
 
+@pytest.mark.parametrize("policy", ["fifo", "fifoo"])
+def test_a_policy_is_one_that_there_is_and_has_a_priority(policy):
+    def schedule(document):
+        node = document["NodePackageList"][0]["Nodes"][0]
+        node["SchedulingPolicy"] = policy
+        for each in node["Schedules"]:
+            each.pop("ThreadPriority", None)
+
+    with pytest.raises(InputRefused) as caught:
+        files(edited(schedule))
+    assert [each.pointer for each in caught.value.findings] == ["/NodePackageList/0/Nodes/0/SchedulingPolicy"]
+
+
 def test_a_topic_has_a_quality_of_service():
     with pytest.raises(InputRefused) as caught:
         files(edited(lambda document: document["CommunicationList"][0]["ROSTopicList"][0].pop("QualityOfService")))

@@ -34,8 +34,10 @@ def test_a_parameter_says_its_unit_and_its_range(language, tmp_path):
         assert peer.described(NODE, "lock_step")["read_only"]
 
 
-@pytest.mark.parametrize("value", ["0.5", "wide"])
-def test_a_node_does_not_start_with_a_parameter_that_it_would_refuse(language, value, tmp_path):
-    status, told = ended(language, tmp_path, NODE, "-p", f"horizon_step:={value}")
+@pytest.mark.parametrize(
+    ("name", "value"), [("horizon_step", "0.5"), ("horizon_step", "wide"), ("scheduling_policy", "fifoo")]
+)
+def test_a_node_does_not_start_with_a_parameter_that_it_would_refuse(language, name, value, tmp_path):
+    status, told = ended(language, tmp_path, NODE, "-p", f"{name}:={value}")
     assert status != 0
-    assert "horizon_step" in told
+    assert name in told

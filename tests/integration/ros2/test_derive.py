@@ -367,6 +367,20 @@ def test_the_deployment_has_the_last_word():
     assert (made["Depth"], made["Reliability"]) == (5, "reliable")
 
 
+def test_a_policy_is_that_of_the_deployment_where_a_call_has_a_priority():
+    deployment, calls = settings(schedulingPolicy="rr"), ({"Priority": "10"}, {"Priority": ""})
+    for call, policy, told in zip(calls, ("rr", None), (set(), {("N221", "Acc_Step")}), strict=True):
+        functions = [function(signal(), call=call)]
+        (made,) = document(functions, deployment)["NodePackageList"][0]["Nodes"]
+        assert made.get("SchedulingPolicy") == policy
+        assert {each for each in rules(functions, deployment) if each[0] == "N221"} == told
+
+
+def test_a_policy_is_one_of_ros():
+    with pytest.raises(ValueError, match="schedulingPolicy"):
+        settings(schedulingPolicy="fifoo")
+
+
 def test_a_quality_of_nothing_is_told_with_what_was_meant():
     deployment = settings(quality={"Vehicle.Sped": {"depth": 5}, "/vehicle/speed": {"depth": 5}})
     found = [finding for finding in derived([function(signal())], deployment).findings if finding.rule == "N220"]

@@ -158,6 +158,7 @@ def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
         sources=tuple(code.sources or ()) if code else (),
         headers=tuple(code.headers or ()) if code else (),
         priority=max(priorities, default=None),
+        policy=node.scheduling_policy or "other",
         subscriptions=subscriptions(context),
         publishers=publishers(context),
         offered=services(context, "Server"),

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from sigcat.adapter.core.plan import Argument, Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
+from sigcat.integration.ros2.settings import SchedulingPolicy
 from sigcat.names import camel_case, screaming_snake_case
 
 
@@ -174,6 +175,8 @@ class NodePlan:
     headers: tuple[str, ...]
     priority: int | None
     """Of the thread that runs its calls."""
+    policy: SchedulingPolicy
+    """Default of the parameter `scheduling_policy`."""
     subscriptions: tuple[Subscription, ...]
     publishers: tuple[Publisher, ...]
     offered: tuple[MethodService, ...]

@@ -7,6 +7,7 @@ from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson, Mode
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import Located, runnables, safety_reactions
 from sigcat.names import did_you_mean, either
 
@@ -24,6 +25,7 @@ def check_modes(function: FunctionJson) -> Problems:
     yield from _names(function)
     yield from _initial(function)
     yield from _values(function)
+    yield from _untold(function)
     yield from _without_entry(function)
     if not unknown:  # a call may be in no mode because its name is misspelled there
         yield from _in_no_mode(function, calls)
@@ -101,6 +103,28 @@ def _values(function: FunctionJson) -> Problems:
             yield Problem(
                 codes.ENUMERATION_MISCODED, at, f"Two modes of {mode.name} have the same number.", fix, subject
             )
+
+
+def _untold(function: FunctionJson) -> Problems:
+    """Errors of modes that are not allowed, where such a mode leads to one in which nothing evaluates them."""
+    running = {mode.name: mode.runnables for mode in function.modes or ()}
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        if mode.unknown_action != "Initial" or not mode.unknown_error or not mode.modes:
+            continue
+        initial = mode.initial or mode.modes[0]
+        tell = [call.name for _, _, call in runnables(function) if mode.unknown_error in _evaluated(call)]
+        if tell and initial in running and not any(name in running[initial] for name in tell):
+            message = f"{mode.unknown_error} must be evaluated in the mode {initial!r}, to which a mode that is not allowed leads; {either(tell)} does not run there."
+            fix = "Keep the last mode, with `unknown: keep`, or let the call run in the initial one."
+            at = ("ModeInterfaceList", index, "UnknownError")
+            yield Problem(codes.UNKNOWN_MODE_UNTOLD, at, message, fix, Subject("mode", mode.name))
+
+
+def _evaluated(call: Runnable) -> Collection[str]:
+    """Errors that a call evaluates; Init and Terminate evaluate none."""
+    if call.run_type in _OUTSIDE_MODES:
+        return ()
+    return {error.name for contract in call.contracts or () for error in contract.errors or ()}
 
 
 def _without_entry(function: FunctionJson) -> Problems:

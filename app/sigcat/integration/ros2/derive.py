@@ -59,6 +59,7 @@ def derive(
         namespace=settings.namespace or "/",
         safety_manager=app.safety_manager,
         mode_manager=app.mode_manager,
+        policy=settings.scheduling_policy,
         exchanged=exchanged,
         statuses=statuses_of(parts, _topic_names(exchanged, parts), findings),
         book=book,

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
+from sigcat.integration.ros2.settings import SchedulingPolicy
 from sigcat.integration.source_functions import source_functions
 
 ROS2 = "published ROS 2 integration schema 1.0.0"
@@ -344,6 +345,9 @@ class RosNode(WireModel):
     )  # fmt: skip
     diagnostics: tuple[Diagnostic, ...] = described("Diagnostics", "Statuses of errors.", source=OWN, strict=False)
     diagnostics_topic: str = described("DiagnosticsTopic", "Topic of the statuses.", source=OWN)
+    scheduling_policy: SchedulingPolicy | None = described(
+        "SchedulingPolicy", "Policy of the thread that runs its calls; other if absent.", default=None, source=OWN
+    )
     conditions: tuple[ConditionMonitor, ...] = described(
         "SafetyReactions", "Safety conditions.", source=OWN, strict=False
     )

@@ -25,6 +25,7 @@ from sigcat.integration.ros2.model import (
 from sigcat.integration.ros2.names import topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality import MODE
+from sigcat.integration.ros2.settings import SchedulingPolicy
 from sigcat.integration.ros2.signal_uses import CYCLIC, EVENT, INIT, SHUTDOWN, run_kind, whole
 from sigcat.integration.ros2.statuses import (
     DIAGNOSTICS,
@@ -52,6 +53,8 @@ class NodeContext(NamedTuple):
     """Who informs of safety conditions."""
     mode_manager: str | None
     """Who sends the modes."""
+    policy: SchedulingPolicy
+    """Of the threads that run calls."""
     exchanged: Sequence[Communication]
     statuses: Statuses
     book: MessageBook
@@ -61,6 +64,7 @@ class NodeContext(NamedTuple):
 def node_of(part: Part, context: NodeContext) -> RosNode:
     """The node of a component."""
     running = [call for call in part.component.runnables if run_kind(call) in (CYCLIC, EVENT)]
+    schedules = tuple(_schedule(call, part, context) for call in running)
     book, findings, statuses, manager = context.book, context.findings, context.statuses, context.safety_manager
     return RosNode(
         name=part.name,
@@ -70,7 +74,7 @@ def node_of(part: Part, context: NodeContext) -> RosNode:
         executable=f"{part.name}_node",
         plugin=f"{context.package}::{camel_case(part.name)}Node",
         transitions=_transitions(part),
-        schedules=tuple(_schedule(call, part, context) for call in running),
+        schedules=schedules,
         parameters=parameters_of(contracts(part), part, book.table, findings),
         modes=tuple(_modes(part, context)),
         error_topics=tuple(error_topics(part, book.package, statuses)),
@@ -78,6 +82,7 @@ def node_of(part: Part, context: NodeContext) -> RosNode:
         diagnostics=tuple(diagnostics(part, statuses, findings)),
         diagnostics_topic=DIAGNOSTICS,
         conditions=tuple(conditions(part, statuses, manager, book.table, findings)),
+        scheduling_policy=_policy(part.name, running, schedules, context),
     )
 
 
@@ -166,6 +171,20 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
         message = f"The priority of {call.name} must be from 1 to 99, not {_short(text)!r}."
         fix = "Use a number; higher ones run first."
         findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
+    return None
+
+
+def _policy(
+    node: str, running: Sequence[Runnable], schedules: Sequence[Schedule], context: NodeContext
+) -> SchedulingPolicy | None:
+    """That of the deployment, where a call says with which priority."""
+    if context.policy == "other" or not running:
+        return None
+    if any(schedule.thread_priority is not None for schedule in schedules):
+        return context.policy
+    message = f"{node} must have a priority to run under {context.policy}; none of its calls has one: it runs without."
+    fix = "Give the call a `priority` from 1 to 99."
+    context.findings.report(codes.POLICY_WITHOUT_PRIORITY, message, Subject(running[0].name, running[0]), fix)
     return None
 
 

@@ -152,6 +152,11 @@ def _node(node: RosNode, at: Pointer) -> Iterator[Problem]:
             yield from _is(end.topic, _TOPIC, (*at, key, index, "TopicName"), "name of a topic")
             yield from _is(end.message, _INTERFACE, (*at, key, index, "MessageType"), "type of a topic")
             yield from _is(end.field, FIELD, (*at, key, index, "Field"), "name of a field")
+    if node.scheduling_policy in ("fifo", "rr") and all(each.thread_priority is None for each in node.schedules):
+        message = (
+            f"{node.name} must have a `ThreadPriority` in one of its `Schedules` to run under {node.scheduling_policy}."
+        )
+        yield Problem((*at, "SchedulingPolicy"), message)
     parameters: Pointer = (*at, "Parameters")
     yield from _names(
         (((*parameters, i, "Name"), each.name) for i, each in enumerate(node.parameters)), FIELD, "parameter"

@@ -24,6 +24,7 @@ Topics = Literal["cycle", "signal", "branch", "function"]
 
 
 Enumerations = Literal["both", "number", "text"]
+SchedulingPolicy = Literal["other", "fifo", "rr"]
 
 
 class QualitySettings(DeclarationModel):
@@ -58,6 +59,11 @@ class Ros2Settings(DeclarationModel):
         None,
         description="Package that holds the messages and services, for sets that share one; <name>_interfaces if "
         "absent.",
+    )
+    scheduling_policy: SchedulingPolicy = Field(
+        "other",
+        description="Policy of the threads that run the calls: fifo or rr with the highest priority of a node's calls, or "
+        "other, without. The parameter `scheduling_policy` of a node goes before.",
     )
     maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")
     email: Annotated[str, Field(pattern=f"^{EMAIL.pattern}$", max_length=200)] = Field(

@@ -22,7 +22,7 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
     """What every node has, whatever its function is."""
     if node.priority is not None:
         about = f"Policy of the thread that makes the calls: other, fifo or rr, these with priority {node.priority}."
-        yield _comment(about) + "scheduling_policy: other\n"
+        yield _comment(about) + f"scheduling_policy: {node.policy}\n"
     if node.monitors or node.learned:
         about = "Folder of what the node keeps from one run to the next"
         yield (

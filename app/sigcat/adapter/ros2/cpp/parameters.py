@@ -37,7 +37,9 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     if node.priority is not None:
         words = f"Policy of the thread that runs the calls, with priority {node.priority}."
         descriptor = _described(words, "one of other, fifo, rr", 3)
-        found.append(_declaration("std::string", "scheduling_policy", '"other"', call("fixed", [descriptor], ")", 2)))
+        fixed = call("fixed", [descriptor], ")", 2)
+        found.append(_declaration("std::string", "scheduling_policy", string(node.policy), fixed))
+        found.append('check_policy(get_parameter("scheduling_policy").as_string());')
     if is_stored(node):
         words = f"Folder of what the node keeps; $ROS_HOME/{workspace.name} or ~/.ros/{workspace.name} if empty."
         descriptor = _described(words, "", 3)

@@ -100,9 +100,10 @@ def _class(node: NodePlan) -> Lines:
     core = node.core
     more = [sentence(core.description)] if core.description else []
     priority = lines(f"priority = {node.priority}") if node.priority is not None else ()
+    policy = lines(f"policy = {text(node.policy)}") if node.policy != "other" else ()
     return suite(f"class {node.type}(FunctionNode):", between([
         docstring(f"The node of {core.function}.", more),
-        priority,
+        (*priority, *policy),
         lines("offers_methods = True") if node.offered else (),
         _init(node),
         *([_declare(node), _core_parameters(node)] if node.parameters else []),

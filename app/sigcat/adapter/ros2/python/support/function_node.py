@@ -45,6 +45,9 @@ class FunctionNode(LifecycleNode):
     priority = 1
     """Of the thread that runs the calls, where it has a policy that knows priorities."""
 
+    policy = 'other'
+    """Default of the parameter `scheduling_policy`."""
+
     offers_methods = False
     """Whether others may ask for what has to wait until a call has ended."""
 
@@ -70,7 +73,7 @@ class FunctionNode(LifecycleNode):
         self._told_states: List[int] = []
         self._answers_group = MutuallyExclusiveCallbackGroup()
         self._diagnostics_group = MutuallyExclusiveCallbackGroup()
-        self._function_parameters.declare_settings(self.priority)
+        self._function_parameters.declare_settings(self.policy, self.priority)
         self.declare_function_parameters()
         self._function_parameters.take_changes()
         quality = QoSProfile(depth=10)
@@ -298,8 +301,6 @@ class FunctionNode(LifecycleNode):
         if policy == 'other':
             return ''
         policies = {'fifo': os.SCHED_FIFO, 'rr': os.SCHED_RR}
-        if policy not in policies:
-            return f'scheduling_policy must be other, fifo or rr, not {policy}'
         try:
             os.sched_setscheduler(0, policies[policy], os.sched_param(self.priority))
         except OSError as error:

@@ -10,6 +10,8 @@ from rclpy.parameter import Parameter
 
 from .core import Core
 
+POLICIES = ('other', 'fifo', 'rr')
+"""Of the thread that runs the calls."""
 CoreParameters = Callable[[Callable[[str], Any]], Dict[str, Any]]
 """Parameters of the core, from what answers those of the node."""
 
@@ -27,12 +29,16 @@ class Parameters:
         self._core_parameters = core_parameters
         self._defaults: Dict[str, Any] = {}
 
-    def declare_settings(self, priority: int) -> None:
-        """Declare what every node has, whatever its function is."""
+    def declare_settings(self, policy: str, priority: int) -> None:
+        """
+        Declare what every node has, whatever its function is.
+
+        Raises InvalidParameterValueException for a policy that there is not.
+        """
         settings = (
             ('lock_step', False,
              'Whether the service ~/step gives the time: for tests and replays.'),
-            ('scheduling_policy', 'other',
+            ('scheduling_policy', policy,
              f'Policy of the thread that runs the calls, with priority {priority}: '
              'other, fifo or rr.'),
             ('storage_folder', '',
@@ -42,6 +48,10 @@ class Parameters:
         for name, default, description in settings:
             descriptor = ParameterDescriptor(description=description, read_only=True)
             self._node.declare_parameter(name, default, descriptor)
+        given = self.value('scheduling_policy')
+        if given not in POLICIES:
+            reason = f'it must be one of {", ".join(POLICIES)}'
+            raise InvalidParameterValueException('scheduling_policy', given, reason)
 
     def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
         """Declare a parameter of the function."""

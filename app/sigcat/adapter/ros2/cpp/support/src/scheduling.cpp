@@ -7,16 +7,23 @@
 #include <string>
 #include <thread>
 
+#include "rclcpp/exceptions.hpp"
+
 namespace PACKAGE_NAME
 {
+
+void check_policy(const std::string & policy)
+{
+  if (policy != "other" && policy != "fifo" && policy != "rr") {
+    throw rclcpp::exceptions::InvalidParameterValueException(
+            "scheduling_policy must be other, fifo or rr, not " + policy);
+  }
+}
 
 std::string schedule(std::thread & thread, const std::string & policy, int priority)
 {
   if (policy == "other") {
     return "";
-  }
-  if (policy != "fifo" && policy != "rr") {
-    return "scheduling_policy must be other, fifo or rr, not " + policy;
   }
   sched_param parameters{};
   parameters.sched_priority = priority;
