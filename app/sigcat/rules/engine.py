@@ -5,13 +5,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from sigcat import codes
+from sigcat.catalogue.composing.build_tree import fix_of_undefined
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.reading.statement import Origin, Statement
 from sigcat.findings import Finding, in_order
-from sigcat.names import bounded_proposals
+from sigcat.names import bounded_proposals, parent_path
 from sigcat.rules.checks.kind import NodeTest
+from sigcat.rules.near_paths import with_another_branch
 from sigcat.rules.patterns import SlowPattern
 from sigcat.rules.problem import Problem, Repair, Subject
 from sigcat.rules.record import Rule
@@ -179,8 +181,17 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
             and _is_changed_in_vain(definition)
         ):
             continue
+        if finding.rule == codes.BRANCH_UNDEFINED.id:
+            finding = _with_instances_proposed(finding, tree)  # noqa: PLW2901
         severity = rules.of_composition.get(finding.rule, finding.severity)
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
+
+
+def _with_instances_proposed(finding: Finding, tree: Tree) -> Finding:
+    """A finding of a branch that is not defined, with the instances that were meant where its place is for these."""
+    below = next((path for path in tree.definitions if path.startswith(f"{finding.path}.")), "")
+    proposal = with_another_branch(below, tree) if below and tree.may_hold_instances(parent_path(finding.path)) else ""
+    return finding._replace(fix=fix_of_undefined(finding.path, proposal)) if proposal else finding
 
 
 def _need_not_be_written(branch: str, tree: Tree, *, changes_are_reported: bool) -> bool:

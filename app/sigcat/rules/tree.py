@@ -5,15 +5,15 @@ Everything is computed when it is first asked for: a run in which no rule needs 
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from sigcat.catalogue.composing.compose import expanded_paths
-from sigcat.catalogue.composing.expand_instances import count_instances, instance_names, refined_values
+from sigcat.catalogue.composing.expand_instances import refined_values
+from sigcat.catalogue.composing.instance_names import levels_of_instances
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.definition import Definition, instances_of
+from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.limits import COMPARED_INSTANCES
 from sigcat.names import last_name, parent_path
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ class Tree:
         is_sibling = definition.values.get("instances_relation") == "sibling"
         above = parent_path(definition.path) if is_sibling else definition.path
         beside = (self.children if is_sibling else self.uninstantiated).get(above, ())
-        names = sorted(next(_levels(definition.values), ())) if beside else ()
+        names = sorted(next(levels_of_instances(definition.values), ())) if beside else ()
         for child in beside:
             yield from ((f"{above}.{name}", child.path) for name in names)
 
@@ -107,7 +107,7 @@ class Tree:
 
     def resolved(self, definition: Definition) -> Definition:
         """What is written for one instance, with all that the instance has from its definition."""
-        if not self._may_hold_instances(parent_path(definition.path)):
+        if not self.may_hold_instances(parent_path(definition.path)):
             return definition
         other = self.resolve_other(definition.path)
         if other is None:
@@ -115,7 +115,7 @@ class Tree:
         values = {name: value for name, value in refined_values(other, definition).items() if name != "instances"}
         return Definition(definition.path, (*other.statements, *definition.statements), values)
 
-    def _may_hold_instances(self, path: str) -> bool:
+    def may_hold_instances(self, path: str) -> bool:
         """Whether what is right below a path may be an instance; asked once for all that is there."""
         known = self._holders.get(path)
         if known is None:
@@ -153,18 +153,6 @@ def _without_instances(names: list[str], definitions: Mapping[str, Definition]) 
         if child is None or (is_below_instance and (left or child.values.get("instantiate") is False)):
             return None
         plain.append(name)
-        left = list(_levels(child.values))
+        left = list(levels_of_instances(child.values))
         is_below_instance = False
     return plain
-
-
-def _levels(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
-    """Names of instances, level by level: a list of single names is one level, as is each list in a list."""
-    instances = instances_of(values)
-    singles = [entry for entry in instances if not isinstance(entry, list) and "[" not in str(entry)]
-    if len(singles) == len(instances):
-        if singles:
-            yield frozenset(map(str, singles))
-        return
-    for entry in instances:
-        yield frozenset(instance_names(entry)) if count_instances([entry]) <= COMPARED_INSTANCES else frozenset()

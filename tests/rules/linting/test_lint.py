@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
@@ -321,6 +322,79 @@ def test_an_old_path_below_an_instance_proposes_the_new_one(tmp_path):
     path.write_text("Vehicle.Cabin.Door.Row1.Left.IsOpen: {comment: Old.}\n")
     (finding,) = lint_paths([path]).findings
     assert "'Vehicle.Cabin.Door.Row1.DriverSide.IsOpen'" in finding.fix
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("Cabin.Door.Row1.Left.IsOpen", ["Cabin.Door.Row1.DriverSide.IsOpen", "Cabin.Door.Row1.PassengerSide.IsOpen"]),
+        ("Body.Mirrors.Left.IsHeatingOn", ["Body.Mirrors.DriverSide.IsHeatingOn"]),
+    ],
+)
+def test_an_old_path_that_an_overlay_defines_anew_proposes_the_new_one_too(tmp_path, old, new):
+    path = tmp_path / "old.vspec"
+    path.write_text(f"Vehicle.{old}: {{type: actuator, datatype: boolean, description: Old.}}\n")
+    (finding,) = lint_paths([path]).findings
+    assert finding.rule == codes.BRANCH_UNDEFINED.id
+    assert all(f"'Vehicle.{each}'" in finding.fix for each in new)
+
+
+def test_a_branch_beside_instances_is_no_instance(tmp_path):
+    path = tmp_path / "other.vspec"
+    path.write_text("Vehicle.Cabin.Door.Frame.Width: {type: attribute, datatype: float, description: Width.}\n")
+    (finding,) = lint_paths([path]).findings
+    assert (finding.rule, finding.path) == (codes.BRANCH_UNDEFINED.id, "Vehicle.Cabin.Door.Frame")
+
+
+def test_what_is_below_a_node_of_unknown_type_is_not_misplaced(tmp_path):
+    """Other languages have other types: each is told once, and nothing that follows from it."""
+    path = tmp_path / "services.vspec"
+    path.write_text(
+        "Services: {type: branch, description: Services.}\n"
+        "Services.Move: {type: procedure, description: Moves.}\n"
+        "Services.Move.Input: {type: iostruct, description: What goes in.}\n"
+        "Services.Move.Input.Way: {type: property, datatype: float, description: How far.}\n"
+    )
+    assert [(f.rule, f.line) for f in lint_paths([path]).findings] == [
+        (codes.TYPE_MISSING_OR_UNKNOWN.id, 2), (codes.TYPE_MISSING_OR_UNKNOWN.id, 3),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "fix"),
+    [
+        ("- Vehicle:\n  type: branch\n", "Write `Vehicle.Speed:` in place of `- Vehicle.Speed:`"),
+        ("- Vehicle:\n    type: branch\n", "Write `Vehicle.Speed:` in place of `- Vehicle.Speed:`"),
+        ("- 1\n- 2\n", "Write paths such as `Vehicle.Speed:`"),
+        (
+            "Vehicle: {type: branch, description: A vehicle., children: {Speed: {type: sensor, description: Speed.}}}\n",
+            "Write `Vehicle.Speed:` at the beginning of a line",
+        ),
+    ],
+)
+def test_other_forms_of_a_tree_are_recognised(tmp_path, text, fix):
+    path = tmp_path / "tree.vspec"
+    path.write_text(text)
+    (finding,) = lint_paths([path]).findings
+    assert finding.fix.startswith(fix)
+
+
+@pytest.mark.parametrize(
+    ("datatype", "fix"),
+    [("Points1", "Did you mean 'Types.Point'?"), ("x", "Use one such as")],
+)
+def test_an_unknown_datatype_says_what_to_write(tmp_path, datatype, fix):
+    path = tmp_path / "types.vspec"
+    path.write_text(
+        "Types: {type: branch, description: Types.}\n"
+        "Types.Point: {type: struct, description: A point.}\n"
+        "Types.Point.X: {type: property, datatype: float, description: Along.}\n"
+        "Types.Deep: {type: branch, description: More.}\n"
+        "Types.Deep.Line: {type: struct, description: A line.}\n"
+        f"Types.Deep.Line.From: {{type: property, datatype: {datatype}, description: Where it begins.}}\n"
+    )
+    (finding,) = lint_paths([path]).findings
+    assert finding.fix.startswith(fix)
 
 
 def test_a_file_that_is_no_text_is_told_so(tmp_path):

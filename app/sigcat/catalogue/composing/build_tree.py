@@ -4,8 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.catalogue.composing.instance_names import levels_of_instances
 from sigcat.catalogue.model.catalogue import Node
-from sigcat.catalogue.model.definition import BRANCH, STRUCT, Definition, Problem
+from sigcat.catalogue.model.definition import BRANCH, STRUCT, TYPES, Definition, Problem
 from sigcat.findings import Finding
 from sigcat.limits import Limits
 from sigcat.names import did_you_mean, last_name, parent_path, with_article
@@ -116,10 +117,15 @@ def _connect(
 def _added_branch(path: str, below: str, definition: Definition, above: Draft | None) -> Definition:
     message = f"Branch {path!r} is not defined, but {below!r} is below it."
     beside = [child.name for child in above.children.values() if child.definition.type == BRANCH] if above else []
-    fix = f"{did_you_mean(last_name(path), beside)} Define {path!r} with `type: branch` and a description.".lstrip()
+    fix = fix_of_undefined(path, did_you_mean(last_name(path), beside))
     rule = codes.BRANCH_UNDEFINED.graded("warning")  # composing goes on with the branch that is added here
     problem = Problem(rule, "", message, fix)
     return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,))
+
+
+def fix_of_undefined(branch: str, proposal: str) -> str:
+    """What to do about a branch that is not defined, where something else may have been meant."""
+    return f"{proposal} Define {branch!r} with `type: branch` and a description.".lstrip()
 
 
 # -- freezing -----------------------------------------------------------------------------------------------------
@@ -166,15 +172,17 @@ def _shared(path: str, known: str) -> str:
 
 def _findings(definition: Definition, path: str, above: Definition | None) -> Iterable[Finding]:
     for problem in definition.problems:
-        refines_an_instance = (
-            problem.rule.id == codes.BRANCH_UNDEFINED.id and above is not None and above.values.get("instances")
-        )
-        if not refines_an_instance:
+        if problem.rule.id != codes.BRANCH_UNDEFINED.id or not _refines_an_instance(path, above):
             yield definition.finding(problem, path)
-    if above is not None and definition.type and above.type:
+    if above is not None and definition.type in TYPES and above.type in TYPES:
         parents = _PARENTS.get(definition.type, (BRANCH,))
         if above.type not in parents:
             yield _misplaced(definition, path, above, parents)
+
+
+def _refines_an_instance(path: str, above: Definition | None) -> bool:
+    """Whether a branch that no file defines is an instance of the one above it."""
+    return above is not None and last_name(path) in next(levels_of_instances(above.values), ())
 
 
 def _misplaced(definition: Definition, path: str, above: Definition, parents: tuple[str, ...]) -> Finding:

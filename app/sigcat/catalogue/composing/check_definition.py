@@ -36,7 +36,7 @@ from sigcat.catalogue.model.definition import (
 )
 from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import shown
-from sigcat.names import did_you_mean, last_name, parent_path, with_article
+from sigcat.names import did_you_mean, did_you_mean_last, last_name, parent_path, with_article
 
 
 def checked_definition(
@@ -191,5 +191,9 @@ def _wrong_datatype(datatype: Any, scope: Scope) -> Problem:
     if not isinstance(datatype, str):
         fix = "Add one, such as uint8, float or string."
         return Problem(codes.DATATYPE_MISSING, "", "The node has no `datatype`.", fix)
-    fix = did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
+    fix = (
+        did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
+        or did_you_mean_last(datatype, {struct: last_name(struct) for struct in scope.structs})
+        or "Use one such as uint8, float or string, or a struct of the file of types (-t)."
+    )
     return Problem(codes.DATATYPE_UNKNOWN, "datatype", f"{datatype!r} is not a datatype.", fix)

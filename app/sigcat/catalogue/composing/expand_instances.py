@@ -7,18 +7,16 @@ Row2.Right. A node that is written out below one instance refines that instance 
 Drafts are shared: all instances of a branch hold the same drafts below, until one of them is refined.
 """
 
-import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from sigcat.catalogue.composing.blame import with_blame
 from sigcat.catalogue.composing.build_tree import Draft
 from sigcat.catalogue.composing.check_definition import checked_definition
+from sigcat.catalogue.composing.instance_names import count_instances, instance_names
 from sigcat.catalogue.model.definition import BRANCH, Definition, Scope, instances_of, merged_values
 from sigcat.limits import Limits
 
-_LAST_RANGE = re.compile(r".*(\[ *(\d+) *, *(\d+) *\]).*")
-"""With spaces it is a finding, and read as it was meant: nothing that follows from it has to be told."""
 _FILLED_IN: Mapping[str, Any] = {"delete": False, "instantiate": True}
 _FILLED_IN_BRANCH: Mapping[str, Any] = {"instances_relation": "child", "aggregate": False}
 
@@ -39,29 +37,6 @@ def expand_instances(root: Draft, scope: Scope, limits: Limits) -> Draft:
     if _size(tree, expansion) > limits.nodes:
         raise TooManyNodes(root, _size(tree, expansion))
     return tree
-
-
-def instance_names(entry: Any) -> Iterator[str]:
-    """Names that one entry of `instances` stands for: `Row[1,2]` → `Row1`, `Row2`."""
-    for item in entry if isinstance(entry, list) else [entry]:
-        text = str(item)
-        match = _LAST_RANGE.match(text)
-        if match is None:
-            yield text
-        else:
-            for number in range(int(match[2]), int(match[3]) + 1):
-                yield text.replace(match[1], str(number))
-
-
-def count_instances(instances: Iterable[Any]) -> int:
-    """How many nodes the instances of one branch add, without making them."""
-    roots, total = 1, 0
-    for entry in instances:
-        count = sum(_range_length(str(item)) for item in (entry if isinstance(entry, list) else [entry]))
-        total += roots * count
-        if count > 1 or isinstance(entry, list):
-            roots *= count
-    return total
 
 
 class _Expansion:
@@ -88,11 +63,6 @@ class _Growing:
             name: child.finished() if isinstance(child, _Growing) else child for name, child in self.children.items()
         }
         return Draft(self.name, self.definition, children)
-
-
-def _range_length(text: str) -> int:
-    match = _LAST_RANGE.match(text)
-    return max(int(match[3]) - int(match[2]) + 1, 0) if match else 1
 
 
 def _size(draft: Draft, expansion: _Expansion) -> int:

@@ -7,7 +7,7 @@ lines, and `includes:` lists on branches.
 import re
 import sys
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -76,7 +76,7 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
         fix = (
             "Write `Vehicle.Speed:` in place of `- Vehicle.Speed:`, as since VSS 3.0."
             if _is_list_of_nodes(document.root)
-            else ""
+            else "Write paths such as `Vehicle.Speed:`, each with its attributes below it."
         )
         findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column, fix=fix))
     includes.extend(_include_lines(document.text, source.name, findings))
@@ -132,7 +132,7 @@ def _read_statement(
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
     mark = mark_of(key.start_mark, key.start_mark)
-    if nested := [name for name in collections if _is_nested_node(values.get(name))]:
+    if nested := {name: inner for name in collections if (inner := _nested_node(name, values.get(name)))}:
         _take_out(nested, path, node, source.name, values, marks, findings)
     for name in filter(collections.__contains__, values):
         marks.extend(marks_of_items(collections[name], values[name]))
@@ -142,29 +142,44 @@ def _read_statement(
     return statement
 
 
-def _is_nested_node(value: Any) -> bool:
+def _nested_node(name: str, value: Any) -> str:
+    """The name of a node that is written inside another one, right below it or under `children`, as an export has it."""
+    if _is_node(value):
+        return name
+    below = value if name == "children" and isinstance(value, dict) else {}
+    return str(next(iter(below))) if below and all(map(_is_node, below.values())) else ""
+
+
+def _is_node(value: Any) -> bool:
     return isinstance(value, dict) and isinstance(value.get("type"), str) and value["type"] in _NODE_TYPES
 
 
 def _take_out(
-    names: list[str], path: str, node: MappingNode, file: str, values: dict[str, Any], marks: list[int],
+    nested: Mapping[str, str], path: str, node: MappingNode, file: str, values: dict[str, Any], marks: list[int],
     findings: list[Finding],
 ) -> None:  # fmt: skip
     """Take nodes that are written inside another out of its attributes; told once of each node that holds some."""
-    message = f"{names[0]!r} is written inside {path!r}, and nodes do not nest: it is taken for an attribute."
-    key = next(key for key, _ in node.value if key.value == names[0])
-    fix = f"Write `{path}.{names[0]}:` at the beginning of a line, and so for each node below."
+    attribute, name = next(iter(nested.items()))
+    message = f"{name!r} is written inside {path!r}, and nodes do not nest: it is taken for an attribute."
+    key = next(key for key, _ in node.value if key.value == attribute)
+    fix = f"Write `{path}.{name}:` at the beginning of a line, and so for each node below."
     findings.append(codes.NODES_NESTED.finding(message, file, *position(key), path, fix=fix))
-    for name in names:
-        marks.pop(list(values).index(name))
-        del values[name]
+    for each in nested:
+        marks.pop(list(values).index(each))
+        del values[each]
 
 
 def _is_list_of_nodes(root: Node) -> bool:
-    """Whether a document has the form of VSS 2: a list of mappings, each with a path as its first key."""
+    """Whether a document has the form of VSS 2: a list of mappings, each with a path as its first key.
+
+    The attributes are below that key, or beside it where they are indented as little.
+    """
     items = root.value if isinstance(root, SequenceNode) else []
     return bool(items) and all(
-        isinstance(item, MappingNode) and item.value and not item.value[0][1].value for item in items
+        isinstance(item, MappingNode)
+        and item.value
+        and (isinstance(item.value[0][1], MappingNode) or not item.value[0][1].value)
+        for item in items
     )
 
 

@@ -3,64 +3,18 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sigcat.catalogue.composing.expand_instances import count_instances, instance_names
+from sigcat.catalogue.composing.instance_names import count_instances, instance_names
 from sigcat.catalogue.exporting.static_id import static_id_of
 from sigcat.catalogue.model.definition import BRANCH, Definition, instances_of, merged_statements, merged_values
 from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import shown
 from sigcat.limits import COMPARED_INSTANCES
-from sigcat.names import did_you_mean, last_name, nearest, parent_path
+from sigcat.names import parent_path
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
+from sigcat.rules.near_paths import near_path
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
-
-
-def _near(path: str, tree: Tree) -> str:
-    """What was probably meant: a child of the same branch, or else a node of that name, or one with a similar path."""
-    beside_wrong = _with_another_branch(path, tree)
-    if beside_wrong:
-        return did_you_mean(path, beside_wrong)
-    if _leads_below_instances(path, tree):
-        return did_you_mean(path, (other for other, known in tree.expanded.items() if known.type))
-    own = last_name(path)
-    beside = {name: other for name, other in tree.typed.get(parent_path(path), {}).items() if other != path}
-    near = nearest(own, beside)
-    if near:
-        return did_you_mean(path, [beside[name] for name in near])
-    if beside:
-        return did_you_mean(path, (c[own] for c in tree.typed.values() if c.get(own, path) != path))
-    others = (other for children in tree.typed.values() for other in children.values())
-    return did_you_mean(path, (other for other in others if other != path))
-
-
-def _with_another_branch(path: str, tree: Tree) -> list[str]:
-    """Paths that differ from one in the first branch or instance that is not there: `Row1` where it has `Row3`."""
-    names = path.split(".")
-    paths = (".".join(names[:count]) for count in range(1, len(names)))
-    wrong = next((above for above in paths if above not in tree.expanded and above not in tree.definitions), "")
-    if not wrong:
-        return []
-    prefix, rest = f"{parent_path(wrong)}.", path[len(wrong) :]
-    beside = {
-        last_name(known) for known in tree.expanded if known.startswith(prefix) and "." not in known[len(prefix) :]
-    }
-    meant = {name: f"{prefix}{name}{rest}" for name in sorted(beside)}
-    known_beside = {name: other for name, other in meant.items() if other in tree.expanded or other in tree.definitions}
-    near = nearest(last_name(wrong), known_beside) or (known_beside if len(known_beside) <= _FEW else ())
-    return [meant[name] for name in near]
-
-
-_FEW = 3
-"""So many branches with the same below them are proposed, however they are called: the instances of a row, say."""
-
-
-def _leads_below_instances(path: str, tree: Tree) -> bool:
-    """Whether a part of a path names an instance: what was meant is then below one too."""
-    above = parent_path(path)
-    while above and not tree.is_instance(above):
-        above = parent_path(above)
-    return bool(above)
 
 
 def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
@@ -71,7 +25,7 @@ def unknown_node(_rule: Rule, tree: Tree) -> NodeTest:
         is_new = bool(first.file.overlay) and not any("type" in s.values for s in definition.statements)
         if is_new and not first.values.get("delete") and not tree.is_instance(definition.path):
             message = f"The overlay changes {definition.path!r}, which does not exist."
-            fix = _near(definition.path, tree)
+            fix = near_path(definition.path, tree)
             yield Problem(first, message, fix=f"{fix} Give it a `type` if it is a new node.".lstrip())
 
     return test
@@ -88,7 +42,7 @@ def deletes_nothing(_rule: Rule, tree: Tree) -> NodeTest:
             yield Problem(written, message, "delete", "Delete the branches below it.", at_name=True)
         elif first.file.overlay and first.values.get("delete") and not tree.resolve_other(definition.path):
             message = f"The overlay deletes {definition.path!r}, which does not exist."
-            fix = _near(definition.path, tree)
+            fix = near_path(definition.path, tree)
             yield Problem(first, message, "delete", fix or "Remove it.", at_name=True)
 
     return test
