@@ -38,6 +38,7 @@ def test_without_a_place_the_report_is_markdown_on_standard_output(capsys: pytes
         (["--platforms", "ros2-cp"], "Did you mean 'ros2-cpp'"),
         (["-o", "report.pdf"], "must be a folder, or end in .md, .json or .html"),
         (["-o", "gone/report"], "there is no such folder"),
+        (["-o", "gone/report.md"], "gone: there is no such folder"),
         (["--trace", "gone.csv"], "there is no such file"),
         (["--free-run", "-1"], "--free-run must be from 0 to 3600"),
         (["--free-run", "nan"], "--free-run must be from 0 to 3600"),
@@ -49,6 +50,14 @@ def test_what_cannot_be_is_said_before_anything_is_built(arguments, said, tmp_pa
     monkeypatch.chdir(tmp_path)
     assert main(["compare", SET, *arguments]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_faults_beyond_the_end_of_the_drive_are_left_out_and_told(capsys):
+    assert main(["compare", SET, "--platforms", "simulate", "--duration", "8"]) == 0
+    told = capsys.readouterr()
+    said = "Faults that are left out, as they end after 8 s, where the drive does: brake-missing, "
+    assert said in told.err
+    assert said.partition(":")[0] in told.out
 
 
 def test_faults_and_none_contradict_each_other(capsys):

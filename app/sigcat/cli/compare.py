@@ -15,7 +15,7 @@ from sigcat.errors import InputRefused, UsageError, existing_file
 from sigcat.names import did_you_mean
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.comparison.can_drive import Carried
@@ -152,9 +152,19 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     end = last if arguments.duration is None else min(last, first + round(arguments.duration * NANOSECONDS))
     free = min(end, round(arguments.free_run * NANOSECONDS))
     faults = None if arguments.no_faults else arguments.faults or compared.faults
-    scenarios = tuple(each for each in _scenarios(faults, trace, subject) if each.end <= end) if faults else ()
+    named = _scenarios(faults, trace, subject) if faults else ()
+    scenarios, notes = tuple(each for each in named if each.end <= end), tuple(_beyond(named, end))
     translation = carried.translation_ns if carried else ()
-    return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation)
+    return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes)
+
+
+def _beyond(scenarios: "Iterable[Scenario]", end: int) -> "Iterator[str]":
+    """Which faults are not injected, as the drive ends before them."""
+    names = [each.name for each in scenarios if each.end > end]
+    if names:
+        note = f"Faults that are left out, as they end after {end / 1e9:g} s, where the drive does: {', '.join(names)}."
+        _tell(note)
+        yield note
 
 
 def _carried(
@@ -183,7 +193,8 @@ def _scenarios(path: Path, trace: Path, subject: "Subject") -> "tuple[Scenario, 
     calls = [call.interface for call in subject.prepared.numbers.calls if call]
     functions = [member.name for member in subject.prepared.connections.members]
     columns = read_texts(trace).columns
-    return read_scenarios(existing_file(path).read_bytes(), str(path), columns, calls, functions)
+    shapes = subject.prepared.known_columns(()).received
+    return read_scenarios(existing_file(path).read_bytes(), str(path), columns, calls, functions, shapes)
 
 
 def _platforms(text: str | None) -> tuple[str, ...]:
@@ -247,6 +258,8 @@ def _check_outputs(paths: "Iterable[Path]") -> None:
             raise UsageError(f"{path} must be a folder, or end in {', '.join(_FORMS[:-1])} or {_FORMS[-1]}")
         if not path.suffix:
             make_folder(path)
+        elif not path.parent.is_dir():
+            raise UsageError(f"{path.parent}: there is no such folder")
 
 
 def _write(report: "Report", path: Path) -> None:

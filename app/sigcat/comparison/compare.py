@@ -51,6 +51,8 @@ class Asked(NamedTuple):
     """Faults that are injected."""
     translation_ns: Sequence[int] = ()
     """Of each frame of CAN, if that is where the trace comes from."""
+    notes: tuple[str, ...] = ()
+    """What a reader has to know of what was asked."""
 
 
 def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
@@ -79,7 +81,7 @@ def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
         tuple(_written(asked.compared)),
         sum(clock.phases.values()) if is_fresh else 0.0,
         here,
-        () if is_fresh else (_BUILT_BEFORE,),
+        (*asked.notes, *(() if is_fresh else (_BUILT_BEFORE,))),
         asked.translation_ns,
         tuple(clock.phases.items()),
     )

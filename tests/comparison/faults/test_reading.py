@@ -8,6 +8,7 @@ from sigcat.comparison.faults.drives import read_texts
 from sigcat.comparison.faults.reading import read_scenarios
 from sigcat.comparison.faults.scenario import Killed, Slow, Spoilt
 from sigcat.errors import InputRefused
+from sigcat.runs.recording.shapes import Number
 
 EXAMPLE = Path("examples/ecocontrol/faults.yaml")
 HEAD = "scenarios:\n  - name: one\n    title: One\n    from: 1\n    to: 2\n    faults:\n"
@@ -76,3 +77,19 @@ def test_the_example_has_at_least_twenty():
     columns = read_texts(Path("examples/ecocontrol/drive.csv")).columns
     found = read_scenarios(EXAMPLE.read_bytes(), str(EXAMPLE), columns, [], ["CoreAcc", "EcoControlMpc"])
     assert len(found) >= 20
+
+
+@pytest.mark.parametrize("value", ["fast", "[1]", "1e"])
+@pytest.mark.parametrize("fault", ["fault: value, from: 1, to: 1.5", "fault: sent, at: 1.5"])
+def test_a_value_that_the_signal_cannot_have_is_told_before_anything_is_played(value, fault):
+    text = f"{HEAD}      - {{{fault}, signal: A, value: '{value}'}}\n"
+    with pytest.raises(InputRefused) as refused:
+        read_scenarios(text.encode(), "faults.yaml", ["A"], [], [], {"A": Number("float")})
+    assert [(each.line, each.message.startswith("A must be ")) for each in refused.value.findings] == [(7, True)]
+
+
+def test_a_name_that_is_near_none_is_told_with_those_there_are():
+    text = f"{HEAD}      - {{fault: slow, call: X, from: 1, to: 1.5, takes: 1}}\n"
+    with pytest.raises(InputRefused) as refused:
+        read_scenarios(text.encode(), "faults.yaml", ["A"], ["Smooth_Step", "Smooth_Init"], [])
+    assert [each.fix for each in refused.value.findings] == ["It has Smooth_Init, Smooth_Step."]

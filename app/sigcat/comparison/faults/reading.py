@@ -1,6 +1,6 @@
 """A file of scenarios is read: everything wrong with it is a finding at its line and column."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from typing import Annotated, Literal
 
@@ -16,6 +16,8 @@ from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
+from sigcat.runs.recording.cells import Unfit, value_of
+from sigcat.runs.recording.shapes import Shape
 from sigcat.runs.recording.times import NANOSECONDS
 
 
@@ -84,9 +86,10 @@ def read_scenarios(
     signals: Collection[str],
     calls: Collection[str],
     functions: Collection[str],
+    shapes: Mapping[str, Shape] = {},
     limits: Limits = DEFAULT_LIMITS,
 ) -> tuple[Scenario, ...]:
-    """The scenarios, in order of time. Raises InputRefused with everything that is wrong."""
+    """The scenarios, in order of time. Raises InputRefused with everything that is wrong; `shapes` are those of signals, by name."""
     document = read_yaml(data, name, limits)
     findings = list(document.findings)
     if not has_errors(findings):
@@ -96,6 +99,7 @@ def read_scenarios(
             findings += structural_findings(error, document, _FileForm)
         else:
             findings += _problems(form, document, {"signal": signals, "call": calls, "function": functions})
+            findings += _unfit_values(form, document, shapes)
             if not has_errors(findings):
                 return tuple(sorted(map(_scenario, form.scenarios), key=lambda each: (each.start, each.name)))
     raise InputRefused(f"{name} cannot be used as a file of faults.", in_order(findings))
@@ -120,6 +124,19 @@ def _problems(form: _FileForm, document: Document, known: dict[str, Collection[s
             yield _finding(document, ("scenarios", index, "from"), message)
 
 
+def _unfit_values(form: _FileForm, document: Document, shapes: Mapping[str, Shape]) -> Iterator[Finding]:
+    """Values that no platform could be given."""
+    for index, scenario in enumerate(form.scenarios):
+        for number, fault in enumerate(scenario.faults):
+            if not isinstance(fault, _SpoiltForm | _SentForm) or fault.value is None or fault.signal not in shapes:
+                continue
+            try:
+                value_of(fault.value, shapes[fault.signal])
+            except Unfit as reason:
+                at = ("scenarios", index, "faults", number, "value")
+                yield _finding(document, at, f"{fault.signal} {reason}.", reason.fix)
+
+
 def _kills(scenario: _ScenarioForm) -> bool:
     """Whether it ends the drive that it is in: there may be others at its time."""
     return any(isinstance(fault, _KilledForm) for fault in scenario.faults)
@@ -135,7 +152,7 @@ def _of_fault(
     word = _WORDS[type(fault)]
     named = getattr(fault, word)
     if named not in known[word]:
-        hint = did_you_mean(named, known[word])
+        hint = did_you_mean(named, known[word]) or f"It has {', '.join(sorted(known[word])[:_SHOWN])}."
         yield _finding(document, (*at, word), f"{named} is no {word} that the drive has.", hint)
     begin, place = (fault.start, "from") if isinstance(fault, _SpoiltForm | _SlowForm) else (fault.at, "at")
     if not scenario.start <= begin < scenario.end:
@@ -146,6 +163,8 @@ def _of_fault(
         yield from _of_spoilt(fault, document, at)
 
 
+_SHOWN = 10
+"""Names that a hint lists, where none is near."""
 _WORDS = {_SpoiltForm: "signal", _SentForm: "signal", _SlowForm: "call", _KilledForm: "function"}
 
 

@@ -121,9 +121,18 @@ def _finding(
         return document.finding(codes.VALUE_UNFIT, _first_there(pointer, error, document), error["msg"])
     if key == "[key]":
         return _bad_name(str(error["input"]), pointer, document)
+    if kind == "too_short" and isinstance(error["input"], list):
+        message = (
+            f"{_named(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
+        )
+        return document.finding(codes.VALUE_UNFIT, pointer, message)
     message = f"{_named(pointer)} must {_wanted(kind, error)}, not {_shown(error['input'])}."
     fix = _unquoted(error["input"]) if kind == "string_type" else _word_meant(kind, error)
     return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
+
+
+def _items(count: int) -> str:
+    return f"{count} item" if count == 1 else f"{count} items"
 
 
 def _first_there(pointer: Pointer, error: Any, document: Document) -> Pointer:
