@@ -154,6 +154,14 @@ def test_what_an_rte_would_refuse_is_found_when_it_is_derived():
     assert rules(derive([function(signals=[at("Vehicle.Speed")], ModeInterfaceList=[mode])])) == {"K011"}
 
 
+def test_a_function_whose_core_would_have_too_long_names_is_told_so_at_its_name():
+    name = "A" * 114
+    (finding,) = [each for each in derive([function(name, [at("Vehicle.Speed")])]).findings if each.rule == "K011"]
+    assert finding.pointer == "/FunctionInfo/FunctionName"
+    assert "113 characters" in finding.message
+    assert "K011" not in rules(derive([function(name[:-1], [at("Vehicle.Speed")])]))
+
+
 # -- how values are read ----------------------------------------------------------------------------------------------
 
 

@@ -69,6 +69,16 @@ def literals(document):
     return next(each["Symbols"] for each in document["CompuMethods"] if len(each.get("Symbols", ())) > 1)
 
 
+def bus_signals(document):
+    """Signals of a bus for two ports of the composition."""
+    pairs = (("Vehicle_Speed", "Speed"), ("Chassis_Brake_CylP", "CylP"))
+    document["Ecu"]["Signals"] = [
+        {"Port": port, "Element": name, "SystemSignal": signal}
+        for (port, name), signal in zip(pairs, ("Spd", "Mass"), strict=True)
+    ]
+    return document["Ecu"]["Signals"]
+
+
 CHANGES = {
     "two ports of one name": (lambda d: copied(first(d)["Ports"]), "is one already"),
     "two names that differ in case": (lambda d: first(d)["Runnables"][0].update(Name="STEP"), "is one already"),
@@ -195,6 +205,12 @@ CHANGES = {
     "one type for two memories": (
         lambda d: copied(first(d)["PerInstanceMemories"], Name="Other", TypeDefinition="Other"), "must be defined once",
     ),
+    "an ECU that is a word of C++": (lambda d: d["Ecu"].update(Name="class"), "identifier of C"),
+    "a signal of no port": (lambda d: bus_signals(d)[0].update(Port="Other"), "port of the composition"),
+    "one signal for two ports": (lambda d: bus_signals(d)[0].update(SystemSignal="Mass"), "must carry one data element"),
+    "two signals for one port": (lambda d: copied(bus_signals(d), SystemSignal="Other"), "must have one signal"),
+    "a signal of no length": (lambda d: bus_signals(d)[0].update(Length=0), "1 to 512 bits"),
+    "a signal that is a piece of C": (lambda d: bus_signals(d)[0].update(SystemSignal="A B"), "identifier of C"),
     "one section for code and variables": (
         lambda d: first(d)["MemorySections"][1].update(Name="CODE_ASIL_B"), "must be of kind",
     ),

@@ -38,6 +38,8 @@ _PATTERNS = {
     r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0",
     r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits",
     r"^[A-Za-z][A-Za-z0-9_]{0,127}(::[A-Za-z][A-Za-z0-9_]{0,127})*$": "C++ namespaces such as eco::control",
+    r"^[A-Za-z][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, a letter first, 128 at most",
+    r"^[A-Za-z_][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, no digit first, 128 at most",
 }
 """What patterns of the models ask for."""
 _BOUNDS = {

@@ -4,8 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
-from sigcat.integration.autosar_classic.problem import Named, names, names_of, unknown
+from sigcat.integration.autosar_classic.problem import Named, name, names, names_of, unknown
 from sigcat.integration.checked_document import Problem
+
+LONGEST_SIGNAL = 512
+"""Bits of a frame of CAN FD."""
 
 
 def connection_problems(model: ClassicIntegration) -> Iterator[Problem]:
@@ -101,6 +104,27 @@ def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
     for key in events:
         if key not in mapped:
             yield Problem(("Ecu", "Tasks"), f"{'.'.join(key)} must be in a task.", "Map it to one.")
+
+
+def signal_problems(model: ClassicIntegration, elements: Mapping[str, frozenset[str]]) -> Iterator[Problem]:
+    """Signals of buses: each carries one data element of the composition, which has no other one."""
+    interfaces = {port.name: port.interface for port in model.composition.ports}
+    at: Pointer = ("Ecu", "Signals")
+    carried: dict[tuple[str, str], str] = {}
+    seen: dict[str, int] = {}
+    for index, each in enumerate(model.ecu.signals):
+        here = (*at, index)
+        yield from name((*here, "SystemSignal"), each.signal)
+        if seen.setdefault(each.signal.lower(), index) != index:
+            yield Problem((*here, "SystemSignal"), f"{each.signal} must carry one data element, and carries two.", "Rename one.")  # fmt: skip
+        if each.element not in elements.get(interfaces.get(each.port, ""), ()):
+            yield unknown((*here, "Port"), f"port of the composition that has {each.element}", each.port)
+        other = carried.setdefault((each.port, each.element), each.signal)
+        if other != each.signal:
+            yield Problem((*here, "Port"), f"{each.port} must have one signal, and has {other} already.", "Take one away.")  # fmt: skip
+        if each.length is not None and not 1 <= each.length <= LONGEST_SIGNAL:
+            message = f"A signal must be 1 to {LONGEST_SIGNAL} bits long, not {each.length}."
+            yield Problem((*here, "Length"), message, "Correct it.")
 
 
 _Place = tuple[str, list[int]]

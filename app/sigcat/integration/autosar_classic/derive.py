@@ -28,6 +28,7 @@ from sigcat.integration.autosar_classic.field_targets import field_targets
 from sigcat.integration.autosar_classic.findings import (
     report_asil,
     report_calls,
+    report_long_names,
     report_meanings,
     report_order,
 )
@@ -124,6 +125,7 @@ def derive(
     targets = field_targets(context, elements)
     report_asil(elements, composition, context)
     report_calls(context)
+    report_long_names(context)
     report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
     report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
     return Derived(integration, (*context.findings.findings, *_refused(integration, context)), targets)

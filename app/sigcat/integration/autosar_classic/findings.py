@@ -12,7 +12,9 @@ from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element, Side
 from sigcat.integration.autosar_classic.interfaces import type_of
+from sigcat.integration.autosar_classic.service_needs import STORED
 from sigcat.integration.autosar_classic.types import TypeTable
+from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
 from sigcat.integration.finding_collector import Subject
 
 
@@ -49,6 +51,17 @@ def report_asil(elements: Iterable[Element], composition: model.Composition, con
                 fix = "Configure an end-to-end transformer for its system signal."
                 subject = Subject(element.identity, interface)
                 context.findings.report(codes.ASIL_OVER_A_BUS, message, subject, fix, key="AsilLevel")
+
+
+def report_long_names(context: Context) -> None:
+    """Functions whose core would have names that are no identifiers of AUTOSAR any more."""
+    longest = LONGEST_SHORT_NAME - len(f"_Adapter_{STORED}")
+    for function in dict.fromkeys(part.function_name for part in context.parts):
+        if len(function) > longest:
+            part = next(each for each in context.parts if each.function_name == function)
+            message = f"The name of a function must have {longest} characters at most, not {len(function)}: its core has longer ones, and identifiers of AUTOSAR have {LONGEST_SHORT_NAME}."
+            subject = Subject(f"{function[:40]}…", part.function.info)
+            context.findings.report(codes.NOT_WRITABLE_AS_CLASSIC, message, subject, "Shorten it.", key="FunctionName")
 
 
 def report_calls(context: Context) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.integration.autosar_classic.component_problems import component_problems, ports_problems
-from sigcat.integration.autosar_classic.connection_problems import connection_problems, task_problems
+from sigcat.integration.autosar_classic.connection_problems import connection_problems, signal_problems, task_problems
 from sigcat.integration.autosar_classic.interface_problems import interface_problems
 from sigcat.integration.autosar_classic.literal_problems import literal_problems
 from sigcat.integration.autosar_classic.model import ClassicIntegration
@@ -35,6 +35,8 @@ def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
     yield from need_problems(model)
     yield from symbol_problems(model)
     yield from connection_problems(model)
+    data = {each.name: frozenset(one.name for one in each.elements) for each in model.sender_receiver_interfaces}
+    yield from signal_problems(model, data)
     yield from task_problems(model)
 
 
@@ -54,6 +56,8 @@ def interfaces_of(model: ClassicIntegration) -> Mapping[str, tuple[str, frozense
 
 def _all_names(model: ClassicIntegration) -> Iterator[Problem]:
     yield from name(("ClassicDeployment", "Package"), model.deployment.package)
+    yield from name(("Composition", "Name"), model.composition.name)
+    yield from name(("Ecu", "Name"), model.ecu.name)
     spaces: tuple[dict[str, Sequence[Named]], ...] = (
         {"ImplementationTypes": model.implementation_types},
         {"ApplicationTypes": model.application_types},

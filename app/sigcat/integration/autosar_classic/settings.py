@@ -2,25 +2,52 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
 from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.document.structure import unfit
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_classic.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_names import event_name
+from sigcat.integration.reserved_words import CPP_KEYWORDS
 
-Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
+
+def _no_keyword(name: str) -> str:
+    if name in CPP_KEYWORDS:
+        raise PydanticCustomError("keyword", "Input should be no keyword of C or C++")
+    return name
+
+
+Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), AfterValidator(_no_keyword)]
 """An AUTOSAR short name."""
+BusName = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_]{0,127}$")]
+"""A name in a CAN database."""
 
 
 class SignalSettings(DeclarationModel):
     """A signal of a bus that carries a data element."""
 
-    signal: Text = Field(description="Name of the signal in the CAN database, or of the system signal.")
-    message: Text | None = Field(
+    signal: BusName = Field(description="Name of the signal in the CAN database, or of the system signal.")
+    message: BusName | None = Field(
         None, description="Message that has it; its name is part of that of the system signal."
     )
     database: Text | None = Field(None, description="File name of the CAN database, for those who read the document.")
     length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(None, description="Length of the signal, in bits.")
+
+
+def _each_once(signals: dict[str, SignalSettings]) -> dict[str, SignalSettings]:
+    """A signal carries one data element, and a data element, by its path or the name of its port, has one signal."""
+    carried: dict[tuple[str | None, str], str] = {}
+    named: dict[str, str] = {}
+    for key, signal in signals.items():
+        other = carried.setdefault((signal.message, signal.signal), key)
+        if other != key:
+            raise unfit(f"Signal {signal.signal} must carry one data element, not {other} and {key}.", key)
+        same = named.setdefault(event_name(key), key)
+        if same != key and not ("." in same and "." in key):
+            raise unfit(f"{same} and {key} are one data element, which must have one signal.", key)
+    return signals
 
 
 class AutosarClassicSettings(DeclarationModel):
@@ -33,7 +60,7 @@ class AutosarClassicSettings(DeclarationModel):
         "ports",
         description="Where calibration parameters are: in a component of their own, over ports, or within each component.",
     )
-    signals: dict[str, SignalSettings] = Field(
+    signals: Annotated[dict[str, SignalSettings], AfterValidator(_each_once)] = Field(
         {}, description="Signals of buses that carry data elements, by VSS path or by the name of the port."
     )
     tick: Annotated[Integer, Field(ge=1)] = Field(
