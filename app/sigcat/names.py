@@ -65,11 +65,10 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
-    budget = _comparisons.get(_UNBOUNDED)
-    if budget.left <= 0:
+    if not may_compare(0):
         return ()
     choices = {candidate: candidate.lower() for candidate in candidates}
-    budget.left -= len(choices)
+    may_compare(len(choices))
     matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
     near = tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
     return near or _completed(name.lower(), choices, limit)

@@ -1,4 +1,4 @@
-"""Both ends of a signal, at two functions: what does not fit between them."""
+"""What does not fit between the ends of a signal, at two functions."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -7,52 +7,11 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import RuleCode
-from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
-from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.runnable import Runnable
-
-Datum = Signal | DataQueue
-
-
-class End(NamedTuple):
-    """A signal at a call of a function."""
-
-    owner: FunctionJson
-    pointer: Pointer
-    """Where the signal stands in the document of its owner."""
-    runnable: Runnable
-    signal: Datum
-
-    @property
-    def function(self) -> str:
-        """Name of the function."""
-        return self.owner.info.function_name
-
-    @property
-    def call(self) -> str:
-        """Name of the call."""
-        return self.runnable.name
-
-    @property
-    def path(self) -> str:
-        """What both ends of a link have in common: the VSS path, or the name where a document has none."""
-        return self.signal.vss_path or self.signal.name
-
-    @property
-    def is_provider(self) -> bool:
-        """Whether the call writes the signal."""
-        return self.signal.role == PROVIDER
-
-    @property
-    def is_consumer(self) -> bool:
-        """Whether the call reads the signal."""
-        return self.signal.role == CONSUMER
+from sigcat.function.sets.ends import Datum, End
 
 
 class Mismatch(NamedTuple):

@@ -6,7 +6,8 @@ from typing import NamedTuple
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.walk import data
-from sigcat.function.sets.fit import Datum, End, Mismatch, mismatches
+from sigcat.function.sets.ends import Datum, End
+from sigcat.function.sets.fit import Mismatch, mismatches
 
 __all__ = ["End", "Link", "Wiring", "calls_of", "connect", "data_of"]
 

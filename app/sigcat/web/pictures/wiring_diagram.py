@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.function.sets.wiring import End, Link, Wiring
+from sigcat.function.sets.ends import End
+from sigcat.function.sets.wiring import Link, Wiring
 
 _BOX, _GAP, _MARGIN = 270, 130, 40
 _ROW, _HEAD, _BETWEEN = 26, 44, 36

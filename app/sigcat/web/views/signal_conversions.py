@@ -3,7 +3,8 @@
 from fractions import Fraction
 
 from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
-from sigcat.function.sets.wiring import End, Link
+from sigcat.function.sets.ends import End
+from sigcat.function.sets.wiring import Link
 from sigcat.web.template_filters import number, unit
 
 
