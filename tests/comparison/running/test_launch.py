@@ -117,8 +117,8 @@ def test_in_a_network_of_its_own_the_loopback_interface_is_up(tmp_path):
 
 def test_a_process_that_records_nothing_any_more_is_ended_and_told_as_hanging(tmp_path):
     stuck = process("player", 'echo $$ > "$0"; echo stuck here >&2; while :; do sleep 0.05; done', tmp_path / "begun")
-    outcome = launched([], stuck, tmp_path / "run", patience=2)
-    assert outcome.last_words == "player hangs: nothing was recorded for 2 s. stuck here"
+    outcome = launched([], stuck, tmp_path / "run", patience=5)
+    assert outcome.last_words == "player hangs: nothing was recorded for 5 s. stuck here"
     assert ends(started(tmp_path / "begun"))
 
 

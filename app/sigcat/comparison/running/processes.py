@@ -89,9 +89,9 @@ def _run_to_end(command: Sequence[str], folder: Path, patience: float | None) ->
             try:
                 return int(process.wait(None if patience is None else min(patience, _LOOK)))
             except subprocess.TimeoutExpired:
-                size = _size(each for each in folder.rglob("*"))
-                if size != recorded:
-                    recorded, since = size, time.monotonic()
+                files = list(folder.rglob("*"))
+                if (now := len(files) + _size(files)) != recorded:
+                    recorded, since = now, time.monotonic()
         return None
 
 
