@@ -39,3 +39,14 @@ def test_a_bad_example_has_a_finding_of_its_rule(rule, example):
     (finding,) = findings_of(example)
     assert (finding.rule, finding.severity) == (rule.id, rule.severity)
     assert finding.line
+
+
+@pytest.mark.parametrize(("size", "what"), [(0, "has no elements"), (65_536, "has more than 65,535 elements")])
+def test_an_array_has_as_many_elements_as_a_control_unit_can_hold(size, what):
+    (example,) = next(rule for rule in OWN if rule.name == "value-not-carried").bad
+    own = f"  data:\n    Vehicle.List: {{datatype: 'float[]', arraysize: {size}, description: A list.}}\n"
+    changed = example.replace("Vehicle.VehicleIdentification.VIN", "Vehicle.List").replace(
+        "define:\n", f"define:\n{own}"
+    )
+    (finding,) = [finding for finding in findings_of(changed) if finding.severity == "error"]
+    assert (finding.rule, what in finding.message) == ("G002", True)

@@ -143,6 +143,8 @@ def _parts(
     elif datatype.kind == "array":
         if datatype.length is not None and datatype.length > MOST_ELEMENTS:
             raise _NotCarried(f"its array has more than {MOST_ELEMENTS:,} elements")
+        if datatype.length is not None and datatype.length < 1:
+            raise _NotCarried("its array has no elements")
         if length is not None or datatype.length is None:
             raise _NotCarried("arrays within arrays are not carried" if length else "the length of its array is open")
         ends = f"{wire}[i]", f"{code}[i]"
