@@ -447,8 +447,8 @@ def test_what_autosar_cannot_name_is_refused_where_it_stands():
 @pytest.mark.parametrize(
     ("codes", "words"),
     [
-        (({"Key": "gain/x"},), "name of a key"),
-        (({"Storage": "1st"},), "name of a storage must be"),
+        (({"Key": "gain/x"},), "key name"),
+        (({"Storage": "1st"},), "storage name must be"),
         (({"Storage": "Adapter"},), "that of another port"),
         (({"Key": "Gain"}, {"Key": "gain"}), "key names 'Gain' and 'gain'"),
         (({"Storage": "Cal"}, {"Storage": "CAL"}), "storage names 'Cal' and 'CAL'"),

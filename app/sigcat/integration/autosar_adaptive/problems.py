@@ -146,7 +146,9 @@ def _names(places: Iterable[tuple[Pointer, str]], what: str) -> Iterator[Problem
 
 def _name(pointer: Pointer, name: str, what: str) -> Iterator[Problem]:
     if not IDENTIFIER.fullmatch(name):
-        message = f"The name of a {what} must be at most 128 letters, digits and underscores, a letter first, not {name[:60]!r}."
+        message = (
+            f"The {what} name must be at most 128 letters, digits and underscores, a letter first, not {name[:60]!r}."
+        )
         yield Problem(pointer, message, f"Use {short_name(name)[:60]!r}.")
 
 
