@@ -282,6 +282,14 @@ def test_a_runnable_is_in_the_section_that_the_code_names():
     }
 
 
+def test_names_of_two_enumerations_cannot_clash_in_the_code_of_a_component():
+    integration = document("examples")
+    prefixes = {each.name: each.literal_prefix for each in integration.implementation_types if each.compu_method}
+    assert set(prefixes.values()) == {f"{name}_" for name in prefixes}
+    text = b"".join(file.data for file in generate(integration)).decode()
+    assert all(f"<LITERAL-PREFIX>{prefix}</LITERAL-PREFIX>" in text for prefix in prefixes.values())
+
+
 def test_the_ecu_extract_maps_every_component_to_the_ecu():
     model, integration = loaded(made("examples")), document("examples")
     mapping = next(e for _, e in model.elements_dfs if e.element_name == "SWC-TO-ECU-MAPPING")

@@ -79,6 +79,21 @@ def bus_signals(document):
     return document["Ecu"]["Signals"]
 
 
+def enumerated(document):
+    """Name of a datatype that is an enumeration."""
+    return next(each["Name"] for each in document["ImplementationTypes"] if "CompuMethod" in each)
+
+
+def two_enumerations(document, prefix=""):
+    """Two enumerations that a component exchanges, whose values have one name and two numbers."""
+    for name, port in (("A", "Vehicle_Speed"), ("B", "Chassis_Brake_CylP")):
+        symbols = [{"Symbol": "ON", "Value": ord(name)}]
+        document["CompuMethods"].append({"Name": name, "Category": "TEXTTABLE", "Symbols": symbols})
+        kind = {"Name": name, "Category": "TYPE_REFERENCE", "Base": "uint8", "CompuMethod": name}
+        document["ImplementationTypes"].append({**kind, **({"LiteralPrefix": f"{name}_"} if prefix else {})})
+        of(document["SenderReceiverInterfaces"], port)["Elements"][0].update(Type=name)
+
+
 CHANGES = {
     "two ports of one name": (lambda d: copied(first(d)["Ports"]), "is one already"),
     "two names that differ in case": (lambda d: first(d)["Runnables"][0].update(Name="STEP"), "is one already"),
@@ -181,6 +196,10 @@ CHANGES = {
     "one number for two names": (lambda d: literals(d)[1].update(Value=literals(d)[0]["Value"]), "number of one value"),
     "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "no keyword"),
     "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "identifier of C"),
+    "one name for two enumerations of a component": (two_enumerations, "one number in the code of CoreAcc"),
+    "a prefix that is a piece of C": (
+        lambda d: of(d["ImplementationTypes"], enumerated(d)).update(LiteralPrefix="A B"), "identifier of C",
+    ),
     "an enumeration of nothing": (lambda d: literals(d).clear(), "must have a value"),
     "a range upside down": (lambda d: d["DataConstraints"][0].update(Min=2, Max=1), "must be 1 or less"),
     "a function of the core": (
@@ -219,6 +238,10 @@ CHANGES = {
 
 def test_what_was_derived_has_none(written):
     assert problems(written, lambda document: None) == {}
+
+
+def test_enumerations_may_share_names_behind_prefixes(written):
+    assert problems(written, lambda document: two_enumerations(document, prefix="each")) == {}
 
 
 @pytest.mark.parametrize(("change", "said"), CHANGES.values(), ids=CHANGES)

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, CompuMethod
 from sigcat.integration.autosar_classic.problem import identifier
+from sigcat.integration.autosar_classic.used_types import enumerations_of, exchanged_types
 from sigcat.integration.checked_document import Problem
 
 
@@ -12,10 +13,34 @@ def literal_problems(model: ClassicIntegration) -> Iterator[Problem]:
     """Names and numbers of each enumeration, and the limits of each range."""
     for index, method in enumerate(model.compu_methods):
         yield from _literals(method, ("CompuMethods", index, "Symbols"))
+    for index, each in enumerate(model.implementation_types):
+        if each.literal_prefix is not None:
+            yield from identifier(("ImplementationTypes", index, "LiteralPrefix"), each.literal_prefix)
+    yield from _shared(model)
     for index, constraint in enumerate(model.constraints):
         if constraint.min is not None and constraint.max is not None and constraint.min > constraint.max:
             message = f"Min must be {constraint.max} or less, as Max is, not {constraint.min}."
             yield Problem(("DataConstraints", index, "Min"), message, "Correct one of the two.")
+
+
+def _shared(model: ClassicIntegration) -> Iterator[Problem]:
+    """Names that would stand for two numbers in the code of a component."""
+    symbols = {each.name: each.symbols or () for each in model.compu_methods}
+    positions = {each.name: index for index, each in enumerate(model.implementation_types)}
+    types = {each.name: each for each in model.implementation_types}
+    meanings = {each.name: each for each in model.application_types}
+    exchanged = exchanged_types(model)
+    told: set[tuple[str, str]] = set()
+    for component in model.components:
+        seen: dict[str, tuple[int, str]] = {}
+        for each in enumerations_of(component, exchanged, meanings, types):
+            for symbol in symbols.get(each.compu_method or "", ()):
+                name = f"{each.literal_prefix or ''}{symbol.symbol}"
+                number, other = seen.setdefault(name, (symbol.value, each.name))
+                if number != symbol.value and other != each.name and (other, each.name) not in told:
+                    told.add((other, each.name))
+                    message = f"{name} must be one number in the code of {component.name}: it is {number} of {other}, and {symbol.value} of {each.name}."
+                    yield Problem(("ImplementationTypes", positions[each.name]), message, "Give it a `LiteralPrefix` of its own.")  # fmt: skip
 
 
 def _literals(method: CompuMethod, at: Pointer) -> Iterator[Problem]:

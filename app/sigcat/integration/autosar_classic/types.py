@@ -165,7 +165,12 @@ class TypeTable:
         self._methods[method.name] = method
         return self._add(
             model.ImplementationType(
-                name=name, category="TYPE_REFERENCE", base=base, compu_method=method.name, reference=datatype.reference
+                name=name,
+                category="TYPE_REFERENCE",
+                base=base,
+                compu_method=method.name,
+                literal_prefix=f"{name}_",
+                reference=datatype.reference,
             ),
             function,
         )
@@ -207,7 +212,9 @@ class TypeTable:
     def _add(self, made: model.ImplementationType, function: FunctionJson) -> str:
         """Add a datatype; another one of the same name has its function in its name."""
         if self._implementation.get(made.name, made) != made:
-            made = made.model_copy(update={"name": short_name(f"{made.name}_{function.info.function_name}")})
+            name = short_name(f"{made.name}_{function.info.function_name}")
+            prefix = f"{name}_" if made.literal_prefix else None
+            made = made.model_copy(update={"name": name, "literal_prefix": prefix})
         self._implementation[made.name] = made
         return made.name
 

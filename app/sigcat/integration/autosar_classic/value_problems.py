@@ -4,13 +4,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Union
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.autosar_classic.model import (
-    ClassicIntegration,
-    ImplementationType,
-    ParameterInterface,
-    Port,
-    SenderReceiverInterface,
-)
+from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType, Port
+from sigcat.integration.autosar_classic.used_types import element_types
 from sigcat.integration.checked_document import Problem
 
 _LARGEST_FLOAT = {"float32": 3.4028234663852886e38, "float64": 1.7976931348623157e308}
@@ -65,16 +60,7 @@ def _shape(each: ImplementationType, known: Mapping[str, _Shape]) -> _Shape | No
 
 def _elements(model: ClassicIntegration, shapes: Mapping[str, _Shape]) -> dict[tuple[str, str], _Shape]:
     """Shapes of data elements and parameters, by interface and name."""
-    interfaces: tuple[SenderReceiverInterface | ParameterInterface, ...] = (
-        *model.sender_receiver_interfaces,
-        *model.parameter_interfaces,
-    )
-    return {
-        (interface.name, element.name): shapes[element.type]
-        for interface in interfaces
-        for element in interface.elements
-        if element.type in shapes
-    }
+    return {key: shapes[name] for key, name in element_types(model).items() if name in shapes}
 
 
 def _of_ports(ports: tuple[Port, ...], at: Pointer, elements: Mapping[tuple[str, str], _Shape]) -> Iterator[Problem]:

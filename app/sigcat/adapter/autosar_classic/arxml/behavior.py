@@ -31,6 +31,7 @@ from sigcat.integration.autosar_classic.model import (
     Port,
     Runnable,
 )
+from sigcat.integration.autosar_classic.used_types import enumerations_of
 from sigcat.integration.autosar_names import short_name
 
 
@@ -88,6 +89,7 @@ def behavior(at: Within, dependencies: Iterable[Tag]) -> Tag:
         listed("EXCLUSIVE-AREAS", (_area(each.name, each.description) for each in component.exclusive_areas)),
         listed("EVENTS", (_event(each, at) for each in component.events)),
         tag("HANDLE-TERMINATION-AND-RESTART", text="NO-SUPPORT"),
+        listed("INCLUDED-DATA-TYPE-SETS", _prefixes(at)),
         listed("PER-INSTANCE-MEMORYS", (_memory(each) for each in component.memories)),
         listed("PORT-API-OPTIONS", _port_options(at)),
         listed("RUNNABLES", (_runnable(each, at) for each in component.runnables)),
@@ -100,6 +102,19 @@ def behavior(at: Within, dependencies: Iterable[Tag]) -> Tag:
 
 def _area(name: str, text: str) -> Tag:
     return tag("EXCLUSIVE-AREA", description(text), name=name)
+
+
+def _prefixes(at: Within) -> Iterable[Tag]:
+    """What the names of values begin with in the code of the component."""
+    known = at.known
+    used = enumerations_of(at.component, known.exchanged_types, known.application_types, known.implementation_types)
+    for each in used:
+        if each.literal_prefix:
+            yield tag(
+                "INCLUDED-DATA-TYPE-SET",
+                listed("DATA-TYPE-REFS", [known.type_reference("DATA-TYPE-REF", each.name)]),
+                tag("LITERAL-PREFIX", text=each.literal_prefix),
+            )
 
 
 def _port_options(at: Within) -> Iterable[Tag]:

@@ -56,6 +56,7 @@ _DATA: Tables = {
         "Base": _IMPLEMENTATION + "IMPLEMENTATION-DATA-TYPE-REF, or the platform type",
         "ElementType": _IMPLEMENTATION + "SUB-ELEMENTS", "Length": _IMPLEMENTATION + "ARRAY-SIZE",
         "CompuMethod": _IMPLEMENTATION + "COMPU-METHOD-REF", "TypeRef": _IMPLEMENTATION + _ADMIN,
+        "LiteralPrefix": _COMPONENTS + "INCLUDED-DATA-TYPE-SET, LITERAL-PREFIX",
     }),
     model.ApplicationType: ("application type", {
         "Name": _APPLICATION + _NAME, "Category": _APPLICATION + "CATEGORY",

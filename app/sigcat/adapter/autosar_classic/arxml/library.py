@@ -18,10 +18,9 @@ from sigcat.integration.autosar_classic.model import (
     CompuMethod,
     ImplementationType,
     ModeSwitchInterface,
-    ParameterInterface,
     Port,
-    SenderReceiverInterface,
 )
+from sigcat.integration.autosar_classic.used_types import element_types, exchanged_types
 
 INTERFACE = {
     "SenderReceiver": "SENDER-RECEIVER-INTERFACE",
@@ -48,6 +47,8 @@ class Library(NamedTuple):
     compu_methods: Mapping[str, CompuMethod]
     element_types: Mapping[tuple[str, str], str]
     """Type of each data element and parameter, by interface and name."""
+    exchanged_types: Mapping[str, tuple[str, ...]]
+    """Types of everything that an interface has."""
     modes: Mapping[str, ModeSwitchInterface]
 
     def implementation_path(self, name: str) -> str:
@@ -82,16 +83,13 @@ class Library(NamedTuple):
 
 def library(model: ClassicIntegration, paths: Paths) -> Library:
     """Everything that elements of the document refer to."""
-    described: tuple[SenderReceiverInterface | ParameterInterface, ...] = (
-        *model.sender_receiver_interfaces,
-        *model.parameter_interfaces,
-    )
     return Library(
         paths,
         {each.name: each for each in model.implementation_types},
         {each.name: each for each in model.application_types},
         {each.name: each for each in model.compu_methods},
-        {(each.name, element.name): element.type for each in described for element in each.elements},
+        element_types(model),
+        exchanged_types(model),
         {each.name: each for each in model.mode_switch_interfaces},
     )
 

@@ -83,7 +83,7 @@ def component_type_header(swc: SwcPlan, model: ClassicIntegration) -> Lines:
     methods = {each.name: each for each in model.compu_methods}
     names = {type_.name for type_ in used} | {type_.element.name for type_ in used if type_.element}
     symbols = [
-        _symbols(methods[each.compu_method]) for each in model.implementation_types
+        _symbols(methods[each.compu_method], each.literal_prefix or "") for each in model.implementation_types
         if each.name in names and each.compu_method in methods
     ]  # fmt: skip
     groups = {end.group for end in (swc.mode_in, swc.mode_out) if end}
@@ -100,13 +100,12 @@ def component_type_header(swc: SwcPlan, model: ClassicIntegration) -> Lines:
     ])  # fmt: skip
 
 
-def _symbols(method: CompuMethod) -> Lines:
+def _symbols(method: CompuMethod, prefix: str) -> Lines:
+    numbers = {f"{prefix}{each.symbol}": each.value for each in method.symbols or ()}
     rows = [
-        f"#ifndef {each.symbol}\n#define {each.symbol} ({each.value}U)\n#endif" if each.value >= 0
-        else f"#ifndef {each.symbol}\n#define {each.symbol} ({each.value})\n#endif"
-        for each in method.symbols or ()
-        if each.symbol.isidentifier()
-    ]  # fmt: skip
+        f"#ifndef {name}\n#define {name} ({number}{'U' if number >= 0 else ''})\n#endif"
+        for name, number in numbers.items()
+    ]
     return lines(f"/* {method.name} */\n" + "\n".join(rows)) if rows else ()
 
 

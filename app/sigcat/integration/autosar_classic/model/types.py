@@ -66,6 +66,9 @@ class ImplementationType(WireModel):
     length: Integer | None = own("Length", "Elements of an array.")
     members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
     compu_method: str | None = own("CompuMethod", "Name of the method of an enumeration.")
+    literal_prefix: str | None = own(
+        "LiteralPrefix", "What the names of its values begin with in C, where two enumerations may have one name."
+    )
     reference: str | None = own("TypeRef", "Reference in Function JSON.")
 
 

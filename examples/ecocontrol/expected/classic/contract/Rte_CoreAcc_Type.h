@@ -6,38 +6,38 @@
 #include "Rte_Type.h"
 
 /* DT_ADASMapDFSMapDataSpdUnitTyp */
-#ifndef KM_PER_HOUR
-#define KM_PER_HOUR (0U)
+#ifndef DT_ADASMapDFSMapDataSpdUnitTyp_KM_PER_HOUR
+#define DT_ADASMapDFSMapDataSpdUnitTyp_KM_PER_HOUR (0U)
 #endif
-#ifndef MI_PER_HOUR
-#define MI_PER_HOUR (1U)
+#ifndef DT_ADASMapDFSMapDataSpdUnitTyp_MI_PER_HOUR
+#define DT_ADASMapDFSMapDataSpdUnitTyp_MI_PER_HOUR (1U)
 #endif
-#ifndef NOT_IN_MAP
-#define NOT_IN_MAP (2U)
+#ifndef DT_ADASMapDFSMapDataSpdUnitTyp_NOT_IN_MAP
+#define DT_ADASMapDFSMapDataSpdUnitTyp_NOT_IN_MAP (2U)
 #endif
 
 /* DT_CoreAccSftyCondSts */
-#ifndef INACTIVE
-#define INACTIVE (0U)
+#ifndef DT_CoreAccSftyCondSts_INACTIVE
+#define DT_CoreAccSftyCondSts_INACTIVE (0U)
 #endif
-#ifndef ACTIVE
-#define ACTIVE (1U)
+#ifndef DT_CoreAccSftyCondSts_ACTIVE
+#define DT_CoreAccSftyCondSts_ACTIVE (1U)
 #endif
 
 /* DT_CoreAccErrorSts */
-#ifndef PASSED
-#define PASSED (0U)
+#ifndef DT_CoreAccErrorSts_PASSED
+#define DT_CoreAccErrorSts_PASSED (0U)
 #endif
-#ifndef FAILED
-#define FAILED (1U)
+#ifndef DT_CoreAccErrorSts_FAILED
+#define DT_CoreAccErrorSts_FAILED (1U)
 #endif
 
 /* DT_EcoControlMpcErrorSts */
-#ifndef PASSED
-#define PASSED (0U)
+#ifndef DT_EcoControlMpcErrorSts_PASSED
+#define DT_EcoControlMpcErrorSts_PASSED (0U)
 #endif
-#ifndef FAILED
-#define FAILED (1U)
+#ifndef DT_EcoControlMpcErrorSts_FAILED
+#define DT_EcoControlMpcErrorSts_FAILED (1U)
 #endif
 
 #define RTE_MODE_CoreAcc_Mode_In_Modes_OFF ((Rte_ModeType_CoreAcc_Mode_In_Modes)0U)

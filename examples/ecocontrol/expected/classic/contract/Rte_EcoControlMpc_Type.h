@@ -6,19 +6,19 @@
 #include "Rte_Type.h"
 
 /* DT_EcoControlMpcSftyCondSts */
-#ifndef INACTIVE
-#define INACTIVE (0U)
+#ifndef DT_EcoControlMpcSftyCondSts_INACTIVE
+#define DT_EcoControlMpcSftyCondSts_INACTIVE (0U)
 #endif
-#ifndef ACTIVE
-#define ACTIVE (1U)
+#ifndef DT_EcoControlMpcSftyCondSts_ACTIVE
+#define DT_EcoControlMpcSftyCondSts_ACTIVE (1U)
 #endif
 
 /* DT_EcoControlMpcErrorSts */
-#ifndef PASSED
-#define PASSED (0U)
+#ifndef DT_EcoControlMpcErrorSts_PASSED
+#define DT_EcoControlMpcErrorSts_PASSED (0U)
 #endif
-#ifndef FAILED
-#define FAILED (1U)
+#ifndef DT_EcoControlMpcErrorSts_FAILED
+#define DT_EcoControlMpcErrorSts_FAILED (1U)
 #endif
 
 #define RTE_MODE_EcoControlMpc_Mode_In_Modes_OFF ((Rte_ModeType_EcoControlMpc_Mode_In_Modes)0U)
