@@ -9,6 +9,7 @@ import pytest
 
 from sigcat.adapter.autosar_classic.generate import generate
 from sigcat.adapter.toolchain import EXACT, toolchain
+from sigcat.errors import InputRefused
 from sigcat.limits import DEFAULT_LIMITS
 from tests.adapter.autosar_classic.generated import APPLICATIONS, CASES, ECOCONTROL, EXAMPLES, document, files, written
 from tests.adapter.core.judges import STRICT, compilers
@@ -143,6 +144,28 @@ def test_the_call_itself_is_outside_of_the_exclusive_area():
         depth += ("Rte_Enter_Core();" in line) - ("Rte_Exit_Core();" in line)
         assert depth in (0, 1), line
         assert depth == 0 or not any(word in line for word in ("_Adapter_Run_Step(", "SetEventStatus(")), line
+
+
+@pytest.mark.parametrize(
+    "called", ["Server_Adapter_Run_Step(", "Server_Adapter_Method_FetchLimit(", "Server_Adapter_Method_Reset("]
+)
+def test_no_method_runs_while_a_call_does(called):
+    """§12: both work on the function's variables, and the runnable of a method may preempt that of a step."""
+    paths = tuple(CASES / "methods_of_another_function" / f"{name}.yaml" for name in ("server", "client"))
+    lines = [line.strip() for line in files(paths)["swc/Server.c"].splitlines()]
+    (at,) = (number for number, line in enumerate(lines) if called in line)
+    assert (lines[at - 1], lines[at + 1]) == ("Rte_Enter_Calls();", "Rte_Exit_Calls();")
+    assert "Rte_Enter_Calls" not in files(paths)["swc/Client.c"]
+
+
+def test_a_function_with_two_components_is_refused_since_its_core_is_one_object(tmp_path):
+    changed = json.loads(document(ECOCONTROL))
+    changed["Components"][1]["Function"] = changed["Components"][0]["Function"]
+    with pytest.raises(InputRefused) as refused:
+        generate(json.dumps(changed).encode(), "classic.json", DEFAULT_LIMITS)
+    (finding,) = refused.value.findings
+    assert finding.rule == "K011"
+    assert "must have one component to become software" in finding.message
 
 
 def test_statuses_of_the_rte_have_the_numbers_of_its_specification():

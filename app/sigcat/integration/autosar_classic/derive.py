@@ -41,7 +41,7 @@ from sigcat.integration.autosar_classic.parameters import (
 )
 from sigcat.integration.autosar_classic.ports import data_ports, kind_of_port
 from sigcat.integration.autosar_classic.problems import problems_of
-from sigcat.integration.autosar_classic.runnables import AREA, Behaviour, runnables_of
+from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour, runnables_of
 from sigcat.integration.autosar_classic.service_needs import (
     asil_of,
     inhibitions,
@@ -220,7 +220,7 @@ def _component(
         ports=behaviour.ports,
         runnables=runnables,
         events=events_of(behaviour, runnables, tuple(mode.name for mode in modes)),
-        exclusive_areas=(model.ExclusiveArea(name=AREA, description="The core: one runnable is in it at a time."),),
+        exclusive_areas=_areas(behaviour),
         memories=memories(part),
         parameters=tuple(internal_parameters(part, types)) if is_internal else (),
         nv_blocks=behaviour.nv_blocks,
@@ -231,6 +231,12 @@ def _component(
         asil_level=asil_of(part),
         code=part.function.code,
     )
+
+
+def _areas(behaviour: Behaviour) -> tuple[model.ExclusiveArea, ...]:
+    core = model.ExclusiveArea(name=AREA, description="The core: one runnable is in it at a time.")
+    code = model.ExclusiveArea(name=CALLS, description="The function's code: no method runs while a call does.")
+    return (core, code) if behaviour.offers else (core,)
 
 
 def _sections(part: Part, runnables: Sequence[model.Runnable]) -> tuple[model.MemorySection, ...]:

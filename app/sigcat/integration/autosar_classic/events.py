@@ -7,7 +7,7 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
 from sigcat.integration.autosar_classic.interfaces import in_seconds
-from sigcat.integration.autosar_classic.runnables import AREA, Behaviour
+from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour
 from sigcat.integration.autosar_classic.service_needs import ECU_PORT, STORED
 from sigcat.integration.autosar_names import distinct, short_name
 
@@ -17,7 +17,7 @@ SHUTDOWN = "SHUTDOWN"
 def events_of(behaviour: Behaviour, runnables: tuple[model.Runnable, ...], modes: tuple[str, ...]) -> tuple[model.Event, ...]:  # fmt: skip
     """All of them. `modes` are those that the function receives."""
     made = [event for runnable in runnables for event in _events(runnable, behaviour, runnables, modes)]
-    taken = {AREA, STORED, *(runnable.name for runnable in runnables), *behaviour.parameters}
+    taken = {AREA, CALLS, STORED, *(runnable.name for runnable in runnables), *behaviour.parameters}
     names = distinct({f"{index:06d}": event.name for index, event in enumerate(made)}, taken)
     return tuple(event.model_copy(update={"name": names[f"{index:06d}"]}) for index, event in enumerate(made))
 

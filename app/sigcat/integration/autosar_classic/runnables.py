@@ -24,6 +24,8 @@ from sigcat.integration.autosar_names import short_name
 
 AREA = "Core"
 """Exclusive area around the core."""
+CALLS = "Calls"
+"""Exclusive area around the code of a function that offers methods: none of them runs while a call does."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,11 @@ class Behaviour:
             for use in port.elements[0].uses or ()
             if use.kind in ("signal", "queue")
         }
+
+    @property
+    def offers(self) -> bool:
+        """Whether others may call its methods."""
+        return any(_offers(port) for port in self.ports)
 
     def port(self, name: str) -> model.Port | None:
         """A port by its name."""
@@ -101,7 +108,7 @@ def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour:
         concurrent=False,
         minimum_start_interval=0,
         accesses=_numbered(accesses),
-        exclusive_areas=(AREA,),
+        exclusive_areas=(AREA, CALLS) if behaviour.offers and role in (STEP, "Method") else (AREA,),
         parameters=behaviour.parameters or None if role in (INIT, STEP) else None,
         stack_size=int(stack) if stack else None,
         asil_level=level or "QM",

@@ -81,6 +81,7 @@ def _swc(context: SwcContext) -> SwcPlan:
         restored=_called(context, "GetErrorStatus"),
         marked=_called(context, "SetRamBlockStatus"),
         area=component.exclusive_areas[0].name,
+        calls_area=next((each.name for each in component.exclusive_areas[1:]), ""),
     )
 
 

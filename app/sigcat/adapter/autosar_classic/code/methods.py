@@ -1,6 +1,6 @@
 """Methods that the function offers: a server runnable for each."""
 
-from sigcat.adapter.autosar_classic.code.names import at_core, function
+from sigcat.adapter.autosar_classic.code.names import at_core, function, in_calls
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy
 from sigcat.adapter.core.c.lines import Lines, block, lines
@@ -48,7 +48,7 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         lines(f"{p}_{name}_Results results;") if end.results else (),
         lines(f"{p}_Reply reply;\nStd_ReturnType status = {_error(end, 'EXCLUDED')};\n"),
         *arguments,
-        lines(f"reply = {p}_Method_{name}({at_core(swc)}{given});"),
+        in_calls(swc, lines(f"reply = {p}_Method_{name}({at_core(swc)}{given});")),
         block(f"if (reply == {scope.constant('OK')})", [*results, lines("status = RTE_E_OK;")]),
         block(f"if (reply == {scope.constant('BAD_ARGUMENT')})", [lines(f"status = {_error(end, 'BAD_ARGUMENT')};")]),
         lines("return status;"),

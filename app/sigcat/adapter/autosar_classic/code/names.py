@@ -30,6 +30,13 @@ def leave(swc: SwcPlan) -> Lines:
     return lines(f"Rte_Exit_{swc.area}();")
 
 
+def in_calls(swc: SwcPlan, part: Lines) -> Lines:
+    """What runs the function's code, where a method may not run beside a call."""
+    if not swc.calls_area:
+        return part
+    return joined([lines(f"Rte_Enter_{swc.calls_area}();"), part, lines(f"Rte_Exit_{swc.calls_area}();")])
+
+
 def section_of(swc: SwcPlan, kind: str, usual: str) -> str:
     """The memory section of what every runnable uses: that of the highest ASIL; the usual one where there is none."""
     found = [each for each in swc.component.sections if each.kind == kind]

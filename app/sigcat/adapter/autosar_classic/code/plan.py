@@ -161,6 +161,9 @@ class SwcPlan:
     marked: str
     """What takes that what is kept has changed; empty if nothing does."""
     area: str
+    """Exclusive area around the core."""
+    calls_area: str
+    """Exclusive area around the function's code; empty if it offers no method."""
 
     @property
     def name(self) -> str:

@@ -1,7 +1,7 @@
 """The runnables, by what they do with the core."""
 
 from sigcat.adapter.autosar_classic.code.methods import offered
-from sigcat.adapter.autosar_classic.code.names import at_core, core_object, enter, function, leave, static
+from sigcat.adapter.autosar_classic.code.names import at_core, core_object, enter, function, in_calls, leave, static
 from sigcat.adapter.autosar_classic.code.plan import ParameterEnd, Reported, SwcPlan
 from sigcat.adapter.autosar_classic.code.publishing import requests, sends
 from sigcat.adapter.autosar_classic.code.receiving import takes
@@ -128,7 +128,7 @@ def _step(each: Runnable, swc: SwcPlan) -> list[Lines]:
             lines(f"{p}_SetInput_{step.name}({core}, t);"), *later, lines(f"{p}_Begin_{step.name}({core}, t);"),
             leave(swc), _publish(swc),
             *_checkpoints(each, "Begin", swc),
-            lines(f"{p}_Run_{step.name}({core});"),
+            in_calls(swc, lines(f"{p}_Run_{step.name}({core});")),
             *_checkpoints(each, "End", swc),
             lines(f"t = {static(swc, 'Now')}();"),
             enter(swc), lines(f"{p}_GetOutput_{step.name}({core}, t);"), *sends(step.name, swc), leave(swc),
