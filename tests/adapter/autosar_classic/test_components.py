@@ -23,6 +23,11 @@ SETS = {
     "methods": (CASES / "methods_that_the_trace_answers/function.yaml",),
     "methods with names of locals": (APPLICATIONS / "small/methods_only.yaml",),
     "structs and queues": (CASES / "structs_and_queues/function.yaml",),
+    "methods of another function": tuple(
+        CASES / "methods_of_another_function" / f"{name}.yaml" for name in ("server", "client")
+    ),
+    "queues that lose": tuple(CASES / "bursts_that_fill_queues" / f"{name}.yaml" for name in ("sender", "taker")),
+    "debounced": (CASES / "events_that_are_debounced/function.yaml",),
     "triggered by events": (APPLICATIONS / "small/event_triggered_only.yaml",),
     "no inputs": (APPLICATIONS / "small/no_inputs.yaml",),
     "no outputs": (APPLICATIONS / "small/no_outputs.yaml",),

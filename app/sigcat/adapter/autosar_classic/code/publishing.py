@@ -149,7 +149,7 @@ def _given(end: DataEnd, source: str, api: str, swc: SwcPlan) -> Lines:
         [
             lines(f"{end.type.name} value;\n"),
             copy.of("value", source, end.type, end.wire.c),
-            block("", [sent]) if _is_kept(end, swc) else sent,
+            sent,
         ]
     )
 
