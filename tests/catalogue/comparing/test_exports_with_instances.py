@@ -26,6 +26,13 @@ Vehicle.Cabin.Door.Window:
   instances: [Small, Large]
   description: Not one for each door.
 Vehicle.Cabin.Door.Window.Position: {type: sensor, datatype: uint8, description: How far it is open.}
+Vehicle.Axle:
+  type: branch
+  instances: Axle[1,2]
+  instances_relation: sibling
+  description: Axles, which stand beside it.
+Vehicle.Axle.Load: {type: sensor, datatype: uint16, description: What it carries.}
+Vehicle.Axle.Count: {type: attribute, datatype: uint8, instantiate: false, description: How many there are.}
 Vehicle.Mirrors:
   type: branch
   instances: [Left]

@@ -11,7 +11,7 @@ that time are: older words as the present ones, and what was not checked then is
 import hashlib
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from yaml.nodes import Node as YamlNode
 
 from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
+from sigcat.catalogue.composing.instance_names import levels_of_instances
 from sigcat.catalogue.composing.older_releases import tolerant, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, Definition
@@ -145,21 +146,32 @@ class _Reading:
             key, value = pairs[name]
             path = f"{above}.{name}" if above else name
             if isinstance(values, dict) and isinstance(value, MappingNode):
-                self._read_node(path, values, key, value)
+                self._read_node(path, values, key, value, children)
             else:
                 self._wrong(path, value, "A node must be an object with `type`.")
 
-    def _read_node(self, path: str, values: dict[str, Any], key: YamlNode, document: MappingNode) -> None:
+    def _read_node(
+        self, path: str, values: dict[str, Any], key: YamlNode, document: MappingNode, beside: Collection[str]
+    ) -> None:
         pairs = _pairs(document)
         positions = {name: position(value) for name, (_, value) in pairs.items()}
         written = {name: value for name, value in values.items() if name != "children"}
         own = {**self._lost.get(path, {}), **written}
+        if _stands_beside_its_instances(own, beside):
+            del own["instances"]
         self.statements.append(_Exported(path, self.source, own, position(key), positions))
         if "children" in values:
             self.read_children(path, values["children"], pairs["children"][1])
 
     def _wrong(self, path: str, document: YamlNode, message: str) -> None:
         self.findings.append(codes.NOT_A_MAPPING.finding(message, self.source.name, *position(document), path))
+
+
+def _stands_beside_its_instances(values: Mapping[str, Any], beside: Collection[str]) -> bool:
+    """Whether the instances that a branch still names were expanded beside it."""
+    if values.get("instances_relation") != "sibling" or "instances" not in values:
+        return False
+    return all(name in beside for name in next(levels_of_instances(values), ()))
 
 
 def _positions_of(data: bytes, name: str, limits: Limits) -> Document:
