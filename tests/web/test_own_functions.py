@@ -153,3 +153,13 @@ def test_findings_in_functions_count_on_the_page_of_a_catalogue_and_on_rules(tmp
         assert sum(int(number) for number in re.findall(r"(\d+)\u00a0finding", of_each.group(1))) == int(own)
         assert int(own) == without + expected
         assert "wrong.function.yaml" in site(f"/rules/F010?catalogue={name}").text
+
+
+def test_the_schedule_names_a_priority_where_there_is_one(tmp_path: Path) -> None:
+    for name, priority in (("Quiet", ""), ("Loud", "priority: 20, ")):
+        text = noise(name).replace("cycleTime: 100", f"{priority}cycleTime: 100")
+        (tmp_path / f"{name.lower()}.function.yaml").write_text(text)
+    site = asker(create_site(Library(shipped_sources()), functions=FunctionLibrary([tmp_path])))
+    quiet, loud = (site(f"/functions/{name}").text.replace("\u00a0", " ") for name in ("quiet", "loud"))
+    assert ">every 100 ms<" in quiet
+    assert ">every 100 ms, priority 20<" in loud
