@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.gateway.doubts import doubts
 from sigcat.gateway.frames import FORMS, Frame, Passed, read_log
@@ -48,7 +48,9 @@ def carry(log: Path, databases: Sequence[Path], catalogue: Catalogue, added: Pat
     _write(rows, prepared, added, trace)
     told = (*prepared.findings, *found, *translation.findings, *doubts(translation, str(log)))
     if not translation.counts.sent:
-        raise UsageError(f"{log} has no value of a signal that is mapped: {'; '.join(translation.counts.lines())}")
+        raise InputRefused(
+            f"{log} has no value of a signal that is mapped: {'; '.join(translation.counts.lines())}", told
+        )
     return Carried(trace, times, told, tuple(f"{log}: {line}" for line in translation.counts.lines()))
 
 

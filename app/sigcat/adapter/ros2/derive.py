@@ -156,6 +156,8 @@ def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
         core=context.core,
         executable=node.executable,
         sources=tuple(code.sources or ()) if code else (),
+        include_folders=tuple(code.include_folders or ()) if code else (),
+        definitions=tuple(each.as_option for each in code.definitions or ()) if code else (),
         headers=tuple(code.headers or ()) if code else (),
         priority=max(priorities, default=None),
         policy=node.scheduling_policy or "other",

@@ -172,6 +172,9 @@ class NodePlan:
     executable: str
     sources: tuple[str, ...]
     """Of the code of the function."""
+    include_folders: tuple[str, ...]
+    definitions: tuple[str, ...]
+    """That the code is compiled with: `NAME` or `NAME=VALUE`."""
     headers: tuple[str, ...]
     priority: int | None
     """Of the thread that runs its calls."""

@@ -21,6 +21,11 @@ class Macro(WireModel):
     name: str = described("Name", "Name of the macro.", source=OWN)
     value: str | None = own("Replacement", "Its value; absent if it has none.")
 
+    @property
+    def as_option(self) -> str:
+        """As compilers and CMake take it: `NAME` or `NAME=VALUE`."""
+        return self.name if self.value is None else f"{self.name}={self.value}"
+
 
 class CodeObject(WireModel):
     """An object that calls take a pointer to, or a global variable that is neither a signal nor a parameter."""

@@ -90,11 +90,14 @@ def _core(component: ComponentPlan) -> str:
     ending = "cpp" if component.core.code.signature == CLASS else "c"
     setting = code_setting(component)
     sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in component.sources)
+    folders = "".join(f' "${{{setting}}}/{folder}"' for folder in component.include_folders)
+    macros = "".join(f' "{each}"' for each in component.definitions)
+    defined = f"target_compile_definitions({component.stem}_core PUBLIC{macros})\n" if macros else ""
     return f"""# The core of {component.core.function}, with its code.
 add_library({component.stem}_core STATIC
   "${{PROJECT_SOURCE_DIR}}/core/{component.core.function}_adapter.{ending}"{sources}
 )
-target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}")
-target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)
+target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}"{folders})
+{defined}target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)
 
 """

@@ -26,7 +26,6 @@ from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, s
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
 from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
@@ -117,11 +116,14 @@ def _component(
     ports = f"{component.executable}/{root_name(component)}"
     storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}
     names_of_errors = {id(error): name for name, error in context.errors.items()}
+    code = function.code
     return ComponentPlan(
         name=component.name,
         stem=snake_case(component.name),
         core=core.plan,
-        sources=_sources(function),
+        sources=tuple(code.sources or ()) if code else (),
+        include_folders=tuple(code.include_folders or ()) if code else (),
+        definitions=tuple(each.as_option for each in code.definitions or ()) if code else (),
         required=required,
         provided=provided,
         structs=structs,
@@ -145,7 +147,3 @@ def _stored(component: Component, core: CorePlan, storages: Mapping[str, Storage
     for parameter in core.parameters:
         place = places[parameter.variable]
         yield Stored(parameter, storages[place.storage], place.key)
-
-
-def _sources(function: FunctionJson) -> tuple[str, ...]:
-    return tuple(function.code.sources or ()) if function.code else ()

@@ -161,6 +161,9 @@ class ComponentPlan:
     core: CorePlan
     sources: tuple[str, ...]
     """Of the code of the function."""
+    include_folders: tuple[str, ...]
+    definitions: tuple[str, ...]
+    """That the code is compiled with: `NAME` or `NAME=VALUE`."""
     required: tuple[Required, ...]
     provided: tuple[Provided, ...]
     structs: tuple[StructPair, ...]

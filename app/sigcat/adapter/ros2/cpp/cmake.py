@@ -64,9 +64,13 @@ def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
     core = [f"core/{name}" for name in (core_source(node), bridge_source(node))]
     code = "".join(f'\n  "${{{node.code_setting}}}/{source}"' for source in node.sources)
     own = "".join(f"\n  {name}" for name in core)
+    folders = "".join(f'\n  "$<BUILD_INTERFACE:${{{node.code_setting}}}/{each}>"' for each in node.include_folders)
+    macros = "".join(f' "{each}"' for each in node.definitions)
+    defined = f"target_compile_definitions({node.name}_core PUBLIC{macros})\n" if macros else ""
     return _NODE.format(
         function=node.core.function, setting=node.code_setting, package=workspace.name, name=node.name, stem=node.stem,
         type=node.type, executable=node.executable, sources=" ".join(node.sources), files=own + code, folder=folder,
+        folders=folders, defined=defined,
     )  # fmt: skip
 
 
@@ -84,8 +88,8 @@ add_library({name}_core SHARED{files}
 )
 target_include_directories({name}_core PUBLIC
   "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/core>"
-  "$<BUILD_INTERFACE:${{{setting}}}>")
-# Results are those of every other platform: no multiplication is joined with an addition.
+  "$<BUILD_INTERFACE:${{{setting}}}>"{folders})
+{defined}# Results are those of every other platform: no multiplication is joined with an addition.
 target_compile_options({name}_core PRIVATE -ffp-contract=off)
 # What the code lacks is told when it is linked.
 target_link_options({name}_core PRIVATE "LINKER:-z,defs")
