@@ -1,6 +1,7 @@
 """What becomes of an Integration JSON in C: which functions of the RTE each runnable calls, and what is the vendor's."""
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.arxml.field_targets import field_targets
 from sigcat.integration.autosar_classic.document import read_integration
@@ -15,6 +16,7 @@ _APIS = {
     "InternalTrigger": "Rte_IrTrigger",
 }  # fmt: skip
 _VENDOR = "the vendor's RTE and operating system, from the ARXML"
+_MATURED = "PASSED and FAILED, as the core has matured them"
 _CORE = "the core has its limits: the watchdog manager is told checkpoints"
 
 
@@ -30,41 +32,34 @@ def _of_component(component: Component) -> Iterator[Entry]:
         yield from _of_runnable(runnable, source, function)
     for event in component.events:
         yield Entry(function, event.name, "event", "Kind", "components.arxml", _VENDOR)
+    for part in _parts(component):
+        yield Entry(function, part.name, part.kind, part.field, f"{source}: {part.symbols}", part.note)
+
+
+class _Part(NamedTuple):
+    """Something of a component, and the names in C that it has there."""
+
+    name: str
+    kind: str
+    field: str
+    symbols: str
+    note: str = ""
+
+
+def _parts(component: Component) -> Iterator[_Part]:
+    """In the order of the document."""
     for area in component.exclusive_areas:
-        yield Entry(
-            function, area.name, "exclusive area", "Name", f"{source}: Rte_Enter_{area.name}, Rte_Exit_{area.name}"
-        )
+        yield _Part(area.name, "exclusive area", "Name", f"Rte_Enter_{area.name}, Rte_Exit_{area.name}")
     for memory in component.memories:
-        yield Entry(
-            function,
-            memory.name,
-            "memory",
-            "Name",
-            f"{source}: Rte_Pim_{memory.name}",
-            "read by Init, written by Terminate",
-        )
+        yield _Part(memory.name, "memory", "Name", f"Rte_Pim_{memory.name}", "read by Init, written by Terminate")
     for parameter in component.parameters:
-        yield Entry(
-            function, parameter.name, "parameter", "Name", f"{source}: Rte_CData_{parameter.name}", "read by Init"
-        )
-    for event_of_dem in component.diagnostic_events:
-        place = f"{source}: Rte_Call_{event_of_dem.port}_SetEventStatus"
-        yield Entry(
-            function, event_of_dem.error, "error", "Port", place, "PASSED and FAILED, as the core has matured them"
-        )
+        yield _Part(parameter.name, "parameter", "Name", f"Rte_CData_{parameter.name}", "read by Init")
+    for event in component.diagnostic_events:
+        yield _Part(event.error, "error", "Port", f"Rte_Call_{event.port}_SetEventStatus", _MATURED)
     for entity in component.supervised_entities:
-        yield Entry(
-            function,
-            entity.name,
-            "supervised entity",
-            "Checkpoints",
-            f"{source}: Rte_Call_<port>_CheckpointReached",
-            _CORE,
-        )
+        yield _Part(entity.name, "supervised entity", "Checkpoints", "Rte_Call_<port>_CheckpointReached", _CORE)
     for section in component.sections:
-        yield Entry(
-            function, section.name, "memory section", "Name", f"{source}: {component.name}_START_SEC_{section.name}"
-        )
+        yield _Part(section.name, "memory section", "Name", f"{component.name}_START_SEC_{section.name}")
 
 
 def _of_runnable(runnable: Runnable, source: str, function: str) -> Iterator[Entry]:

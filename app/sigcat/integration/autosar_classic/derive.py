@@ -80,20 +80,58 @@ def derive(
     app = application(functions, deployment)
     context = Context(app, settings, named_parts([f.function for f in app.functions]), FindingCollector(app.functions))
     elements = elements_of(context)
-    types, own = _types(context), by_part(elements)
+    types = _types(context)
     interfaces = _interfaces(elements, types, context)
     report_meanings(elements, types, context)
-    behaviours = behaviours_by_name(
-        context.parts, [_behaviour(part, own[part.name], types, context) for part in context.parts]
-    )
+    behaviours = _behaviours(elements, types, context)
+    components = _components(behaviours, interfaces, types, context)
+    integration = _document(_Made(elements, types, interfaces, behaviours, components), context)
+    targets = field_targets(context, elements)
+    report_asil(elements, integration.composition, context)
+    report_calls(context)
+    report_long_names(context)
+    report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
+    report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
+    return Derived(integration, (*context.findings.findings, *_refused(integration, context)), targets)
+
+
+class _Interfaces(NamedTuple):
+    data: tuple[model.SenderReceiverInterface, ...]
+    operations: tuple[model.ClientServerInterface, ...]
+    modes: tuple[model.ModeSwitchInterface, ...]
+    groups: tuple[model.ModeGroup, ...]
+
+
+class _Made(NamedTuple):
+    """What a document is put together from."""
+
+    elements: tuple[Element, ...]
+    types: TypeTable
+    interfaces: _Interfaces
+    behaviours: Mapping[str, Behaviour]
+    components: tuple[model.Component, ...]
+
+
+def _behaviours(elements: Sequence[Element], types: TypeTable, context: Context) -> Mapping[str, Behaviour]:
+    own = by_part(elements)
+    made = [_behaviour(part, own[part.name], types, context) for part in context.parts]
+    return behaviours_by_name(context.parts, made)
+
+
+def _components(
+    behaviours: Mapping[str, Behaviour], interfaces: _Interfaces, types: TypeTable, context: Context
+) -> tuple[model.Component, ...]:
     groups = {group.name: group for group in interfaces.groups}
-    components = tuple(
-        _component(part, behaviours[part.name], interfaces, groups, types, context) for part in context.parts
-    )
+    return tuple(_component(part, behaviours[part.name], interfaces, groups, types, context) for part in context.parts)
+
+
+def _document(made: _Made, context: Context) -> model.ClassicIntegration:
+    app, settings, types, interfaces = context.application, context.settings, made.types, made.interfaces
     calibrations = _calibrations(context, types)
     parameters = tuple(parameter_interface(part, types) for part in context.parts if _over_ports(part, context))
-    composition = composition_of(components, calibrations, elements, context)
-    integration = model.ClassicIntegration(
+    composition = composition_of(made.components, calibrations, made.elements, context)
+    provenance = (f.function.provenance for f in app.functions)
+    return model.ClassicIntegration(
         meta=_meta(context),
         info=_info(context),
         deployment=model.ClassicDeployment(
@@ -104,31 +142,27 @@ def derive(
         constraints=types.constraints,
         implementation_types=types.implementation_types,
         application_types=types.application_types,
-        mode_groups=tuple(groups[name] for name in sorted(groups)),
+        mode_groups=tuple(sorted(interfaces.groups, key=lambda each: each.name)),
         sender_receiver_interfaces=interfaces.data,
         client_server_interfaces=interfaces.operations,
         mode_switch_interfaces=interfaces.modes,
         parameter_interfaces=parameters,
-        components=components,
+        components=made.components,
         parameter_components=calibrations,
         composition=composition,
-        ecu=model.Ecu(
-            name=settings.ecu or short_name(f"{app.name}Ecu"),
-            signals=system_signals(elements, composition, context),
-            init_batches=init_batches_of(components, behaviours),
-            tasks=tasks_of(components, behaviours),
-        ),
-        provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
-        or None,
+        ecu=_ecu(made, composition, context),
+        provenance=tuple(each.model_dump(mode="json") for each in provenance if each) or None,
         functions=tuple(each.function for each in app.functions),
     )
-    targets = field_targets(context, elements)
-    report_asil(elements, composition, context)
-    report_calls(context)
-    report_long_names(context)
-    report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
-    report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
-    return Derived(integration, (*context.findings.findings, *_refused(integration, context)), targets)
+
+
+def _ecu(made: _Made, composition: model.Composition, context: Context) -> model.Ecu:
+    return model.Ecu(
+        name=context.settings.ecu or short_name(f"{context.application.name}Ecu"),
+        signals=system_signals(made.elements, composition, context),
+        init_batches=init_batches_of(made.components, made.behaviours),
+        tasks=tasks_of(made.components, made.behaviours),
+    )
 
 
 def _refused(integration: model.ClassicIntegration, context: Context) -> Iterator[Finding]:
@@ -137,13 +171,6 @@ def _refused(integration: model.ClassicIntegration, context: Context) -> Iterato
         for problem in problems_of(integration):
             at = pointer_text(problem.pointer)
             yield codes.NOT_WRITABLE_AS_CLASSIC.finding(problem.message, pointer=at, fix=problem.fix)
-
-
-class _Interfaces(NamedTuple):
-    data: tuple[model.SenderReceiverInterface, ...]
-    operations: tuple[model.ClientServerInterface, ...]
-    modes: tuple[model.ModeSwitchInterface, ...]
-    groups: tuple[model.ModeGroup, ...]
 
 
 def _types(context: Context) -> TypeTable:
