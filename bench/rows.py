@@ -151,6 +151,20 @@ def application(bench: Bench) -> Row:
     return Row("`sigcat generate autosar-adaptive --bench`, 162 events", time_of(figure), "", "", "under 2 s")
 
 
+def components(bench: Bench) -> Row:
+    """Software components of AUTOSAR Classic and the test RTE, of the same set, as a command."""
+    folder = write_set(bench.folder / "components")
+    sigcat = (sys.executable, "-m", "sigcat.cli")
+    functions = sorted(str(file) for file in folder.glob("function*.yaml"))
+    units = ("-u", str(VSPEC / "units.yaml"), "-q", str(VSPEC / "quantities.yaml"))
+    tree = ("-s", str(folder / "tree.vspec"), *units)
+    document, output = str(folder / "classic.json"), str(folder / "made")
+    command(*sigcat, "integrate", "autosar-classic", *functions, *tree, "-o", document)()
+    words = (*sigcat, "generate", "autosar-classic", "--bench", document, "-o", output)
+    (figure,) = interleaved([command(*words)], bench.runs)
+    return Row("`sigcat generate autosar-classic --bench`, 162 data elements", time_of(figure), "", "", "under 2 s")
+
+
 def _integration(bench: Bench, times: int) -> list[float]:
     folder = str(write_set(bench.folder / f"set{times}", times))
     words = (sys.executable, "-m", "bench.integration")
@@ -161,6 +175,7 @@ ROWS: Mapping[str, Callable[[Bench], Row]] = {
     "standard": standard, "command": standard_command, "flat": flat, "instances": instances, "floor": floor,
     "recompose": recompose, "search": search, "memory": memory, "integration": integration, "integration10": integration_ten,
     "application": application,
+    "components": components,
 }  # fmt: skip
 
 
