@@ -9,9 +9,20 @@
 #define FAILED 1U
 #define EVENTS 1024U
 #define PATH 4096U
+#define TELLINGS 4096U
+
+/* What a service was told; its texts are there as long as the program. */
+typedef struct {
+    uint64 time;
+    const char *service;
+    const char *name;
+    const char *value;
+} telling;
 
 static FILE *sent_file;
 static FILE *told_file;
+static telling tellings[TELLINGS]; /* that are not written yet: calls are not to wait for a file */
+static uint32 telling_count;
 static uint32 ignition_cycle = 1U;
 
 static void fail(const char *name)
@@ -37,8 +48,18 @@ void TestRte_OpenRecords(const char *sent, const char *told)
     }
 }
 
+static void write_tellings(void)
+{
+    for (uint32 i = 0U; i < telling_count; i++) {
+        const telling *const one = &tellings[i];
+        (void)fprintf(told_file, "%" PRIu64 ",%s,%s,%s\n", one->time, one->service, one->name, one->value);
+    }
+    telling_count = 0U;
+}
+
 void TestRte_CloseRecords(void)
 {
+    write_tellings();
     const boolean is_whole = (ferror(sent_file) == 0 && ferror(told_file) == 0) ? TRUE : FALSE;
     const int closed = fclose(sent_file) | fclose(told_file);
     if (is_whole == FALSE || closed != 0) {
@@ -55,7 +76,11 @@ void TestRte_Sent(const char *name, const TestRte_Shape *shape, const void *valu
 
 void TestRte_Told(const char *service, const char *name, const char *value)
 {
-    (void)fprintf(told_file, "%" PRIu64 ",%s,%s,%s\n", Os_Now(), service, name, value);
+    if (telling_count == TELLINGS) {
+        write_tellings();
+    }
+    tellings[telling_count] = (telling){Os_Now(), service, name, value};
+    telling_count++;
 }
 
 /* -- clock and ignition cycle -------------------------------------------------------------------------------------- */
