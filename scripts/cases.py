@@ -47,7 +47,11 @@ class Cases(NamedTuple):
     def made(self, name: str) -> str:
         """What a case gives today."""
         with contextlib.chdir(ROOT / self.folder / name):
-            return self.make()
+            try:
+                return self.make()
+            except Exception as error:
+                error.add_note(f"This is the case {self.folder}/{name}.")
+                raise
 
     def text(self, name: str) -> str:
         """What it is expected to give."""
@@ -90,8 +94,9 @@ def sides() -> tuple[str, str]:
 
 def function_json() -> str:
     """The Function JSON of a function.yaml, without what it was made from."""
-    function = checked_file(Path("function.yaml").read_bytes(), "function.yaml", _interfaces()).sound_function
-    assert function is not None
+    checked = checked_file(Path("function.yaml").read_bytes(), "function.yaml", _interfaces())
+    function = checked.sound_function
+    assert function is not None, lines(finding.line_of_text for finding in checked.findings)
     return to_json(function.model_copy(update={"provenance": None})).decode()
 
 

@@ -32,7 +32,6 @@ _KINDS = {
     "integer": "integer",
     "boolean": "boolean",
 }
-_MIB = 1024 * 1024
 _PLACE = re.compile(
     r"^<!-- (?P<name>keys|fields|checks|limits|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
     re.MULTILINE | re.DOTALL,
@@ -142,7 +141,11 @@ def _limits(owner: str = "") -> str:
 
 
 def _shown_limit(value: float) -> str:
-    return f"{value // _MIB} MiB" if value >= _MIB and value % _MIB == 0 else f"{value:,.10g}"
+    unit = next((size for size in _SIZES if value >= 64 * 1024 and value % size == 0), None)
+    return f"{value // unit:,} {_SIZES[unit]}" if unit else f"{value:,.10g}"
+
+
+_SIZES = {1024**3: "GiB", 1024**2: "MiB", 1024: "KiB"}
 
 
 _TABLES: Mapping[str, Callable[..., str]] = {

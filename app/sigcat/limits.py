@@ -1,4 +1,4 @@
-"""Which limits there are: how much input is read, and how much work one input may cause, before it is refused.
+"""Limits of input: how much is read, how much work one input may cause before it is refused, how much a page shows of it.
 
 What a caller may set is a field of `Limits`, `FetchLimits` or `ArchiveLimits`; the rest are constants. Limits of the
 service, such as the size of a body, are its settings (`api/settings.py`). `make generate` writes the page of limits from
@@ -82,6 +82,9 @@ NUMBER_CHARACTERS = 1_000
 
 REFUSED_INCLUDES = 100
 """Includes of a posted text that are refused one by one; of more, their number is given."""
+
+PATTERN_MATCH_SECONDS = 0.1
+"""Seconds of one match of a regular expression of others, such as that of a company's rule."""
 
 PATTERN_PARTS = 10_000
 """Parts of a regular expression with its repetitions written out: what is larger takes seconds to compile."""
@@ -186,6 +189,15 @@ REQUEST_FUNCTIONS = 500
 
 PAGE_FUNCTIONS = 20
 """Functions of a set that a page shows."""
+
+PAGE_FINDINGS = 200
+"""Findings, or nodes that an overlay changes, that a page lists; of more, their number is given."""
+
+PAGE_CHANGES = 1_000
+"""Changes between two trees that a page lists, the worst first."""
+
+PICTURED_NODES = 50_000
+"""Nodes of a catalogue whose page has a picture of it."""
 
 FORM_FIELDS = 40
 """Fields of a form, and files of it; no page has as many."""

@@ -5,9 +5,8 @@ import re
 import time
 from typing import Any
 
-from sigcat.limits import PATTERN_PARTS
+from sigcat.limits import PATTERN_MATCH_SECONDS, PATTERN_PARTS
 
-SECONDS_PER_MATCH = 0.1
 _TOKENS = r"(?s)\\.|\[\^?\]?(?:\\.|[^\]\\])*\]|\{([0-9]+)[^}]*\}|."
 _COUNT = r"\{([^,}]*)"
 _UNUSUAL = r"\(\?[^:=!<P]|\[:"
@@ -42,7 +41,7 @@ class Matching:
             return "was not checked (earlier patterns took too long) against"
         start = time.perf_counter()
         try:
-            is_match = compile_bounded(pattern).match(text, timeout=min(SECONDS_PER_MATCH, self._left))
+            is_match = compile_bounded(pattern).match(text, timeout=min(PATTERN_MATCH_SECONDS, self._left))
         except TimeoutError:
             return "takes too long to match against"
         except BadPattern as error:

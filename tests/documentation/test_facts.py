@@ -91,6 +91,6 @@ def test_production_names_settings_and_metrics_that_there_are():
 
 def test_every_limit_has_a_row_that_says_what_it_bounds():
     owners = (limits.Limits, limits.FetchLimits, limits.ArchiveLimits)
-    constants = [name for name, value in vars(limits).items() if name.isupper() and isinstance(value, int)]
+    constants = [name for name, value in vars(limits).items() if name.isupper() and isinstance(value, int | float)]
     rows = re.findall(r"^\| \d.* \| [A-Z].*\. \|$", text_of("docs/reference/limits.md"), re.MULTILINE)
     assert len(rows) == sum(len(owner._fields) for owner in owners) + len(constants)

@@ -20,7 +20,7 @@ from tests.function.shipped import interfaces
 
 RULES = compiled_rules(INTERFACE_RULES)
 OWN = [rule for rule in RULES if rule.check in ("integration", "configuration")]
-PLATFORM_OF = {"N": "ros2", "K": "autosar-classic"}
+PLATFORM_OF = {"A": "autosar-adaptive", "K": "autosar-classic", "N": "ros2"}
 """Platforms by the first letter of their rules."""
 GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
 BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
@@ -40,7 +40,7 @@ def findings_of(rule, example, folder):
         if "deployment" in parts
         else DEFAULT_DEPLOYMENT
     )
-    platform = PLATFORMS[PLATFORM_OF.get(rule.id[0], "autosar-adaptive")]
+    platform = PLATFORMS[PLATFORM_OF[rule.id[0]]]
     integrated = platform.derive(read, deployment, getattr(deployment, platform.section))
     return (
         integrated.findings if rule.id != codes.NOT_WRITABLE_AS_ROS2.id else findings_of_packages(integrated.document)

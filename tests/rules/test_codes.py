@@ -9,6 +9,7 @@ import pytest
 from scripts.codes import codes_module
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.compiled import compiled_rules
+from sigcat.rules.record import MAKERS
 
 APP = Path(__file__).parents[2] / "app" / "sigcat"
 TARGET = APP / "codes.py"
@@ -54,3 +55,10 @@ def literal_codes(file):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in examples
         if CODE.fullmatch(node.value)
     ]
+
+
+def test_the_readme_of_the_rules_has_every_maker_and_every_range_of_codes():
+    text = (INTERFACE_RULES / "README.md").read_text(encoding="utf-8")
+    ranges = {f"{rule.id[:2]}xx" for rule in RULES}
+    assert {each for each in MAKERS if f"\n| `{each}` |" not in text} == set()
+    assert {each for each in ranges if not re.search(rf"\n\|[^|]*\b{each}\b", text)} == set()

@@ -8,7 +8,8 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from sigcat.patterns import SECONDS_PER_MATCH, BadPattern, compile_bounded
+from sigcat.limits import PATTERN_MATCH_SECONDS
+from sigcat.patterns import BadPattern, compile_bounded
 
 
 class SlowPattern(Exception):
@@ -54,7 +55,7 @@ def _bounded(text: str) -> Pattern:
     def limited(match: Callable[..., object]) -> Callable[[str], object]:
         def attempt(subject: str) -> object:
             try:
-                return match(subject, timeout=SECONDS_PER_MATCH)
+                return match(subject, timeout=PATTERN_MATCH_SECONDS)
             except TimeoutError:
                 raise SlowPattern(text) from None
 

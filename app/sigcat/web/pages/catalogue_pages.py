@@ -29,6 +29,7 @@ from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.limits import PAGE_FINDINGS, PICTURED_NODES
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
@@ -41,8 +42,6 @@ router = APIRouter()
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000
-_MOST_FINDINGS = 200
-_MOST_PICTURED = 50_000
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
     "overlay": "Overlay", "deprecated": "Deprecated",
@@ -162,7 +161,7 @@ def show_catalogue(
         hosted=hosted,
         detail=catalogue_detail(hosted),
         sunburst=_picture(hosted),
-        findings=findings[:_MOST_FINDINGS],
+        findings=findings[:PAGE_FINDINGS],
         total=len(findings),
     )
 
@@ -218,7 +217,7 @@ def _state(hosted: Hosted, functions: FunctionLibrary) -> str:
 
 def _picture(hosted: Hosted) -> Sunburst | None:
     """The sunburst; beyond what a page can hold there is none."""
-    return sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= _MOST_PICTURED else None
+    return sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= PICTURED_NODES else None
 
 
 def _facets(

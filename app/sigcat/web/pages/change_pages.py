@@ -14,12 +14,12 @@ from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import find_hosted
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.limits import PAGE_CHANGES
 from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS, place_of, trees_of, worst_first
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
-_MOST = 1_000
 """Changes on one page; filters narrow them."""
 
 
@@ -64,8 +64,8 @@ def _page(visit: Visit, old: str | None, new: str | None, filters: Mapping[str, 
         signs=SIGNS,
         total=len(changes),
         shown=len(shown),
-        most=_MOST,
-        trees=trees_of(worst_first(shown)[:_MOST]),
+        most=PAGE_CHANGES,
+        trees=trees_of(worst_first(shown)[:PAGE_CHANGES]),
         whole=[(name, number) for name in CLASSES if (number := by_class[name])],
     )
 

@@ -7,12 +7,12 @@ from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers.serializers import rule_detail
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheRules
+from sigcat.limits import PAGE_FINDINGS
 from sigcat.rules.record import Rule
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 
 router = APIRouter()
-_MOST_FINDINGS = 200
 
 
 @router.get("/rules")
@@ -48,6 +48,6 @@ def show_rule(
         hosted=hosted,
         rule=rule,
         beside=[each for each in rules.rules if each.category == rule.category],
-        findings=findings[:_MOST_FINDINGS],
+        findings=findings[:PAGE_FINDINGS],
         total=len(findings),
     )

@@ -25,7 +25,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_comparisons import HostedComparisons
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import functions_over
-from sigcat.limits import PAGE_FUNCTIONS, Limits
+from sigcat.limits import PAGE_FINDINGS, PAGE_FUNCTIONS, Limits
 from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
@@ -54,7 +54,6 @@ from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 VIEWS = {"files": "Files", **SET_VIEWS}
-_MOST_FINDINGS = 200
 
 Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
 
@@ -186,7 +185,7 @@ def _page(
 def _findings(findings: Sequence[Finding], own: Sequence[PostedFile]) -> dict[str, Any]:
     """What is wrong, and the lines of posted files where it is."""
     return {
-        "findings": findings[:_MOST_FINDINGS],
+        "findings": findings[:PAGE_FINDINGS],
         "finding_total": len(findings),
         "counts": finding_counts(findings),
         "sources": _sources(own, findings),

@@ -11,11 +11,9 @@ from sigcat.findings import Finding, has_errors
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import HostedFunction, buildable, built_over, functions_over
-from sigcat.limits import Limits
+from sigcat.limits import PAGE_FINDINGS, Limits
 from sigcat.web.views.change_trees import Branch, trees_of, worst_first
 from sigcat.web.views.node_uses import uses_in
-
-_MOST = 200
 
 
 class TriedNode(NamedTuple):
@@ -61,9 +59,9 @@ def overlay_outcome(text: bytes, catalogue: Catalogue, files: HostedFiles, limit
     nodes = _tried_nodes(trial, catalogue)
     numbers = Counter(change.compatibility for change in trial.changes)
     return OverlayOutcome(
-        nodes[:_MOST],
+        nodes[:PAGE_FINDINGS],
         len(nodes),
-        trees_of(worst_first(trial.changes)[:_MOST]),
+        trees_of(worst_first(trial.changes)[:PAGE_FINDINGS]),
         tuple((name, numbers[name]) for name in CLASSES if numbers[name]),
         len(trial.changes),
         tuple(_affected(trial, catalogue, files)),
