@@ -2,11 +2,12 @@
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CELLS
+from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
@@ -22,6 +23,8 @@ class _Field(NamedTuple):
     name: str
     field: str
     number_field: str | None = None
+    symbols: tuple[tuple[str, int], ...] = ()
+    """Texts of a recording, and the numbers that the message has for them."""
 
 
 class _Topic(NamedTuple):
@@ -65,12 +68,24 @@ def _topics(document: Mapping[str, Any]) -> Iterator[_Topic]:
     numbers = {node["NodeName"]: number for number, node in enumerate(_nodes(document))}
     for communication in document["CommunicationList"]:
         for topic in communication["ROSTopicList"]:
-            fields = [each for data in topic["DataMappingList"] for each in data["FieldList"]]
-            named = tuple(_Field(each["VssPath"], each["Field"], each.get("NumberField")) for each in fields)
-            yield _topic(topic, numbers[topic["NodeName"]], named)
+            fields = tuple(each for data in topic["DataMappingList"] for each in _fields(data))
+            yield _topic(topic, numbers[topic["NodeName"]], fields)
+    messages = _messages(document)
     for node in _nodes(document):
         for topic in [*node["ErrorTopics"], *node["SafetyReactionTopics"], *node["ModeTopics"]]:
-            yield _topic(topic, numbers[node["NodeName"]], (_Field(topic["InterfaceName"], topic["Field"]),))
+            constants = tuple(
+                (each["Name"], int(each["Value"])) for each in messages[topic["MessageType"]]["Constants"]
+            )
+            field = _Field(topic["InterfaceName"], topic["Field"], symbols=constants)
+            yield _topic(topic, numbers[node["NodeName"]], (field,))
+
+
+def _fields(data: Mapping[str, Any]) -> Iterator[_Field]:
+    conversions = {each["Name"]: each for each in data["ConversionAPI"] or ()}
+    for each in data["FieldList"]:
+        symbols = conversions.get(each.get("Conversion"), {}).get("Symbols") or ()
+        numbers = tuple((symbol["Text"], symbol["Number"]) for symbol in symbols if "Number" in symbol)
+        yield _Field(each["VssPath"], each["Field"], each.get("NumberField"), numbers)
 
 
 def _topic(topic: Mapping[str, Any], node: int, fields: tuple[_Field, ...]) -> _Topic:
@@ -150,18 +165,17 @@ def _offered(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mappin
 
 
 def _filled(field: _Field, message: Mapping[str, Any]) -> str:
-    place, symbols = f"message.{field.field}", _symbols(message)
-    if not symbols or _is_array(field.field, message):
+    place = f"message.{field.field}"
+    if not field.symbols or _is_array(field.field, message):
         return f"{place} = Read<std::decay_t<decltype({place})>>(item);"
-    if _is_text(field.field, message):
-        number = f"message.{field.number_field}"
-        told = (
-            f" {number} = static_cast<std::decay_t<decltype({number})>>(NumberOf(item.text, {symbols}));"
-            if field.number_field
-            else ""
-        )
-        return f"{place} = item.text;{told}"
-    return f"{place} = static_cast<std::decay_t<decltype({place})>>(NumberOf(item.text, {symbols}));"
+    if not _is_text(field.field, message):
+        return _numbered(place, field)
+    number = f" {_numbered(f'message.{field.number_field}', field)}" if field.number_field else ""
+    return f"{place} = item.text;{number}"
+
+
+def _numbered(place: str, field: _Field) -> str:
+    return f"{place} = static_cast<std::decay_t<decltype({place})>>(NumberOf(item.text, {_symbols(field)}));"
 
 
 def _heard(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
@@ -175,15 +189,15 @@ def _heard(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[
 
 
 def _told(field: _Field, message: Mapping[str, Any]) -> str:
-    place, symbols = f"message.{field.field}", _symbols(message)
-    if symbols and not _is_text(field.field, message) and not _is_array(field.field, message):
-        return f"SymbolOf({place}, {symbols})"
+    place = f"message.{field.field}"
+    if field.symbols and not _is_text(field.field, message) and not _is_array(field.field, message):
+        return f"SymbolOf({place}, {_symbols(field)})"
     return f"Text({place})"
 
 
-def _symbols(message: Mapping[str, Any]) -> str:
-    names = [f'{{"{each["Name"]}", {each["Value"]}}}' for each in message.get("Constants") or ()]
-    return f"{{{', '.join(names)}}}" if names else ""
+def _symbols(field: _Field) -> str:
+    names = ", ".join(f"{{{string(text)}, {number}}}" for text, number in field.symbols)
+    return f"{{{names}}}"
 
 
 def _datatype(field: str, message: Mapping[str, Any]) -> str:
@@ -201,17 +215,45 @@ def _is_array(field: str, message: Mapping[str, Any]) -> bool:
 def _structs(document: Mapping[str, Any]) -> Iterator[str]:
     """Cells of messages that are members of others, inner ones first."""
     messages = _messages(document)
+    members = _members(document, messages)
     for name in _nested(document, messages):
-        members = [each["Name"] for each in messages[name]["Fields"]]
+        fields = [each["Name"] for each in messages[name]["Fields"]]
+        both = list(zip(members.get(name, fields), fields, strict=True))
         texts = " + ".join(
-            f'"{", " if number else ""}\\"{each}\\": " + player::Text(value.{each})'
-            for number, each in enumerate(members)
+            f'"{", " if number else ""}\\"{member}\\": " + player::Text(value.{field})'
+            for number, (member, field) in enumerate(both)
         )
         reads = "".join(
-            f'        value.{each} = player::Read<std::decay_t<decltype(value.{each})>>(item.At("{each}"));\n'
-            for each in members
+            f'        value.{field} = player::Read<std::decay_t<decltype(value.{field})>>(item.At("{member}"));\n'
+            for member, field in both
         )
         yield _STRUCT.format(type=_type(name), reads=reads, texts=texts)
+
+
+def _members(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Sequence[str]]:
+    """What a recording calls the members of messages that others hold: as the catalogue does, not as ROS 2."""
+    types = {each["typeRef"]: each["cDef"] for each in document["Datatypes"]}
+    structs = {each["cDef"]: each["Fields"] for each in document["Datatypes"] if each.get("Fields")}
+    found: dict[str, Sequence[str]] = {}
+
+    def visit(message: str, c_type: str) -> None:
+        members = structs.get(_element(c_type))
+        if message not in messages or members is None or message in found:
+            return
+        found[message] = [each["Name"] for each in members]
+        for field, member in zip(messages[message]["Fields"], members, strict=True):
+            visit(_message_of(field["DataType"], document), types[member["Datatype"]])
+
+    for communication in document["CommunicationList"]:
+        for topic in communication["ROSTopicList"]:
+            for field in (each for data in topic["DataMappingList"] for each in data["FieldList"]):
+                visit(_message_of(field["FieldDataType"], document), field["VariableDataType"])
+    return found
+
+
+def _element(datatype: str) -> str:
+    """`Point[4]` → `Point`."""
+    return re.sub(r"\[.*\]$", "", datatype)
 
 
 def _nested(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> list[str]:
@@ -230,7 +272,7 @@ def _nested(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any
 
 
 def _message_of(datatype: str, document: Mapping[str, Any]) -> str:
-    package, _, name = re.sub(r"\[.*\]$", "", datatype).rpartition("/")
+    package, _, name = _element(datatype).rpartition("/")
     return f"{package.removesuffix('/msg') or document['InterfacePackageList'][0]['Name']}/msg/{name}"
 
 
@@ -281,7 +323,7 @@ struct Cell<{type}, void> final {{
         {type} value;
 {reads}        return value;
     }}
-    static std::string Text(const {type}& value) {{ return "{{" + {texts} + "}}"; }}
+    static std::string Text(const {type}& value) {{ return std::string("{{") + {texts} + "}}"; }}
 }};
 
 """

@@ -1,0 +1,36 @@
+"""The player of ROS 2, as text: what it reads of a trace, and writes of what it hears, is what the simulation reads and writes."""
+
+import json
+
+from sigcat.players.ros2_player_source import player_files
+from tests.adapter.autosar_adaptive.application.generated import FULL
+from tests.adapter.ros2 import generated
+
+
+def topics(**ros2):
+    """What is generated of the topics of a function that uses everything."""
+    document = json.loads(generated.integration(FULL / "function.yaml", deployment={"ros2": ros2}))
+    files = {file.name: file.data.decode() for file in player_files(document)}
+    return files["player/topics.cpp"]
+
+
+def test_members_of_structs_are_called_as_in_the_catalogue():
+    text = topics()
+    assert 'value.latitude = player::Read<std::decay_t<decltype(value.latitude)>>(item.At("Latitude"));' in text
+    assert 'std::string("{") + "\\"Latitude\\": " + player::Text(value.latitude)' in text
+
+
+def test_only_a_field_with_names_has_names():
+    """Constants of a message are those of one of its fields; the others are numbers and structs."""
+    text = topics(enumerations="number")
+    assert '{"Vehicle.Full.GearOut", SymbolOf(message.gear_out, {{"P", 0}, {"R", 1}, {"D", 2}})}' in text
+    assert '{"Vehicle.Full.Acc", Text(message.acc)}, {"Vehicle.Full.Scaled", Text(message.scaled)}' in text
+    assert '{"Vehicle.Full.PlaceOut", Text(message.place_out)}' in text
+
+
+def test_a_text_is_sent_with_its_number():
+    assert "message.gear = item.text; message.gear_number = static_cast" in topics()
+
+
+def test_modes_have_the_names_of_their_interface():
+    assert '{"Full_Mode_Out", SymbolOf(message.mode, {{"OFF", 0}, {"ON", 1}})}' in topics()
