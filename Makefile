@@ -52,7 +52,7 @@ kpi: .venv/dev ros2  ## EcoControl on every platform: behaviour, timing, load an
 	$(BIN)/sigcat compare examples/ecocontrol -o examples/ecocontrol/comparison.json -o build/kpi
 
 pictures: .venv/dev  ## picture every page into docs/pictures
-	$(BIN)/python scripts/pictures.py
+	$(BIN)/python -m scripts.pictures
 
 generate: .venv/dev  ## write everything that is generated: expected outputs of tests, pages of docs, the OpenAPI document
 	$(BIN)/python -m scripts.generate

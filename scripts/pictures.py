@@ -5,7 +5,6 @@ What the README shows goes to docs/pictures, the other pages to build/pictures, 
 
 import argparse
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -14,6 +13,8 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from playwright.sync_api import Browser, Error, Page, sync_playwright
+
+from scripts.browser import find_browser
 
 ROOT = Path(__file__).parent.parent
 SHOWN = ROOT / "docs" / "pictures"
@@ -172,10 +173,9 @@ def service() -> Iterator[str]:
 @contextmanager
 def chromium() -> Iterator[Browser]:
     """The system's Chromium, or the one that Playwright installed."""
-    found = (shutil.which(name) for name in ("chromium", "chromium-browser", "google-chrome"))
     with sync_playwright() as playwright:
         try:
-            yield playwright.chromium.launch(executable_path=next(filter(None, found), None), args=["--no-sandbox"])
+            yield playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
         except Error as error:
             sys.exit(f"Chromium cannot be started: {error.message.splitlines()[0]}")
 

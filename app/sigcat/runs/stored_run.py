@@ -10,7 +10,6 @@ from sigcat.findings import Finding
 from sigcat.limits import RUN_BYTES
 from sigcat.runs.columns import Column, FunctionColumns
 from sigcat.runs.recording.series import Series, SeriesCollector
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.trace_file import Known, Moment, Trace, moments, open_trace
 
 
@@ -39,11 +38,6 @@ class StoredRun(NamedTuple):
     """Those of the function, in its order."""
     findings: tuple[Finding, ...]
     """What could not be read; the rest is there."""
-
-
-def is_drawable(column: Column) -> bool:
-    """Whether its values are numbers, one at a time."""
-    return isinstance(column.shape, Number)
 
 
 def read_run(file: Path, name: str, wanted: Sequence[str], function: FunctionColumns) -> StoredRun:

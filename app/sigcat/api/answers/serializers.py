@@ -103,11 +103,6 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     )
 
 
-def node_summary(node: Node) -> schemas.NodeSummary:
-    """A node in a list."""
-    return schemas.NodeSummary(**_node_fields(node))
-
-
 def search_hit(hit: Hit) -> schemas.SearchHit:
     """A node that a search found."""
     return schemas.SearchHit(**_node_fields(hit.node), instance_count=hit.instances)

@@ -78,8 +78,6 @@ def _tag_of_plain(value: str) -> str:
 _RESOLVER = yaml.resolver.Resolver()
 _SHORT = 32
 """Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
-_NUMERIC = frozenset("+-.0123456789")
-"""What a plain scalar can start with that is neither text nor a short word."""
 _plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
 
 
