@@ -108,8 +108,8 @@ def _give_queue(output: Output, place: str, ends: Ends, scope: Scope) -> list[Li
     ]
 
 
-def _verdict(output: Output, flag: str, place: str, scope: Scope) -> Lines:
-    return lines(f"{place}.range = {flag} ? {scope.absent} : {scope.present};") if output.range_error else ()
+def _verdict(output: Output, all_within: str, place: str, scope: Scope) -> Lines:
+    return lines(f"{place}.range = {all_within} ? {scope.absent} : {scope.present};") if output.range_error else ()
 
 
 def _counted(output: Output, place: str, scope: Scope) -> Lines:
