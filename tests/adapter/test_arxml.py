@@ -1,23 +1,9 @@
 """An integration becomes ARXML of a release of AUTOSAR adaptive."""
 
-import html
-import json
-import xml.etree.ElementTree as ET
-from functools import cache
-
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from sigcat.adapter.autosar_adaptive.arxml.field_targets import TABLES
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
-from sigcat.cli import main
-from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.releases import RELEASES
-from sigcat.integration.autosar_adaptive.storages import stored_parameters
-from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter.arxml_judge import (
     VERSIONS,
     dangling,
@@ -29,70 +15,20 @@ from tests.adapter.arxml_judge import (
     version_of,
     without_number,
 )
-from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, parameter, signal
+from tests.adapter.arxml_made import document, every_kind, made, refused, tags, texts
+from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function
 from tests.judges import judged_by
-from tests.needs import published, published_files
 
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
           "METHOD-ID": (1, 0x7FFF), "EVENT-GROUP-ID": (1, 0xFFFE)}  # fmt: skip
 
-POINT = {
-    "typeRef": "DT_Point", "category": "userdefined", "cDef": "struct Point", "Kind": "struct",
-    "Description": "A place.",
-    "Fields": [{"Name": "X", "Datatype": "DT_Float32", "Units": "m", "Description": "Ahead.", "Min": -2, "Max": 7.5},
-               {"Name": "Label", "Datatype": "DT_String"}],
-}  # fmt: skip
-POINTS = {
-    "typeRef": "DT_Points", "category": "userdefined", "cDef": "struct Point *", "Kind": "array", "ElementType": "DT_Point",
-}  # fmt: skip
-COLOURS = {
-    "typeRef": "DT_Colour", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration",
-    "Symbols": [{"Symbol": "RED", "Value": 0}, {"Symbol": "GREEN", "Value": 7}],
-}  # fmt: skip
-METHOD = {
-    "Name": "SetSpeed", "Description": "Sets <it> & more.", "Role": "Provider",
-    "InDataTypeList": [{"Name": "v", "Datatype": "DT_Float32", "Units": "km/h"}],
-    "OutDataTypeList": [{"Name": "done", "Datatype": "DT_Bool", "Units": ""}],
-}  # fmt: skip
-
-
-def every_kind():
-    """A function with every kind of datatype and element."""
-    return function(
-        "Demo",
-        [
-            signal("Points", "Provider", Datatype="DT_Points", VssPath="Vehicle.A.Points", VssDatatype="Types.Point[]"),
-            signal("Colour", Datatype="DT_Colour", VssPath="Vehicle.A.Colour", VssDatatype="string"),
-            signal("Text", Datatype="DT_String", VssPath="Vehicle.A.Text", VssDatatype="string"),
-            signal("Scaled", Factor="0.01", Offset="-40", Units="celsius"),
-            at("Vehicle.B.Speed"),
-        ],
-        [POINT, POINTS, COLOURS],
-        contract={"MethodList": [METHOD]},
-    )
-
-
-@cache
-def made(name, release="R23-11"):
-    functions = examples() if name == "examples" else (every_kind(),)
-    protected = {"profile": 4, "events": {"DemoService": {"profile": 5, "maxDeltaCounter": 3}}}
-    deployment = DEFAULT_DEPLOYMENT if name == "examples" else deployed(autosarAdaptive={"e2e": protected})
-    return generate(derive(functions, deployment).model, release)
-
 
 SETS = pytest.mark.parametrize("name", ["examples", "every kind"])
+
+
 EACH_RELEASE = pytest.mark.parametrize("release", RELEASES)
 
-
-def tags(files):
-    return [element for file in files for element in ET.fromstring(file.data).iter()]
-
-
-def texts(files, tag):
-    return [element.text for element in tags(files) if element.tag.endswith(f"}}{tag}")]
-
-
-# -- as AUTOSAR has it --------------------------------------------------------------------------------------------
+# -- as AUTOSAR has it ---------------------------------------------------------------------------------------------------
 
 
 @judged_by(
@@ -155,7 +91,7 @@ def test_the_same_model_gives_the_same_bytes():
     assert generate(derive(examples()).model) == made("examples")
 
 
-# -- what an integrator looks for ---------------------------------------------------------------------------------
+# -- what an integrator looks for ----------------------------------------------------------------------------------------
 
 
 def test_the_files_are_those_that_integrators_expect():
@@ -409,262 +345,3 @@ def test_every_instance_and_event_group_has_the_timing_of_service_discovery_in_s
         found = [element for _, element in model.elements_dfs if element.element_name == kind]
         assert found
         assert all(any(child.element_name == timed for child in element.sub_elements) for element in found)
-
-
-# -- Integration JSON from elsewhere ------------------------------------------------------------------------------
-
-
-@published_files
-def test_the_published_example_becomes_arxml_with_ids_by_rule():
-    files = generate(read_integration(published("integration_model_AA_core_acc.json"), "published.json"))
-    model = loaded(files)
-    assert dangling(model) == []
-    assert misplaced(model) == []
-    assert without_number(model) == []
-    assert doubled_numbers(model) == []
-
-
-def document(**changes):
-    base = json.loads(to_json(derive([function(signals=[at("Vehicle.A.B")])]).model))
-    return {**base, **changes}
-
-
-def refused(value):
-    with pytest.raises(InputRefused) as caught:
-        read_integration(json.dumps(value, indent=1).encode(), "integration.json")
-    return caught.value.findings
-
-
-def test_what_autosar_cannot_name_is_refused_where_it_stands():
-    value = document()
-    value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"][0]["Name"] = '"/><script>'
-    found = refused(value)
-    assert [finding.rule for finding in found] == ["A020"]
-    assert found[0].pointer == "/ComponentList/0/ServiceInterfaceList/0/ServiceList/0/Events/0"
-    assert found[0].line > 1
-
-
-@pytest.mark.parametrize(
-    ("codes", "words"),
-    [
-        (({"Key": "gain/x"},), "key name"),
-        (({"Storage": "1st"},), "storage name must be"),
-        (({"Storage": "Adapter"},), "that of another port"),
-        (({"Key": "Gain"}, {"Key": "gain"}), "key names 'Gain' and 'gain'"),
-        (({"Storage": "Cal"}, {"Storage": "CAL"}), "storage names 'Cal' and 'CAL'"),
-    ],
-)
-def test_storages_and_keys_that_autosar_cannot_have_are_refused(codes, words):
-    listed = [parameter(Name=f"P{index}", Variable=f"g_{index}", **code) for index, code in enumerate(codes)]
-    value = json.loads(to_json(derive([function(contract={"ParameterList": listed})]).model))
-    found = refused(value)
-    assert {finding.rule for finding in found} == {"A020"}
-    assert words in found[0].message
-    assert found[0].pointer == f"/ComponentList/0/ParameterList/{len(codes) - 1}"
-
-
-def test_a_parameter_that_two_calls_describe_differently_is_stored_once():
-    listed = [parameter(Key="gain", Variable="g_gain", Description=text) for text in ("A gain.", "Another gain.")]
-    model = derive([function(contract={"ParameterList": listed})]).model
-    assert [each.key for each in stored_parameters(model.components[0])][:1] == ["gain"]
-    read_integration(to_json(model), "integration.json")
-
-
-def test_a_datatype_that_is_not_defined_is_refused():
-    value = document()
-    value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"][0]["DataType"] = "DT_Nothing"
-    assert "'DT_Nothing' of A_B is not defined" in refused(value)[0].message
-
-
-@pytest.mark.parametrize(
-    "entry",
-    [
-        {"Name": "uint8_t", "Class": "type_reference", "cDef": "bool"},
-        {"Name": "A/B", "Class": "structure", "Field": []},
-        {"Name": "E", "Class": "enumeration", "EnumField": [{"Symbol": "</VT>", "Value": 1}]},
-        {"Name": "S", "Class": "structure", "Field": [{"Name": "a", "Type": "bool"}, {"Name": "A", "Type": "bool"}]},
-        {"Name": "S", "Class": "structure", "Field": [{"Name": "a", "Type": "nothing"}]},
-        {"Name": "L", "Class": "array", "Dimension": 3},
-    ],
-)
-def test_datatypes_that_autosar_cannot_have_are_refused(entry):
-    assert refused(document(DataTypes=[entry]))[0].rule == "A020"
-
-
-@pytest.mark.parametrize(("key", "value"), [("Package", "a b"), ("FunctionGroup", "1")])
-def test_names_of_the_deployment_are_checked(key, value):
-    base = document()
-    base["Deployment"][key] = value
-    assert refused(base)[0].pointer == f"/Deployment/{key}"
-
-
-def test_an_array_of_open_length_needs_a_length():
-    value = document(DataTypes=[{"Name": "L", "Class": "array", "Type": "float", "Dimension": "dynamic"}])
-    value["Deployment"]["Transformation"]["arrayLength"] = 0
-    assert [finding.pointer for finding in refused(value)] == ["/Deployment/Transformation/arrayLength"]
-
-
-def test_an_id_that_two_have_is_refused():
-    model = derive([function(signals=[at("Vehicle.A.B"), at("Vehicle.A.C")])]).model
-    value = json.loads(to_json(model))
-    for event in value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"]:
-        event["EventID"] = 32770
-    assert "must have different ids, not both 32770" in refused(value)[0].message
-
-
-@pytest.mark.parametrize("data", [b"", b"[]", b"{}", b"\xff\xfe", b"nonsense", b'{"ComponentList": 3}', b"[" * 100_000])
-def test_what_is_no_integration_json_is_refused(data):
-    with pytest.raises(InputRefused) as caught:
-        read_integration(data, "integration.json")
-    assert caught.value.findings
-
-
-# -- texts that want to get out -----------------------------------------------------------------------------------
-
-HOSTILE = [
-    '"><script>alert(1)</script>',
-    "*/ #include <x>",
-    "]]><!--",
-    "&amp;&lt;",
-    "\u0000\u0001\u001f",
-    "\ufffe",
-    "été 🚗",
-    "a\nb\tc",
-]
-
-
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
-@pytest.mark.parametrize("text", HOSTILE)
-def test_hostile_texts_stay_texts(text):
-    method = METHOD | {"Description": text}
-    one = function(
-        "Demo",
-        [signal("S", Description=text, Variable=text, Units=text, VssPath="Vehicle.A.S")],
-        contract={"MethodList": [method]},
-    )
-    files = generate(derive([one]).model)
-    model = loaded(files)
-    assert dangling(model) == []
-    assert not [element for element in tags(files) if element.tag.lower().endswith("script")]
-    if text.isprintable():
-        assert text in texts(files, "L-2")
-
-
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
-@pytest.mark.parametrize("name", [*HOSTILE, "x" * 5000, "class", "1st"])
-def test_hostile_names_load_and_resolve(name):
-    one = function(
-        name, [signal(name, "Provider"), signal(f"{name}x")], contract={"MethodList": [METHOD | {"Name": name}]}
-    )
-    model = loaded(generate(derive([one]).model))
-    assert dangling(model) == []
-    assert doubled_names(model) == []
-
-
-@pytest.mark.parametrize("number", ["", "abc", "</V>", "1e999999999", "05", "1_0", "nan", "-0.5", "1e-5", "1/3"])
-def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
-    scaled = signal("S", Factor=number, Offset=number, VssPath=None)
-    largest = 1.7976931348623157e308
-    converted = at("Vehicle.A.B", ConversionFactor=number, ConversionOffset=number) | {"Max": largest}
-    over = at("Vehicle.A.C", ConversionFactor="3.6", ConversionOffset="0") | {"Max": largest}
-    assert dangling(loaded(generate(derive([function(signals=[scaled, converted, over])]).model))) == []
-
-
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
-@settings(max_examples=60)
-@given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
-def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):
-    one = function(
-        name,
-        [signal(text, VssPath=path or None, Description=text, Units=name), signal(name, "Provider", Variable=text)],
-    )
-    model = loaded(generate(derive([one]).model))
-    assert dangling(model) == []
-    assert doubled_names(model) == []
-    assert misplaced(model) == []
-
-
-# -- the command --------------------------------------------------------------------------------------------------
-
-
-def test_the_command_writes_the_files(tmp_path):
-    source = tmp_path / "integration.json"
-    source.write_bytes(to_json(derive(examples()).model))
-    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out")]) == 0
-    written = {path.name: path.read_bytes() for path in (tmp_path / "out").glob("*.arxml")}
-    assert written == {file.name: file.data for file in made("examples")}
-
-
-def test_the_command_refuses_what_is_no_integration(tmp_path, capsys):
-    source = tmp_path / "integration.json"
-    source.write_text("{}", encoding="utf-8")
-    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out")]) == 1
-    assert "F002" in capsys.readouterr().err
-    assert main(["generate", "arxml", str(tmp_path / "none.json"), "-o", str(tmp_path / "out")]) == 2
-
-
-def test_the_command_writes_a_release_that_is_asked_for(tmp_path, capsys):
-    source = tmp_path / "integration.json"
-    source.write_bytes(to_json(derive(examples()).model))
-    assert main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R22-11"]) == 0
-    written = {path.name: path.read_bytes() for path in (tmp_path / "out").glob("*.arxml")}
-    assert written == {file.name: file.data for file in made("examples", "R22-11")}
-    with pytest.raises(SystemExit, match="2"):
-        main(["generate", "arxml", str(source), "-o", str(tmp_path / "out"), "--release", "R19-11"])
-    assert "R20-11" in capsys.readouterr().err
-
-
-# -- the report ---------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("part", TABLES)
-def test_each_field_of_the_document_has_a_place_in_the_arxml(part):
-    parts = [f".{each.__name__}" for each in TABLES]
-    inner = {
-        name
-        for name, info in part.model_fields.items()
-        if any(f"{each}, ...]" in str(info.annotation) or f"{each} |" in str(info.annotation) for each in parts)
-        or info.annotation in TABLES
-    }
-    wanted = {info.alias for name, info in part.model_fields.items()}
-    held = {part.model_fields[name].alias for name in inner}
-    assert wanted - held <= TABLES[part][1].keys() <= wanted
-
-
-def test_no_value_of_the_document_is_lost():
-    model = derive(examples()).model.model_copy(update={"functions": None})
-    written = b"".join(file.data for file in generate(model)).decode()
-    texts = html.unescape(written)
-    assert [text for text in leaves(json.loads(to_json(model))) if text not in texts] == []
-
-
-ELSEWHERE = {"Class", "HeaderFolders", "Release", "Transformation"}
-"""Fields whose words are other ones in ARXML: categories, the schema, byte orders; or that it has no place for."""
-
-
-def leaves(value):
-    if isinstance(value, dict):
-        return [text for key, inner in value.items() if key not in ELSEWHERE for text in leaves(inner)]
-    if isinstance(value, list):
-        return [text for inner in value for text in leaves(inner)]
-    return [str(value).lower() if isinstance(value, bool) else str(value)] if value not in (None, "") else []
-
-
-def test_what_a_call_makes_of_a_value_stands_in_admin_data():
-    value = at(
-        "Vehicle.A.B", Timeout="150", TimeoutError="Demo_Late_ErrorSts", RangeErrorAction="Init", Variable="bus.b"
-    )
-    value |= {"ConversionFactor": "5/18", "ConversionOffset": "0"}
-    written = {file.name: file.data.decode() for file in generate(derive([function(signals=[value])]).model)}
-    for key, text in (("Timeout", "150"), ("RangeErrorAction", "Init"), ("Variable", "bus.b"), ("ConversionFactor", "5/18")):  # fmt: skip
-        assert f'<SD GID="A_B.Demo_Step.{key}">{text}</SD>' in written["components.arxml"]
-
-
-def test_the_command_reports_where_each_field_went(tmp_path):
-    (tmp_path / "integration.json").write_bytes(to_json(derive(examples()).model))
-    report = tmp_path / "report.json"
-    arguments = ["generate", "arxml", str(tmp_path / "integration.json"), "-o", str(tmp_path / "out")]
-    assert main([*arguments, "--report", str(report)]) == 0
-    rows = json.loads(report.read_text(encoding="utf-8"))
-    assert {"event", "call", "parameter", "service"} <= {row["kind"] for row in rows}
-    assert [row for row in rows if row["target"] == "not carried"] == []
