@@ -60,7 +60,8 @@ def _blocks(example: Any, language: str = "yaml") -> str:
         elif isinstance(value, list):
             parts.extend(f"{name} {number}:\n\n{_blocks(text)}" for number, text in enumerate(value, 1))
         else:
-            parts.append(_blocks(value) if name == "whole" else f"{name}:\n\n{_blocks(value)}")
+            block = _blocks(value, "json" if name == "document" else "yaml")
+            parts.append(block if name == "whole" else f"{name}:\n\n{block}")
     return "\n\n".join(parts)
 
 
