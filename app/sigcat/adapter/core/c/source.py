@@ -12,10 +12,10 @@ from sigcat.adapter.core.c import (
     schedule,
     supervision,
 )
-from sigcat.adapter.core.c.helpers import used_helpers
 from sigcat.adapter.core.c.lines import Lines, function, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.sizes import sizes
+from sigcat.adapter.core.c.small_functions import used_functions
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
 
@@ -31,7 +31,7 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
         _evaluation(scope),
         *_variables(scope),
         *sizes(scope),
-        *used_helpers(text, scope.prefix, scope.macro),
+        *used_functions(text, scope.prefix, scope.macro),
         *body,
     ])  # fmt: skip
 
