@@ -86,7 +86,7 @@ def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
 
 def _texts(key: str, value: Any, faults: _Faults) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        faults.add(key, f"`{key}` must be a list of texts.")
+        faults.add(key, f"`{key}` must be a list of texts, not {shown(value)}.")
         return ()
     return tuple(value)
 

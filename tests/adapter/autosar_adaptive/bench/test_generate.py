@@ -111,14 +111,21 @@ def test_a_service_may_have_a_namespace_of_its_own(made: dict[str, str]) -> None
     assert other[f"{INCLUDE}/impl_type_track_t.h"] == made[f"{INCLUDE}/impl_type_track_t.h"]
 
 
+def refusal(made: object) -> str:
+    """The messages with which a document is refused."""
+    with pytest.raises(InputRefused) as refused:
+        files(json.dumps(made).encode())
+    assert all(finding.fix for finding in refused.value.findings)
+    return " ".join(finding.message for finding in refused.value.findings)
+
+
 def test_two_services_of_one_namespace_share_no_name() -> None:
     both = document()
     for component in both["ComponentList"]:
         first = component["ServiceInterfaceList"][0]
         second = {**first, "Name": "OtherService", "ServiceID": 0x777, "ServiceInstanceID": 78}
         component["ServiceInterfaceList"].append(second)
-    with pytest.raises(InputRefused, match="OtherService and ProbeService must not both have Speed in one namespace"):
-        files(json.dumps(both).encode())
+    assert "OtherService and ProbeService must not both have Speed in one namespace" in refusal(both)
     for component in both["ComponentList"]:
         component["ServiceInterfaceList"][1]["Namespace"] = "elsewhere"
     assert "include/elsewhere/otherservice_proxy.h" in files(json.dumps(both).encode())
@@ -126,16 +133,14 @@ def test_two_services_of_one_namespace_share_no_name() -> None:
 
 @pytest.mark.parametrize("namespace", ["bench", "demo::ara", "demo::std", "other::probe"])
 def test_a_namespace_that_hides_another_one_is_refused(namespace: str) -> None:
-    with pytest.raises(InputRefused, match="The namespace of ProbeService must not have"):
-        files(json.dumps(document(Namespace=namespace)).encode())
+    assert "The namespace of ProbeService must not have" in refusal(document(Namespace=namespace))
 
 
 def test_an_element_must_not_be_called_as_every_proxy_has_it() -> None:
     taken = document()
     for component in taken["ComponentList"]:
         component["ServiceInterfaceList"][0]["ServiceList"][0]["Methods"][0]["Name"] = "findService"
-    with pytest.raises(InputRefused, match="findService of ProbeService must have another name"):
-        files(json.dumps(taken).encode())
+    assert "findService of ProbeService must have another name" in refusal(taken)
 
 
 def test_each_of_18_services_has_a_proxy_and_each_of_162_events_its_description() -> None:

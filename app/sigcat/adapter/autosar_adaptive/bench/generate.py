@@ -27,8 +27,8 @@ def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
     """
     whole = writable(model)
     listed, names = services(whole), type_names(whole)
-    if problems := list(unusable_names(listed)):
-        raise InputRefused(" ".join(problems))
+    if findings := tuple(unusable_names(listed)):
+        raise InputRefused("The services cannot be generated.", findings)
     headers = {**datatypes.headers(whole, names)}
     sources = {NAME: codecs_source(whole, listed, names)}
     for service in listed:

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from sigcat import codes
 from sigcat.adapter.autosar_adaptive.bench.services import Service
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
+from sigcat.findings import Finding
 from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
 
 _OF_EVERY_PROXY = {"Create", "FindService", "StartFindService", "StopFindService", "GetHandle", "HandleType"}
@@ -11,33 +13,32 @@ _OF_EVERY_SKELETON = {"OfferService", "StopOfferService", "ProcessNextMethodCall
 _OF_THE_PLATFORM = ("ara", "std", "bench")
 
 
-def unusable_names(services: Sequence[Service]) -> Iterator[str]:
-    """A sentence for each, with what to do."""
+def unusable_names(services: Sequence[Service]) -> Iterator[Finding]:
+    """A finding for each."""
     for service in services:
         yield from _hiding(service)
         yield from _taken(service)
     yield from _shared(services)
 
 
-def _hiding(service: Service) -> Iterator[str]:
+def _hiding(service: Service) -> Iterator[Finding]:
     inner = {*service.names.namespace[1:], *service.types.namespace[1:]}
     outer = {*_OF_THE_PLATFORM, *service.types.namespace[:1]}
     found = sorted((inner & outer) | ({"bench"} & {*service.names.namespace[:1], *service.types.namespace[:1]}))
     for name in found:
-        yield (
-            f"The namespace of {service.whole.name} must not have {name} in it, which hides the namespace {name} of others. "
-            "Rename it under `namespace` of the deployment."
-        )
+        message = f"The namespace of {service.whole.name} must not have {name} in it, which hides the namespace {name} of others."
+        yield codes.NOT_WRITABLE_AS_ARXML.finding(message, fix="Rename it under `namespace` of the deployment.")
 
 
-def _taken(service: Service) -> Iterator[str]:
+def _taken(service: Service) -> Iterator[Finding]:
     for elements in _kinds(service).values():
         for element in elements:
             if member_name(element.name) in _OF_EVERY_PROXY | _OF_EVERY_SKELETON:
-                yield f"{element.name} of {service.whole.name} must have another name: every proxy or skeleton has one of this name. Rename it."
+                message = f"{element.name} of {service.whole.name} must have another name: every proxy or skeleton has one of this name."
+                yield codes.NOT_WRITABLE_AS_ARXML.finding(message, fix="Rename it.")
 
 
-def _shared(services: Sequence[Service]) -> Iterator[str]:
+def _shared(services: Sequence[Service]) -> Iterator[Finding]:
     owners: dict[tuple[tuple[str, ...], str, str], str] = {}
     for service in services:
         for kind, elements in _kinds(service).items():
@@ -45,10 +46,12 @@ def _shared(services: Sequence[Service]) -> Iterator[str]:
                 key = (service.names.namespace, kind, member_name(element.name))
                 owner = owners.setdefault(key, service.whole.name)
                 if owner != service.whole.name:
-                    yield (
+                    message = (
                         f"{owner} and {service.whole.name} must not both have {element.name} in one namespace, as AUTOSAR "
-                        "names its class without the service. Give one of them a `namespace` of its own in the deployment."
+                        "names its class without the service."
                     )
+                    fix = "Give one of them a `namespace` of its own in the deployment."
+                    yield codes.NOT_WRITABLE_AS_ARXML.finding(message, fix=fix)
 
 
 def _kinds(service: Service) -> Mapping[str, Sequence[Event | ServiceField | Method]]:
