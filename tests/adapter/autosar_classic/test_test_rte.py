@@ -60,6 +60,19 @@ def test_every_bit_is_that_of_the_simulation(name, tmp_path):
     assert sent == simulated
 
 
+def test_functions_may_have_types_of_one_name(tmp_path):
+    """As models of Simulink have, each in headers of its own."""
+    paths = []
+    for original, members in zip(ECOCONTROL, ("int a;", "double a; int b;"), strict=True):
+        folder = shutil.copytree(original.parent, tmp_path / original.parent.name)
+        (header,) = folder.glob("*_types.h")
+        header.write_text(header.read_text().replace("#endif", f"typedef struct {{ {members} }} Parts;\n#endif"))
+        paths.append(folder / original.name)
+    made = written(tmp_path / "made", tuple(paths))
+    assert (made / "test_rte/rte_tables.c").read_text().count("&TestRte_Memory_") == len(paths)
+    assert built(made, tuple(paths)).is_file()
+
+
 def _length(trace):
     times = [float(line.split(",")[0]) for line in trace.read_text().splitlines()[1:]]
     return round((times[-1] - times[0]) * SECOND)

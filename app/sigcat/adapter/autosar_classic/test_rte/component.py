@@ -91,8 +91,15 @@ def _copies(swc: SwcPlan, calls: Iterable[Call]) -> list[Lines]:
 
 
 def _memories(swc: SwcPlan) -> list[Lines]:
+    """Its type is that of a core, of which only this file knows the headers: two functions may have types of one name."""
     return [
-        lines(f"Rte_PimType_{swc.name}_{each.type} {own('Pim', each.name, swc)};") for each in swc.component.memories
+        lines(f"""
+            static Rte_PimType_{swc.name}_{each.type} {own("Pim", each.name, swc)};
+            const TestRte_Memory {own("Memory", each.name, swc)} = {{
+                &{own("Pim", each.name, swc)}, (uint32)sizeof({own("Pim", each.name, swc)})
+            }};
+        """)
+        for each in swc.component.memories
     ]
 
 

@@ -191,12 +191,12 @@ void NvM_ReadAll(const char *folder)
     for (uint32 i = 0U; folder != NULL && i < TestRte_BlockCount; i++) {
         FILE *const file = opened(folder, TestRte_Blocks[i].name, "rb");
         if (file != NULL) {
-            was_read[i] = (fread(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file) == 1U && fgetc(file) == EOF) ? TRUE : FALSE;
+            was_read[i] = (fread(TestRte_Blocks[i].memory->ram, TestRte_Blocks[i].memory->size, 1U, file) == 1U && fgetc(file) == EOF) ? TRUE : FALSE;
             (void)fclose(file);
             if (was_read[i] == FALSE) {
-                (void)memset(TestRte_Blocks[i].ram, 0, TestRte_Blocks[i].size);
+                (void)memset(TestRte_Blocks[i].memory->ram, 0, TestRte_Blocks[i].memory->size);
                 (void)fprintf(stderr, "test_rte: %s/%s.nvm is left out: it must have %u bytes\n",
-                    folder, TestRte_Blocks[i].name, TestRte_Blocks[i].size);
+                    folder, TestRte_Blocks[i].name, TestRte_Blocks[i].memory->size);
             }
         }
     }
@@ -207,7 +207,7 @@ void NvM_WriteAll(const char *folder)
     for (uint32 i = 0U; folder != NULL && i < TestRte_BlockCount; i++) {
         if (has_changed_[i] != FALSE) {
             FILE *const file = opened(folder, TestRte_Blocks[i].name, "wb");
-            if (file == NULL || fwrite(TestRte_Blocks[i].ram, TestRte_Blocks[i].size, 1U, file) != 1U || fclose(file) != 0) {
+            if (file == NULL || fwrite(TestRte_Blocks[i].memory->ram, TestRte_Blocks[i].memory->size, 1U, file) != 1U || fclose(file) != 0) {
                 fail(TestRte_Blocks[i].name);
             }
         }

@@ -55,10 +55,15 @@ typedef struct {
     void (*deliver)(const void *value);
 } TestRte_Input;
 
+/* A memory of a component. */
 typedef struct {
-    const char *name;
     void *ram;
     uint32 size;
+} TestRte_Memory;
+
+typedef struct {
+    const char *name;
+    const TestRte_Memory *memory;
 } TestRte_Block;
 
 /* A function identifier, and the events whose failure takes its permission away. */
