@@ -134,7 +134,7 @@ def test_in_simulated_time_nothing_runs_until_the_time_has_come(ask, where, tmp_
 
 def test_a_parameter_says_what_it_means_and_where_it_ends(ask, node):
     told = ask("describe", "core_acc", "a_lat_max")
-    assert told["description"].endswith("limits the speed in curves. [m/s^2]")
+    assert told["description"].endswith("limits the speed in curves. Unit: m/s^2.")
     assert (told["ranges"], told["read_only"]) == ([[0.5, 8.0]], False)
     assert ask("describe", "core_acc", "lock_step")["read_only"]
 

@@ -138,6 +138,11 @@ class NodeParameter(NamedTuple):
     """Texts, where it is text."""
 
     @property
+    def described(self) -> str:
+        """The description with the unit, as the descriptor of the parameter has it in every language."""
+        return f"{self.description} Unit: {self.units}." if self.units else self.description
+
+    @property
     def is_learned(self) -> bool:
         """Whether the function changes it, and its value is stored."""
         return self.parameter.learned is not None

@@ -64,10 +64,9 @@ def cpp_type(parameter: NodeParameter) -> str:
 
 
 def _declared(parameter: NodeParameter) -> str:
-    unit = f" Unit: {parameter.units}." if parameter.units else ""
     has_range = parameter.low is not None or parameter.high is not None
     levels = 2 + has_range + parameter.is_read_only
-    descriptor = _described(parameter.description + unit, parameter.constraints or "", levels)
+    descriptor = _described(parameter.described, parameter.constraints or "", levels)
     if has_range:
         descriptor = call("within", [descriptor, *_limits(parameter)], ")", levels - 1)
     if parameter.is_read_only:

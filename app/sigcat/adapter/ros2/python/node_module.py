@@ -136,9 +136,8 @@ def _declare(node: NodePlan) -> Lines:
 
 
 def _declared(parameter: NodeParameter) -> Lines:
-    unit = f" [{parameter.units}]" if parameter.units else ""
     descriptor = joined([
-        _described("description", f"{parameter.description}{unit}"),
+        _described("description", parameter.described),
         _described("additional_constraints", parameter.constraints) if parameter.constraints else (),
         lines("read_only=True,") if parameter.is_read_only else (),
         lines(f"{_range(parameter)},") if _has_range(parameter) else (),
