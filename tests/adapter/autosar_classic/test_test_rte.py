@@ -60,6 +60,38 @@ def test_every_bit_is_that_of_the_simulation(name, tmp_path):
     assert sent == simulated
 
 
+def test_a_provider_sends_to_the_queue_that_a_receiver_declares(tmp_path):
+    """Also where it has no queue of its own: the element is queued for both."""
+    folder = shutil.copytree(CASES / "bursts_that_fill_queues", tmp_path / "code")
+    (folder / "sender.yaml").write_text(
+        (folder / "sender.yaml").read_text()
+        .replace("variable: items, queueLength: 8, valuesPerStep: 8, countVariable: item_count", "variable: 'items[0]'")
+    )  # fmt: skip
+    drive = Drive(folder / "trace.csv", _length(folder / "trace.csv"))
+    simulated, sent = _both([folder / "sender.yaml", folder / "taker.yaml"], drive, tmp_path)
+    assert len(set(simulated["Vehicle.Burst.Sum"])) > 2
+    assert sent == simulated
+
+
+LOOKS = """\
+      - interface: LookStep
+        symbol: event_step
+        data: [{path: Vehicle.Bounce.Key, role: consumed, variable: key, provider: Outside}]
+"""
+
+
+def test_a_call_that_reads_what_triggers_another_one_triggers_nothing(tmp_path):
+    folder = shutil.copytree(CASES / "events_that_are_debounced", tmp_path / "code")
+    text = (folder / "function.yaml").read_text()
+    text = text.replace("define:\n", f"{LOOKS}define:\n", 1)
+    text += "    LookStep: {description: Looks., cycleTime: 10, scheduling: Preemptive, asil: QM}\n"
+    (folder / "function.yaml").write_text(text)
+    drive = Drive(folder / "trace.csv", _length(folder / "trace.csv") + SECOND // 2)
+    simulated, sent = _both([folder / "function.yaml"], drive, tmp_path)
+    assert len(simulated["Vehicle.Bounce.Sum"]) > 2
+    assert sent == simulated
+
+
 def test_functions_may_have_types_of_one_name(tmp_path):
     """As models of Simulink have, each in headers of its own."""
     paths = []

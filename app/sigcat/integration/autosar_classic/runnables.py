@@ -262,10 +262,12 @@ def _data(call: Call, behaviour: Behaviour) -> Iterator[model.Access]:
             elif element.queue_length is not None:
                 yield _access("QueuedReceive", port, element, "Each value is received.")
             else:
-                yield _access(*_reading(data, call, port))
+                yield _access(*_reading(data, call, port, behaviour))
 
 
-def _reading(data: Signal | DataQueue, call: Call, port: model.Port) -> tuple[model.AccessKind, model.Port, model.Element, str]:  # fmt: skip
+def _reading(
+    data: Signal | DataQueue, call: Call, port: model.Port, behaviour: Behaviour
+) -> tuple[model.AccessKind, model.Port, model.Element, str]:
     element = port.elements[0]
     if (data.access or "").lower() == "immediate":
         return "ExplicitRead", port, element, "Access is Immediate: the latest value when the call begins."
@@ -273,9 +275,29 @@ def _reading(data: Signal | DataQueue, call: Call, port: model.Port) -> tuple[mo
         return "ExplicitRead", port, element, "The core's time-out has to know what is fresh."
     if data.e2e_error:
         return "ExplicitRead", port, element, "The core has to know what was rejected."
-    if call.run_type == EVENT_TRIGGERED and data in triggers(call):
+    if _is_trigger(data, call):
         return "ExplicitRead", port, element, "It triggers the call: each value counts."
+    if any(other is not data and _is_watched(other, reader) for other, reader in _readers(port, behaviour)):
+        return "ExplicitRead", port, element, "Another call has to know what is fresh."
     return "ImplicitRead", port, element, "Access is Buffered: the same value for the whole call."
+
+
+def _is_trigger(data: Signal | DataQueue, call: Call) -> bool:
+    return call.run_type == EVENT_TRIGGERED and data in triggers(call)
+
+
+def _is_watched(data: Signal, call: Call) -> bool:
+    """Whether a value that is handed over twice would be taken for a new one."""
+    return bool(data.timeout or data.e2e_error) or _is_trigger(data, call)
+
+
+def _readers(port: model.Port, behaviour: Behaviour) -> Iterator[tuple[Signal, Call]]:
+    """What the calls of a component read from a port."""
+    for step in behaviour.steps:
+        for contract in step.call.contracts or ():
+            for data in contract.signals or ():
+                if data.role == CONSUMER and _port_of(data, step.call, behaviour) is port:
+                    yield data, step.call
 
 
 def _port_of(data: Signal | DataQueue, call: Call, behaviour: Behaviour) -> model.Port | None:

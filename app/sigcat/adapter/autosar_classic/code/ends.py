@@ -116,7 +116,7 @@ def _sent(port: Port, element: Element, data: DataElement, use: Use, context: Sw
     if output is not None:
         named, call = output.named, next(step.name for step in context.core.steps if output in step.outputs)
         end = _end(port, element, data, use, context, named.name, output.value.wire, named.comment)
-        return end._replace(is_queue=output.queue is not None, call=call)
+        return end._replace(has_count=output.queue is not None, call=call)
     ends = [(each.named, each.wire) for each in context.core.errors]
     ends += [(each.named, each.wire) for each in context.core.reactions]
     for named, wire in ends:

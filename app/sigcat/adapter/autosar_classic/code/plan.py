@@ -46,6 +46,9 @@ class DataEnd(NamedTuple):
     columns: tuple[str, ...]
     """What it is called in traces: its path, its interface, or both."""
     is_queue: bool = False
+    """Of the RTE."""
+    has_count: bool = False
+    """Whether the core sends several values at once: the function that provides it has a queue of its own."""
     has_update: bool = False
     tells_of_rejection: bool = False
     tells_of_loss: bool = False

@@ -113,11 +113,12 @@ def _sent(end: DataEnd, swc: SwcPlan, *, is_again: bool = False) -> Lines:
     """Sent if the core says so; or again, if it was not taken."""
     core = core_object(swc)
     place = f"{core}.out.{end.place}"
-    if end.is_queue:
-        each = _given(end, f"{place}.values[k]", "Send", swc)
+    api = "Send" if end.is_queue else "Write"
+    if end.has_count:
+        each = _given(end, f"{place}.values[k]", api, swc)
         sent = block(f"for (uint32 k = 0U; k < {place}.count; k++)", [each])
     else:
-        sent = _given(end, place, "Write", swc)
+        sent = _given(end, place, api, swc)
     return block(f"if ({_wanted(end.place, is_said=not is_again or not end.call, is_again=is_again, swc=swc)})", [sent])
 
 
