@@ -252,3 +252,9 @@ def test_behind_a_proxy_every_link_leads_below_its_prefix() -> None:
         links = re.findall(r'(?:href|src|action)="(/[^"]*)"', ask(address).text)
         assert links
         assert all(link.startswith("/signals/") for link in links)
+
+
+@pytest.mark.parametrize("address", ["/health/live?on=1", "/health/ready?on=1", "/api/v1/catalogues?on=1"])
+def test_programs_get_a_problem_document(site, address):
+    answer = site(address)
+    assert (answer.status_code, answer.headers["content-type"]) == (422, "application/problem+json")
