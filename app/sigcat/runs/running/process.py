@@ -1,6 +1,7 @@
 """The process of a run: what it tells, as it comes, until it ends or is stopped."""
 
 import os
+import signal
 import subprocess
 import threading
 import time
@@ -40,14 +41,35 @@ def told(command: Sequence[str], limit: float) -> Iterator[bytes]:
 
 @contextmanager
 def _started(command: Sequence[str]) -> "Iterator[subprocess.Popen[bytes]]":
-    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0)  # noqa: S603
+    """A process that ends with the context, also if a signal ends this one while it starts."""
+    before = _held_back(_ENDING)
+    process: subprocess.Popen[bytes] | None = None
     try:
+        # it inherits what waits: it is ended by force, and by this process alone
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0)  # noqa: S603
+        _let_through(before)
         yield process
     finally:
-        process.kill()  # nothing if it has ended
-        process.wait()
-        assert process.stdout is not None
-        process.stdout.close()
+        _let_through(before)
+        if process is not None:
+            process.kill()  # nothing if it has ended
+            process.wait()
+            assert process.stdout is not None
+            process.stdout.close()
+
+
+_ENDING = {signal.SIGINT, signal.SIGTERM}
+
+
+def _held_back(numbers: set[signal.Signals]) -> set[int]:
+    """Let signals wait, where the system can; those that waited before."""
+    return set(signal.pthread_sigmask(signal.SIG_BLOCK, numbers)) if hasattr(signal, "pthread_sigmask") else set()
+
+
+def _let_through(before: set[int]) -> None:
+    """What waits comes now, but for what waited before."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class _Watch:
