@@ -150,7 +150,6 @@ def dying(folder):
     )
 
 
-@needs.slow
 @pytest.mark.parametrize("name", OTHERS)
 def test_a_function_that_dies_ends_the_run_with_its_last_words(name, tmp_path):
     runner, changed = RUNNERS[name], dying(tmp_path / "code")

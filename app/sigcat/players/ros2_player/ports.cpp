@@ -40,9 +40,7 @@ void Record::Hear(
             out_ << time << ',' << each.first << ',' << Quoted(each.second) << '\n';
             times_.TellHeard(each.first);
         }
-        if (is_read_) {
-            out_.flush();
-        }
+        out_.flush();  // it is there, too, when the player is ended before the drive
     }
     changed_.notify_all();
 }

@@ -77,7 +77,7 @@ inline std::string SymbolOf(std::int64_t number, const std::vector<Symbol>& symb
 /// What was sent by whom, and how many messages each node has to take.
 class Record final {
 public:
-    /// `is_read` by another program while it is written: each line is there at once.
+    /// `is_read` by another program while it is written: it is told what the player does.
     Record(const std::string& file, std::size_t nodes, bool is_read);
 
     /// Stamps are those of a clock that was at `epoch`, which is 0 in lock step, when the drive was at `begin`.

@@ -69,26 +69,27 @@ def export(request: dict[str, Any]) -> int:
 def _logged_export(request: dict[str, Any], log: _Log) -> int:
     try:
         _export(request, log)
-    except MemoryError:
-        return NO_MEMORY
     except SystemExit as error:
-        return NO_SPACE if _is_full(error) else REFUSED if error.code else DONE
+        return _lack(error) or (REFUSED if error.code else DONE)
     except Exception as error:  # noqa: BLE001 - whatever an exporter raises goes to the log, never to a user as a traceback
-        if _is_full(error):
-            return NO_SPACE
+        if lack := _lack(error):
+            return lack
         message = getattr(error, "message", "") or str(error)
         log.write("CRITICAL", f"{type(error).__name__}: {message}" if message else type(error).__name__)
         return REFUSED
     return DONE
 
 
-def _is_full(error: BaseException | None) -> bool:
-    """Whether an error comes of a folder in which nothing more can be written."""
+def _lack(error: BaseException | None) -> int | None:
+    """The status if an error comes of too little memory, or of a folder in which nothing more can be written."""
     while error is not None:
-        if isinstance(error, OSError) and error.errno in FULL:
-            return True
+        number = error.errno if isinstance(error, OSError) else None
+        if isinstance(error, MemoryError) or number == errno.ENOMEM:
+            return NO_MEMORY
+        if number in FULL:
+            return NO_SPACE
         error = error.__cause__ or error.__context__
-    return False
+    return None
 
 
 def _export(request: dict[str, Any], log: _Log) -> None:

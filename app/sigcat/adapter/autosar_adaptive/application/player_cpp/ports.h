@@ -21,7 +21,7 @@ namespace player {
 /// Writes what comes: a line of time, name and value.
 class Recorder final {
 public:
-    /// `is_read` by another program while it is written: each line is there at once.
+    /// `is_read` by another program while it is written: it is told what the player does.
     Recorder(const std::string& file, bool is_read);
     void Begin(std::uint64_t time);  // what came before is left out
     void BeginNow();                 // and times are those of the clock from then on

@@ -33,10 +33,7 @@ void Recorder::Take(const char* name, const std::string& value) {
     for (const char each : value) {
         out_ << (each == '"' ? "\"\"" : std::string(1, each));
     }
-    out_ << "\"\n";
-    if (is_read_) {
-        out_.flush();
-    }
+    out_ << "\"\n" << std::flush;  // it is there, too, when the player is ended before the drive
 }
 
 void Recorder::TimeIn(const std::string& file) {
