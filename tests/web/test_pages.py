@@ -258,3 +258,15 @@ def test_behind_a_proxy_every_link_leads_below_its_prefix() -> None:
 def test_programs_get_a_problem_document(site, address):
     answer = site(address)
     assert (answer.status_code, answer.headers["content-type"]) == (422, "application/problem+json")
+
+
+@pytest.mark.parametrize("address", ["/", "/docs", "/functions", "/rules", "/search/small", "/tree/small/Vehicle"])
+def test_a_page_refuses_a_parameter_that_it_does_not_have(site, address):
+    answer = site(f"{address}?prat=1")
+    assert (answer.status_code, answer.headers["content-type"]) == (422, "text/html; charset=utf-8")
+    assert "Did you mean" in answer.text
+    assert "part" in answer.text
+
+
+def test_the_metrics_refuse_it_too(site):
+    assert site("/metrics?name=x").headers["content-type"] == "application/problem+json"

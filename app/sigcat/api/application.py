@@ -86,10 +86,9 @@ def create_app(
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
     app.router.routes.extend(SHORTCUTS)
-    for router in _ROUTERS:
+    for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
-    for router in (exports.unknown_formats, *([metrics.router] if settings.metrics else [])):
-        app.include_router(router)
+    app.include_router(exports.unknown_formats)
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)

@@ -6,7 +6,7 @@ from http import HTTPStatus
 from itertools import islice
 from pathlib import Path
 
-from fastapi import FastAPI, Request
+from fastapi import Depends, FastAPI, Request
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 from starlette.staticfiles import StaticFiles
@@ -30,6 +30,7 @@ from sigcat.web.pages import (
 )
 from sigcat.web.rendering import compile_templates, problem_page
 from sigcat.web.security_headers import SecurityHeaders
+from sigcat.web.visits import refuse_unknown
 
 _PAGES = (
     comparison_pages,
@@ -58,7 +59,7 @@ def create_site(
     ]
     app.state.rehearsals = partial(_rehearsals, app, library, settings)
     for module in _PAGES:
-        app.include_router(module.router, include_in_schema=False)
+        app.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])
     app.mount("/static", StaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
     for kind in ANSWERED:

@@ -6,7 +6,11 @@ from typing import Any, NamedTuple
 from fastapi import Request
 
 from sigcat.api.requests.dependencies import library_of
+from sigcat.api.requests.query_parameters import refuse_unless_known
 from sigcat.catalogue.hosting.library import Library
+
+_PART = "part"
+"""Parameter that every page takes."""
 
 
 class Visit(NamedTuple):
@@ -26,7 +30,12 @@ class Visit(NamedTuple):
     @property
     def wants_part(self) -> bool:
         """Whether only the part of the page is asked for that changes while one stays on it."""
-        return any(name == "part" for name, _ in self.query)
+        return any(name == _PART for name, _ in self.query)
+
+
+async def refuse_unknown(request: Request) -> None:
+    """A dependency of every page: raises RequestValidationError for parameters that it does not have."""
+    refuse_unless_known(request, (_PART,))
 
 
 def visit_of(request: Request) -> Visit:

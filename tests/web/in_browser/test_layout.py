@@ -162,7 +162,7 @@ def test_a_long_name_among_values_breaks_behind_its_underscores(open_page: Opene
 
 
 def test_what_a_change_says_stands_below_its_name(open_page: Opener) -> None:
-    page = open_page("/changes?old=bare&new=rows&type=branch")
+    page = open_page("/changes?old=bare&new=rows")
     change = page.locator(".change", has_text="instances")
     left = box_of(change.locator("b"))["x"]
     assert box_of(change.locator("dt"))["x"] == left

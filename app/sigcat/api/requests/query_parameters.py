@@ -24,9 +24,14 @@ def parameter_names(dependant: Dependant) -> Iterator[str]:
 
 async def refuse_unknown(request: Request) -> None:
     """A dependency: raises RequestValidationError for parameters that the route does not have."""
+    refuse_unless_known(request)
+
+
+def refuse_unless_known(request: Request, also: Iterable[str] = ()) -> None:
+    """Raises RequestValidationError for parameters that the route does not have, and that are not among these."""
     if not request.scope["query_string"]:
         return
-    known = set(parameter_names(request.scope["route"].dependant))
+    known = {*parameter_names(request.scope["route"].dependant), *also}
     unknown = dict.fromkeys(name for name in request.query_params if name not in known)
     if unknown:
         raise RequestValidationError([_unknown(name, known) for name in unknown])
