@@ -144,6 +144,7 @@ def test_cmake_says_where_it_looked_for_the_code():
     assert 'set(CORE_ACC_CODE "${CMAKE_CURRENT_SOURCE_DIR}/code/core_acc"' in text
     assert '"Put it into eco_control/code/core_acc, or set CORE_ACC_CODE to its folder.")' in text
     assert "-ffp-contract=off" in text
+    assert "set_target_properties(core_acc_core PROPERTIES UNITY_BUILD OFF)" in text
 
 
 def test_a_queue_that_shares_its_message_is_refused():

@@ -63,6 +63,12 @@ def test_what_runs_it_without_a_platform_is_there_on_request_only():
     assert {name: plain[name] for name in same} == {name: ecocontrol()[name] for name in same}
 
 
+def test_sources_of_a_function_share_no_unit_where_others_are_joined():
+    """Each may have a static function, or a macro, of the same name."""
+    text = ecocontrol()["CoreAccExecutable/CMakeLists.txt"]
+    assert "set_target_properties(core_acc_core PROPERTIES UNITY_BUILD OFF)" in text
+
+
 PLATFORM = "-DPLATFORM_TARGETS=vendor"
 """Targets of a platform; CMake does not ask for them before it links."""
 

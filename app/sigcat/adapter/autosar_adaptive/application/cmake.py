@@ -99,5 +99,7 @@ add_library({component.stem}_core STATIC
 )
 target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}"{folders})
 {defined}target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)
+# Each source of the function has names and macros of its own, also where others are joined for a faster build.
+set_target_properties({component.stem}_core PROPERTIES UNITY_BUILD OFF)
 
 """

@@ -91,6 +91,8 @@ target_include_directories({name}_core PUBLIC
   "$<BUILD_INTERFACE:${{{setting}}}>"{folders})
 {defined}# Results are those of every other platform: no multiplication is joined with an addition.
 target_compile_options({name}_core PRIVATE -ffp-contract=off)
+# Each source has names and macros of its own, also where others are joined for a faster build.
+set_target_properties({name}_core PROPERTIES UNITY_BUILD OFF)
 # What the code lacks is told when it is linked.
 target_link_options({name}_core PRIVATE "LINKER:-z,defs")
 target_link_libraries({name}_core PRIVATE m)
