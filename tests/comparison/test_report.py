@@ -97,6 +97,16 @@ def test_a_platform_that_died_is_not_equal_whatever_it_sent():
     assert "terminate called" in html_page(report)
 
 
+def test_a_platform_that_is_there_and_cannot_be_built_is_told_with_what_the_compiler_says():
+    error = "acc.c: In function 'step':\nacc.c:3:10: error: 'x' undeclared\n    3 |   return x;\n      |          ^"
+    report = told(
+        played("ros2-cpp"), Played("autosar-adaptive", "Adaptive", "it cannot be built: acc.c:3:10: …", error)
+    )
+    assert not report.is_equal
+    assert "\n    acc.c:3:10: error: 'x' undeclared\n        3 |   return x;\n" in markdown(report)
+    assert "acc.c:3:10: error: &#x27;x&#x27; undeclared\n    3 |   return x;\n" in html_page(report)
+
+
 def test_what_a_platform_has_no_message_for_is_told_and_not_compared():
     sent = {name: values for name, values in SENT.items() if name != REACTION}
     report = told(played("autosar-adaptive", sent=sent, silent=(REACTION,)))

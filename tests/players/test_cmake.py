@@ -1,5 +1,6 @@
 """Projects of CMake are built, and not built again for nothing."""
 
+import re
 import shutil
 
 import pytest
@@ -44,5 +45,24 @@ def test_a_copy_of_a_folder_is_built_where_it_is(project, tmp_path_factory):
 
 def test_what_the_compiler_says_is_told(project):
     (project / "one.c").write_text("int main(void) { return nothing; }\n")
-    with pytest.raises(BuildFails, match="nothing"):
+    with pytest.raises(BuildFails) as failed:
         build(project, project / "build", {"A": 1})
+    assert re.search(r"one\.c:1:25: error: .*nothing", failed.value.first_error)
+    assert "In function" in str(failed.value).splitlines()[1]
+
+
+@pytest.mark.parametrize(
+    ("files", "said"),
+    [
+        ({"CMakeLists.txt": PROJECT + 'message(FATAL_ERROR "no such board")\n'}, r"^CMake Error at .*: no such board$"),
+        ({"one.c": "int brake(void);\nint main(void) { return brake(); }\n"}, "undefined reference to [`']brake'"),
+        ({"one.c": '#include "gone.h"\n'}, r"one\.c:1:10: fatal error: gone\.h: No such file"),
+    ],
+    ids=["configuring", "linking", "including"],
+)
+def test_the_first_error_is_the_line_that_says_what_is_wrong(files, said, project):
+    for name, text in files.items():
+        (project / name).write_text(text)
+    with pytest.raises(BuildFails) as failed:
+        build(project, project / "build", {"A": 1})
+    assert re.search(said, failed.value.first_error)

@@ -41,8 +41,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             "report behaviour, timing, load and effort. A platform that is not installed is left out."
         ),
         epilog=(
-            "Exit status: 0 every value is equal on every platform that was played to; 1 a value differs, or a platform did not "
-            "come to its end; 2 nothing could be compared. The simulation alone, if that is what --platforms names, is measured."
+            "Exit status: 0 every value is equal on every platform that was played to; 1 a value differs, or a platform cannot "
+            "be built or did not come to its end; 2 nothing could be compared. The simulation alone, if that is what --platforms names, is measured."
         ),
     )
     parser.add_argument(

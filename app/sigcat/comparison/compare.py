@@ -28,7 +28,6 @@ BESIDE_BASELINE = "ros2-cpp"
 """The platform that what people wrote is built beside, and measured against."""
 _FOLDERS = {"ros2-cpp": "ros2", "ros2-py": "ros2"}
 """Platforms that share what is built."""
-_LAST_WORDS = 2000
 _BUILT_BEFORE = "Parts were built before: times to build are of what had changed, and the whole has no time."
 Play = Callable[[Built, Subject, Drive], Recording]
 Tell = Callable[[str], None]
@@ -158,8 +157,9 @@ def _built_by_hand(package: Path, built: Sequence[Played], asked: Asked, tell: T
 
 
 def _not_built(played: Played, failed: BuildFails, tell: Tell) -> Played:
-    tell(f"{played.title}: it cannot be built")
-    return played._replace(left_out=f"it cannot be built: {str(failed)[-_LAST_WORDS:]}")
+    reason = f"it cannot be built: {failed.first_error}"
+    tell(f"{played.title}: {reason}")
+    return played._replace(left_out=reason, build_error=str(failed))
 
 
 # -- playing ------------------------------------------------------------------------------------------------------

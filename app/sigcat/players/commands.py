@@ -1,6 +1,7 @@
 """Commands that build, and the processes of commands: none outlives whoever started it."""
 
 import os
+import re
 import signal
 import subprocess
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -11,9 +12,21 @@ from typing import Any
 
 from sigcat.adapter.files import GeneratedFile
 
+_FIRST_ERROR = re.compile(r"\berror:|\bError at\b|undefined reference|multiple definition", re.IGNORECASE)
+"""What compilers, linkers and CMake write where they begin to say what is wrong."""
+_MOST = 6000
+"""Characters of what a command said that are kept."""
+
 
 class BuildFails(Exception):
-    """A command that builds has failed; the text is what it says."""
+    """A command that builds has failed; the text is what it says, from its first error on."""
+
+    @property
+    def first_error(self) -> str:
+        """The line that says what is wrong; CMake says it in the next one."""
+        lines = [line.strip() for line in str(self).splitlines() if line.strip()]
+        first = next((number for number, line in enumerate(lines) if _FIRST_ERROR.search(line)), len(lines) - 1)
+        return " ".join(lines[first : first + 2] if lines[first].endswith(":") else lines[first : first + 1])
 
 
 class Groups:
@@ -62,7 +75,7 @@ def _kill(group: int) -> None:
 
 
 def ran(command: Sequence[object], environment: Mapping[str, str] | None = None, folder: Path | None = None) -> str:
-    """What a command says that builds. Raises BuildFails with the end of it; its processes end with this one."""
+    """What a command says that builds. Raises BuildFails if it fails; its processes end with this one."""
     words = [str(word) for word in command]
     with GROUPS.started(
         words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment,
@@ -70,8 +83,17 @@ def ran(command: Sequence[object], environment: Mapping[str, str] | None = None,
     ) as process:  # fmt: skip
         told, errors = process.communicate()
     if process.returncode:
-        raise BuildFails(f"{' '.join(words)}\n{told[-6000:]}{errors[-3000:]}")
+        raise BuildFails(f"{' '.join(words)}\n{_from_first_error(told + errors)}")
     return str(told)
+
+
+def _from_first_error(told: str) -> str:
+    """With the line before it, in which compilers name the function; the end of it where no error is found."""
+    found = _FIRST_ERROR.search(told)
+    if found is None:
+        return told[-_MOST:]
+    line = told.rfind("\n", 0, found.start())
+    return told[told.rfind("\n", 0, max(line, 0)) + 1 :][:_MOST]
 
 
 def write(files: Iterable[GeneratedFile], folder: Path) -> None:

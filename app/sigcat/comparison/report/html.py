@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from html import escape
 
 from sigcat.comparison.report.model import Report
-from sigcat.comparison.report.sections import Cell, Picture, Section, Table, sections
+from sigcat.comparison.report.sections import Cell, Picture, Section, Table, Verbatim, sections
 from sigcat.comparison.report.style import STYLE
 
 
@@ -37,11 +37,22 @@ def _lines(report: Report) -> Iterator[str]:
         for sentence in section.sentences:
             yield f'<p class="remark">{escape(sentence)}</p>'
         for part in section.parts:
-            yield _picture(part) if isinstance(part, Picture) else _table(part)
+            yield _part(part)
 
 
 def _anchor(section: Section) -> str:
     return section.title.lower().replace(" ", "-")
+
+
+def _part(part: Table | Picture | Verbatim) -> str:
+    if isinstance(part, Picture):
+        return _picture(part)
+    return _table(part) if isinstance(part, Table) else _verbatim(part)
+
+
+def _verbatim(part: Verbatim) -> str:
+    label = escape(part.title)
+    return f'<h3>{label}</h3>\n<pre tabindex="0" role="region" aria-label="{label}">{escape(part.text)}</pre>'
 
 
 def _picture(part: Picture) -> str:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sigcat.comparison.report.model import Report
-from sigcat.comparison.report.sections import Picture, Table, sections
+from sigcat.comparison.report.sections import Table, Verbatim, sections
 
 
 def markdown(report: Report) -> str:
@@ -19,9 +19,16 @@ def _lines(report: Report) -> Iterator[str]:
         for sentence in section.sentences:
             yield f"\n{_plain(sentence)}"
         for part in section.parts:
-            if isinstance(part, Picture):
-                continue
-            yield from _table(part)
+            if isinstance(part, Verbatim):
+                yield from _verbatim(part)
+            elif isinstance(part, Table):
+                yield from _table(part)
+
+
+def _verbatim(part: Verbatim) -> Iterator[str]:
+    """Indented, as no fence is longer than every row of backticks in it."""
+    yield f"\n{_plain(part.title)}:\n"
+    yield from (f"    {line}" for line in part.text.splitlines())
 
 
 def _table(table: Table) -> Iterator[str]:

@@ -31,6 +31,8 @@ class Platform(Part):
     """What of it is not its own."""
     left_out: str = ""
     """Why it was not played to, and how to get it; empty if it was."""
+    build_error: str = ""
+    """What a compiler said, from its first error on, where that is why."""
     last_words: tuple[str, ...] = ()
     """Of runs that did not come to their ends."""
     silent: tuple[str, ...] = ()
@@ -282,11 +284,11 @@ class Report(Part):
 
     @property
     def is_equal(self) -> bool:
-        """Whether every platform that was played to has come to its end, and sent the same values, under every fault too."""
+        """Whether every platform that is installed was built, came to its end, and sent the same values, under every fault too."""
         own = {each.name for each in self.platforms if not each.is_by_hand}
         outcomes = [outcome for fault in self.faults for outcome in fault.outcomes if outcome.platform in own]
         return (
-            not any(each.last_words for each in self.platforms if each.name in own)
+            not any(each.last_words or each.build_error for each in self.platforms if each.name in own)
             and not any(each.wrong for each in self.behaviour if each.platform in own)
             and all(each.is_same for each in outcomes)
         )

@@ -34,18 +34,26 @@ class Picture(NamedTuple):
     caption: str
 
 
+class Verbatim(NamedTuple):
+    """What a tool said, word for word."""
+
+    title: str
+    text: str
+
+
 class Section(NamedTuple):
     """A part with a heading."""
 
     title: str
     sentences: tuple[str, ...] = ()
-    parts: tuple[Table | Picture, ...] = ()
+    parts: tuple[Table | Picture | Verbatim, ...] = ()
 
 
 def sections(report: Report) -> tuple[Section, ...]:
     """Those that have something to tell, the most important first."""
     made = (
         _targets(report),
+        _not_built(report),
         _behaviour(report),
         _free_run(report),
         _faults(report),
@@ -72,6 +80,12 @@ _HOLDS = {True: Cell("holds", "good"), False: Cell("does not hold", "bad"), None
 def _targets(report: Report) -> Section:
     rows = [_cells(each.what, each.wanted, each.measured, _HOLDS[each.holds], each.note) for each in report.targets]
     return Section("What must hold", report.notes, _table("What must hold", "what|wanted|measured||remark", rows))
+
+
+def _not_built(report: Report) -> Section:
+    told = tuple(Verbatim(each.title, each.build_error) for each in report.platforms if each.build_error)
+    lead = "What the tool said that builds them, from its first error on."
+    return Section("Platforms that cannot be built", (lead,) if told else (), told)
 
 
 # -- behaviour ----------------------------------------------------------------------------------------------------

@@ -21,6 +21,8 @@ a { color: var(--accent); }
 .scroll { overflow-x: auto; margin-top: 10px; } table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: 5px 12px 5px 0; border-bottom: 1px solid var(--line); font-weight: 400; overflow-wrap: anywhere; min-width: 4em; }
 thead th { color: var(--muted); font-size: 12px; font-weight: 650; } tbody th { min-width: 9em; }
+h3 { font-size: 14px; margin: 16px 0 0; }
+pre { margin: 8px 0 0; padding: 10px 14px; background: var(--sunken); border: 1px solid var(--line); border-radius: 6px; overflow-x: auto; font-size: 12.5px; }
 details { margin-top: 8px; } summary { cursor: pointer; color: var(--muted); }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 @media (max-width: 640px) {

@@ -15,6 +15,8 @@ class Played(NamedTuple):
     title: str
     left_out: str = ""
     """Why it was not played to; empty if it was."""
+    build_error: str = ""
+    """What a tool said that could not build it."""
     built: Built | None = None
     lock_step: Recording | None = None
     free_run: Recording | None = None

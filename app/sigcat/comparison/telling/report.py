@@ -49,6 +49,7 @@ def _platform(played: Played) -> model.Platform:
         title=played.title,
         notes=built.notes if built else (),
         left_out=played.left_out,
+        build_error=played.build_error,
         last_words=tuple(each.last_words[:2000] for each in recordings if each.last_words),
         silent=tuple(dict.fromkeys(name for each in recordings for name in each.silent)),
         generate_s=built.generate_s if built else 0.0,
