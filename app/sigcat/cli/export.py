@@ -15,6 +15,7 @@ from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import Output, add_output, name_output, outputs_of, refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
+from sigcat.real_path import real_path
 
 if TYPE_CHECKING:
     from sigcat.catalogue.exporting.files import ExportedFile
@@ -62,8 +63,8 @@ def export(arguments: argparse.Namespace) -> int:
         print(finding.line_of_text, file=sys.stderr)
     targets = list(_targets(result.files, exporter, output, arguments))
     read = (file.name for file in catalogue.files)
-    named = {path.resolve() for path in outputs_of(arguments).values()}
-    beside = (target for target, _ in targets if target is not None and target.resolve() not in named)
+    named = {real_path(path) for path in outputs_of(arguments).values()}
+    beside = (target for target, _ in targets if target is not None and real_path(target) not in named)
     refuse_overwriting(arguments, read, beside)
     _write(targets, outputs_of(arguments).values())
     return 0
@@ -149,7 +150,7 @@ def _name(output: Path | None, exporter: Exporter) -> str:
         return ""
     if output.suffix == ".zip":
         return output.stem + exporter.suffix
-    return output.resolve().name if exporter.is_folder else output.name
+    return real_path(output).name if exporter.is_folder else output.name
 
 
 def _targets(

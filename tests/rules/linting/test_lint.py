@@ -32,6 +32,16 @@ def told(result: Any) -> list[tuple[str, int, int, str]]:
     return [(Path(f.file).name, f.line, f.column, f.rule) for f in result.findings]
 
 
+@pytest.mark.parametrize("leads_to", ["loop.vspec", "gone.vspec", "overlays"], ids=["itself", "nothing", "a folder"])
+def test_links_that_lead_to_no_file_are_passed_over(leads_to, tree):
+    before = told(lint_paths([tree]))
+    for folder in (tree / "vspec", tree / "overlays"):
+        (folder / "loop.vspec").symlink_to(leads_to)
+    assert told(lint_paths([tree])) == before
+    named = overlay(tree, "named.vspec", "Vehicle.Cabin.Fan:\n  type: branch\n  description: Fan.\n")
+    assert told(lint_paths([named])) == []
+
+
 def test_a_folder_is_linted_as_the_tree_that_stands_in_it(tree):
     result = lint_paths([tree / "vspec"])
     assert told(result) == [("Cabin.vspec", 8, 16, "V105"), ("Cabin.vspec", 8, 16, "V106")]

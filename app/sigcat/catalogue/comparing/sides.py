@@ -22,6 +22,7 @@ from sigcat.errors import InputRefused, UsageError
 from sigcat.file_kind import ending_of
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.real_path import real_path
 
 Release = Callable[[str], Catalogue]
 """The catalogue of a release by its name. Raises NotFound."""
@@ -136,7 +137,7 @@ def _git_side(name: str, options: Options) -> Side:
     """`git:REVISION[:PATH]`: the path as git takes it, from the top of the repository; `./` is the current folder."""
     revision, _, path = name.removeprefix(_GIT).partition(":")
     with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(temporary).resolve()
+        folder = real_path(Path(temporary))
         prefix = unpack_revision(revision, folder, options.limits)
         start = folder / prefix if path.startswith(".") else folder
         shown = f"{_GIT}{revision}:"
@@ -152,7 +153,7 @@ def _unpacked_side(title: str, path: str, folder: Path, top: Path, options: Opti
     base, overlays = _parts(path, folder)
     tree, *others = (Path(os.path.normpath(part)) for part in (folder / base, *overlays))
     for part in (tree, *others):
-        if not part.resolve().is_relative_to(top):
+        if not real_path(part).is_relative_to(top):
             raise UsageError(f"{title}: the path leaves the repository")
     side = _file_side(title, tree, tuple(others), options)
     if side is None:

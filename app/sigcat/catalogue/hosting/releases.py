@@ -23,6 +23,7 @@ from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import has_errors
 from sigcat.limits import DEFAULT_ARCHIVE_LIMITS, DEFAULT_FETCH_LIMITS, ArchiveLimits, FetchLimits
 from sigcat.names import nearest
+from sigcat.real_path import real_path
 
 ADDRESS = "https://github.com/COVESA/vehicle_signal_specification/archive/refs/tags/{name}.tar.gz"
 """Source archive of the tag of a release."""
@@ -214,7 +215,7 @@ def _bring(name: str, origin: str, archive: Path, progress: Progress | None, lim
     if file.stat().st_size > limits.fetch.bytes:
         raise InputRefused(f"{origin} has more than {limits.fetch.bytes:,} bytes")
     shutil.copyfile(file, archive)
-    return str(file.resolve())
+    return str(real_path(file))
 
 
 def _fetch_official(address: str, archive: Path, progress: Progress | None, limits: PullLimits) -> str:

@@ -9,6 +9,7 @@ from sigcat import codes
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS
+from sigcat.real_path import real_path
 
 NEEDED = "CAN needs the packages cantools and python-can: run `pip install cantools python-can`"
 FORMS = ("dbc", "kcd", "sym", "arxml")
@@ -71,7 +72,7 @@ def read_can_database(paths: Sequence[Path]) -> CanDatabase:
     messages: list[Any] = []
     findings: list[Finding] = []
     known: dict[tuple[int, bool], tuple[Any, Path]] = {}
-    for path in {path.resolve(): path for path in paths}.values():
+    for path in {real_path(path): path for path in paths}.values():
         try:
             for message in _messages(path):
                 other, file = known.setdefault((message.frame_id, message.is_extended_frame), (message, path))

@@ -14,6 +14,7 @@ from sigcat.catalogue.reading.statement import SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import Include, VspecFile
 from sigcat.compiled_values import read_values, stamp_of, write_values
 from sigcat.data import ROOT_FILE
+from sigcat.real_path import real_path
 
 CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, yaml_document, findings))
 """What decides what is read in a file."""
@@ -27,7 +28,7 @@ Kept = Mapping[str, Any]
 
 def is_shipped(root: Path) -> bool:
     """Whether a file is the root of the shipped tree."""
-    return root.name == ROOT_FILE.name and root.resolve() == ROOT_FILE.resolve()
+    return root.name == ROOT_FILE.name and real_path(root) == real_path(ROOT_FILE)
 
 
 def compiled_files() -> Kept:

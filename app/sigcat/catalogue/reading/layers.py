@@ -15,6 +15,7 @@ from sigcat.digest import digest_of
 from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, REFUSED_INCLUDES, Limits
+from sigcat.real_path import real_path
 
 
 class Layer:
@@ -50,7 +51,7 @@ class _Reading:
         self.is_overlay = is_overlay
         self.name = str(path)
         self.folders = (path.parent, *include_dirs)
-        self.allowed = tuple(folder.resolve() for folder in self.folders)
+        self.allowed = tuple(real_path(folder) for folder in self.folders)
         self.limits = limits
         self.files: dict[Path, VspecFile] = {}
         self.statements: list[Statement] = []
@@ -85,7 +86,7 @@ def read_layer(
         if not (file.statements or file.includes or file.findings):
             rule = codes.OVERLAY_EMPTY if is_overlay else codes.TREE_EMPTY
             reading.findings.append(rule.finding("The file has no nodes.", str(path)))
-        _apply(file, path, "", reading, (path.resolve(),))
+        _apply(file, path, "", reading, (real_path(path),))
     if reading.is_compiled:
         keep(reading.files.values(), reading.compiled)
     return reading.finished()
@@ -148,7 +149,7 @@ def _real(path: Path, reading: _Reading) -> Path:
     known = reading.real_paths.get(path)
     if known is None:
         is_plain = path.name not in ("", "..") and not path.is_symlink()
-        known = _real(path.parent, reading) / path.name if is_plain else path.resolve()
+        known = _real(path.parent, reading) / path.name if is_plain else real_path(path)
         reading.real_paths[path] = known
     return known
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.limits import CODE_BYTES, CODE_FILE_BYTES, CODE_FILES
+from sigcat.real_path import real_path
 
 HEADERS = frozenset((".h", ".hh", ".hpp", ".hxx"))
 SOURCES = frozenset((".c", ".cc", ".cpp", ".cxx"))
@@ -86,7 +87,7 @@ def _text(folder: Path, path: str, left: int, findings: list[Finding]) -> str | 
 def _bytes(file: Path, folder: Path, left: int) -> tuple[bytes | None, str]:
     """What a file holds, or why it is not read."""
     try:
-        if not file.resolve().is_relative_to(folder.resolve()):
+        if not real_path(file).is_relative_to(real_path(folder)):
             return None, "is a link that leads out of the folder"
         if not file.is_file():
             return None, "is no regular file"

@@ -16,6 +16,7 @@ from sigcat.function.function_file import check_function
 from sigcat.function.importing.function_text import Draft, function_text, to_do
 from sigcat.function.importing.parameters import parameters_of
 from sigcat.function.importing.signals import Role, Signal, signals_of
+from sigcat.real_path import real_path
 
 _MOST_TRIES = 4
 
@@ -67,7 +68,7 @@ def _values(project: CodeProject) -> Iterator[tuple[Role, Value]]:
 def _below(folder: Path, target: Path) -> str:
     """The folder of the code as seen from the file: the code moves with its declaration."""
     try:
-        return folder.resolve().relative_to(target.resolve()).as_posix()
+        return real_path(folder).relative_to(real_path(target)).as_posix()
     except ValueError:
         raise UsageError(
             f"the code in {folder} must be in {target}, or below it: name another folder to write into"

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
+from sigcat.real_path import real_path
 
 VERSION = 1
 
@@ -59,7 +60,7 @@ def read_baseline(path: Path) -> Baseline:
 
 def covers(paths: Iterable[Path], baseline: Baseline, root: Path) -> bool:
     """Whether a lint of `paths` looks at all that was looked at when the baseline was written."""
-    named = [path.resolve() for path in paths]
+    named = [real_path(path) for path in paths]
     written = [(root / path).resolve() for path in baseline.paths]
     return all(any(path == name or name in path.parents for name in named) for path in written)
 
@@ -90,7 +91,7 @@ def _key(finding: Finding, root: Path) -> tuple[str, str]:
 
 def _within(path: Path, root: Path) -> str:
     try:
-        return path.resolve().relative_to(root.resolve()).as_posix()
+        return real_path(path).relative_to(real_path(root)).as_posix()
     except ValueError:
         return str(path)
 

@@ -12,6 +12,7 @@ from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused
 from sigcat.findings import SEVERITIES, Finding, in_order, shown
 from sigcat.names import did_you_mean
+from sigcat.real_path import real_path
 from sigcat.rules.linting.options import LintOptions, PerFile
 from sigcat.rules.linting.severity import OFF
 
@@ -20,7 +21,7 @@ FILES = ("sigcat.toml", "pyproject.toml")
 
 def find_configuration(start: Path) -> Path | None:
     """The nearest configuration in `start` or above it; a pyproject.toml counts only with a table for sigcat."""
-    for folder in (start.resolve(), *start.resolve().parents):
+    for folder in (real_path(start), *real_path(start).parents):
         for name in FILES:
             path = folder / name
             if path.is_file() and (name == FILES[0] or b"tool.sigcat" in path.read_bytes()):
@@ -115,7 +116,7 @@ def _paths(key: str, value: Any, faults: _Faults) -> tuple[Path, ...]:
 def _near(path: Path) -> Path:
     """The path as a user names it: relative to the working folder, where it lies below it."""
     try:
-        return path.resolve().relative_to(Path.cwd())
+        return real_path(path).relative_to(Path.cwd())
     except ValueError:
         return path
 

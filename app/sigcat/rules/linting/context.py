@@ -13,6 +13,7 @@ from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.file_kind import QUANTITY_NAMES, SHIPPED_ROOT, UNIT_NAMES, root_name
 from sigcat.findings import in_order
+from sigcat.real_path import real_path
 from sigcat.rules.linting.discovery import Source
 from sigcat.rules.linting.includes import first_bytes
 from sigcat.rules.linting.nearby_trees import default_tree, has_root, tree_with_root, types_beside
@@ -74,7 +75,7 @@ def _each_once(files: Iterable[Path]) -> tuple[Path, ...]:
     """The files in order, each by the first of its names: one may be named by two paths."""
     by_place: dict[Path, Path] = {}
     for file in files:
-        by_place.setdefault(file.resolve(), file)
+        by_place.setdefault(real_path(file), file)
     return tuple(by_place.values())
 
 
@@ -105,8 +106,8 @@ def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Pat
 
     Without a stack, overlays are alternatives: each is judged over the tree alone.
     """
-    stack = {path.resolve(): path for path in options.overlays}
-    named = {path.resolve(): path for path in group}
+    stack = {real_path(path): path for path in options.overlays}
+    named = {real_path(path): path for path in group}
     stacked = tuple(named.get(real, path) for real, path in stack.items())
     if any(real in stack for real in named):
         yield stacked
@@ -117,12 +118,12 @@ def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Pat
 
 def type_files(sources: Iterable[Source], options: LintOptions) -> tuple[Path, ...]:
     """The files of struct types: those of the options, and the only one that was found; of several, each has its tree."""
-    known = {path.resolve(): path for path in options.types}
-    found = {source.path.resolve(): source.path for source in sources if source.kind == "types"}
+    known = {real_path(path): path for path in options.types}
+    found = {real_path(source.path): source.path for source in sources if source.kind == "types"}
     return tuple({**known, **(found if len(found) == 1 else {})}.values())
 
 
 def type_layers(files: Iterable[Path], options: LintOptions) -> list[Layer]:
     """The struct types of a tree and its overlays: those of the options, and those in the same folders."""
-    paths = {path.resolve(): path for path in (*types_beside(files), *options.types)}
+    paths = {real_path(path): path for path in (*types_beside(files), *options.types)}
     return [read_layer(path, options.include_dirs) for path in paths.values()]

@@ -24,6 +24,7 @@ from sigcat.file_kind import (
     root_branch,
 )
 from sigcat.names import nearest
+from sigcat.real_path import real_path
 from sigcat.rules.linting.includes import Includes, first_bytes, included_parts, includes_of, topmost
 from sigcat.rules.linting.nearby_trees import bytes_with_root, default_tree, has_units, is_of_types, root_of, tree_of
 
@@ -66,13 +67,13 @@ def discover(
     found = _files_in(paths)
     includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = included_parts(includes)
-    known: dict[Path, Kind] = {base.resolve(): "tree"} if base is not None else {}
-    known.update({path.resolve(): "overlay" for path in overlays})
-    known.update({path.resolve(): "types" for path in types})
+    known: dict[Path, Kind] = {real_path(base): "tree"} if base is not None else {}
+    known.update({real_path(path): "overlay" for path in overlays})
+    known.update({real_path(path): "types" for path in types})
     look = _Look(includes, base)
     sources = []
     for path, named in found.items():
-        kind = known.get(path.resolve()) if known else None
+        kind = known.get(real_path(path)) if known else None
         sources.append(_source(path, named, kind, topmost(path, parts), look))
     return tuple(sources)
 
@@ -147,9 +148,9 @@ def _tree_around(path: Path) -> tuple[Path, str] | None:
     if not holds_top_level_node(first_bytes(path)) or _is_in_overlay_folder(path):
         return None
     tree = default_tree(path)
-    if tree is None or tree.parent not in path.resolve().parents:
+    if tree is None or tree.parent not in real_path(path).parents:
         return None
-    if len(names) == 1 and path.resolve().parent == tree.parent:
+    if len(names) == 1 and real_path(path).parent == tree.parent:
         return None  # a tree of its own, beside the other
     root = root_of(tree)
     return (tree, root) if root and root.encode() not in names else None

@@ -22,6 +22,7 @@ from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
+from sigcat.real_path import real_path
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import (
     base_of,
@@ -181,7 +182,7 @@ def _lint_types(path: Path, trees: Sequence[Path], lint: _Lint) -> None:
     options = lint.options
     layer = read_layer(path, options.include_dirs)
     vocabulary, _ = units_of(base_of(path, trees, options), layer, [path], options)
-    others = [read_layer(other, options.include_dirs) for other in options.types if other.resolve() != path.resolve()]
+    others = [read_layer(other, options.include_dirs) for other in options.types if real_path(other) != real_path(path)]
     types = [*others, layer]
     catalogue = compose([layer], vocabulary, types, expanded=False, name=path.stem)
     files = {file.name for file in layer.files} | {str(path)}

@@ -13,6 +13,7 @@ from sigcat.file_kind import (
     root_branch,
     root_name,
 )
+from sigcat.real_path import real_path
 from sigcat.rules.linting.includes import first_bytes, included_file, included_parts, includes_of
 
 
@@ -21,9 +22,9 @@ def tree_of(part: Path) -> tuple[Path, str] | None:
 
     Of several files in one folder the one whose way is the longest counts: it includes the others.
     """
-    wanted = part.resolve()
+    wanted = real_path(part)
     for folder in list(wanted.parents)[:6]:
-        roots = (root for root in sorted(folder.glob("*.vspec")) if root.resolve() != wanted)
+        roots = (root for root in _vspec_files(folder) if real_path(root) != wanted)
         found = [
             (root, prefix) for root in roots if (prefix := _prefix_in(root, wanted, folder, "", set())) is not None
         ]
@@ -39,7 +40,7 @@ def default_tree(near: Path) -> Path | None:
 
     It has the usual name, or it is the only tree in a folder with units.
     """
-    for folder in list(near.resolve().parents)[:6]:
+    for folder in list(real_path(near).parents)[:6]:
         for near_by in (folder / "vspec", folder / "spec", folder):
             candidate = near_by / ROOT_NAME if (near_by / ROOT_NAME).is_file() else _only_tree(near_by, near)
             if candidate is not None:
@@ -51,7 +52,7 @@ def default_tree(near: Path) -> Path | None:
 
 def types_beside(files: Iterable[Path]) -> tuple[Path, ...]:
     """Files of struct types in the folders of trees and overlays, those left out that a file there includes."""
-    beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in sorted(folder.glob("*.vspec"))]
+    beside = [path for folder in dict.fromkeys(f.parent for f in files) for path in _vspec_files(folder)]
     found = [path for path in beside if is_of_types(path)]
     parts = included_parts({path: includes_of(path) for path in found})
     return tuple(path for path in found if path not in parts)
@@ -76,7 +77,7 @@ def is_of_types(path: Path) -> bool:
 
 def tree_with_root(name: str, overlay: Path) -> Path | None:
     """A tree beside an overlay whose root has a name, units or not."""
-    beside = (path for path in sorted(overlay.parent.glob("*.vspec")) if path != overlay)
+    beside = (path for path in _vspec_files(overlay.parent) if path != overlay)
     return next((path for path in beside if name and root_branch(bytes_with_root(path)) == name), None)
 
 
@@ -105,10 +106,15 @@ def bytes_with_root(path: Path) -> bytes:
     return b""
 
 
+def _vspec_files(folder: Path) -> list[Path]:
+    """In the order of their names. A link that leads nowhere, or to itself, is none."""
+    return [path for path in sorted(folder.glob("*.vspec")) if path.is_file()]
+
+
 def _only_tree(folder: Path, near: Path) -> Path | None:
     if folder.name in OVERLAY_FOLDERS or not has_units(folder):
         return None
-    others = (path for path in sorted(folder.glob("*.vspec")) if path != near.resolve())
+    others = (path for path in _vspec_files(folder) if path != real_path(near))
     trees = [
         path
         for path in others
@@ -128,7 +134,7 @@ def _prefix_in(file: Path, wanted: Path, root: Path, prefix: str, seen: set[Path
         for candidate in dict.fromkeys((root / target, file.parent / target)):
             if not candidate.is_file():
                 continue
-            if candidate.resolve() == wanted:
+            if real_path(candidate) == wanted:
                 return deeper
             if candidate not in seen and len(seen) < 10_000:
                 found = _prefix_in(candidate, wanted, root, deeper, seen)

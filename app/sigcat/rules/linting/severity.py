@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES, Finding, Severity
 from sigcat.names import did_you_mean
+from sigcat.real_path import real_path
 from sigcat.rules.linting.options import LintOptions, PerFile
 
 OFF = "off"
@@ -50,7 +51,7 @@ def matches(file: str, glob: str, root: Path) -> bool:
     """Whether a file matches a glob relative to `root`; a folder stands for all below it."""
     path = Path(file)
     try:
-        name = path.resolve().relative_to(root.resolve()).as_posix()
+        name = real_path(path).relative_to(real_path(root)).as_posix()
     except ValueError:
         name = PurePath(file).as_posix()
     plain = glob.rstrip("/")

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePath
 
 from sigcat.findings import Finding
+from sigcat.real_path import real_path
 
 
 def fingerprinted(findings: Iterable[Finding]) -> Iterator[tuple[Finding, str]]:
@@ -20,6 +21,6 @@ def fingerprinted(findings: Iterable[Finding]) -> Iterator[tuple[Finding, str]]:
 def relative(file: str) -> str:
     """A file's name relative to the working folder, with forward slashes; unchanged if it lies elsewhere."""
     try:
-        return Path(file).resolve().relative_to(Path.cwd()).as_posix()
+        return real_path(Path(file)).relative_to(Path.cwd()).as_posix()
     except ValueError:
         return PurePath(file).as_posix()

@@ -21,6 +21,7 @@ from sigcat.catalogue.exporting.vss_tools.written_catalogue import Files, refuse
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused, NoRoom
 from sigcat.findings import Finding, RuleCode
+from sigcat.real_path import real_path
 
 _LEVELS: Mapping[str, RuleCode] = {
     "WARNING": codes.EXPORTER_WARNS,
@@ -154,7 +155,7 @@ def _arguments(option: Option, value: Any, folders: _Folders) -> Sequence[str]:
         return [f"{spelled}={item}" for item in value]
     if option.kind in ("output", "folder", "state"):
         return [f"{spelled}={_path_beside(option, value, folders)}"]
-    return [f"{spelled}={value.resolve() if option.kind == 'input' else value}"]
+    return [f"{spelled}={real_path(value) if option.kind == 'input' else value}"]
 
 
 def _path_beside(option: Option, value: Any, folders: _Folders) -> Path:
