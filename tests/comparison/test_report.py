@@ -37,8 +37,8 @@ SENT = {
 }
 
 
-def calls(adapter, logic=1000):
-    return tuple(CallTime("Acc", "Acc_Step", index * CYCLE, adapter + logic, logic) for index in range(200))
+def calls(adapter, logic=1000, count=200):
+    return tuple(CallTime("Acc", "Acc_Step", index * CYCLE, adapter + logic, logic) for index in range(count))
 
 
 def played(name, adapter=1000, sent=SENT, cpu=1.0, memory=40_000_000, **more):
@@ -118,6 +118,15 @@ def test_what_a_platform_has_no_message_for_is_told_and_not_compared():
 def test_an_adapter_is_judged_beyond_the_loop_without_transport(adapter, holds):
     report = told(played("ros2-cpp", adapter=adapter))
     assert target(report, "adapter of ROS2-CPP").holds is holds
+
+
+@pytest.mark.parametrize(("adapter", "holds"), [(1_000, None), (11_100, False)])
+def test_few_calls_have_no_p99_that_an_adapter_could_be_judged_by(adapter, holds):
+    few = played("ros2-cpp")
+    few = few._replace(lock_step=few.lock_step._replace(calls=calls(adapter, count=99)))
+    found = target(told(few), "adapter of ROS2-CPP")
+    assert found.holds is holds
+    assert found.note == "99 calls in lock step are too few for a p99"
 
 
 def test_the_adapter_in_python_is_told_and_not_judged():

@@ -26,6 +26,9 @@ def read(text: str) -> list[object]:
         ("{fault: delayed, signal: A, from: 1, to: 1.5, by: 0.1}", Spoilt("delayed", "A", 10**9, 1_500_000_000, "", 10**8)),
         ("{fault: dropped, signal: A, from: 1, to: 1.5}", Spoilt("dropped", "A", 10**9, 1_500_000_000)),
         ("{fault: sent, signal: A, at: 1.5, value: '5'}", Spoilt("sent", "A", 1_500_000_000, 1_500_000_000, "5")),
+        ("{fault: sent, signal: A, at: 1.5, value: -5}", Spoilt("sent", "A", 1_500_000_000, 1_500_000_000, "-5")),
+        ("{fault: sent, signal: A, at: 1.5, value: 0.25}", Spoilt("sent", "A", 1_500_000_000, 1_500_000_000, "0.25")),
+        ("{fault: sent, signal: A, at: 1.5, value: true}", Spoilt("sent", "A", 1_500_000_000, 1_500_000_000, "true")),
         ("{fault: slow, call: F_Step, from: 1, to: 1.5, takes: 0.07}", Slow("F_Step", 10**9, 1_500_000_000, 70_000_000)),
         ("{fault: killed, function: F, at: 1.2}", Killed("F", 1_200_000_000)),
     ],
@@ -45,6 +48,7 @@ def test_a_fault_is_read(fault, expected):
         ("{fault: dropped, signal: A, from: 1.5, to: 1}", 7, "must end after it begins"),
         ("{fault: killed, function: F, at: 3}", 7, "must begin while its scenario is watched"),
         ("{fault: broken, signal: A}", 7, "fault"),
+        ("{fault: sent, signal: A, at: 1.5, value: [1]}", 7, "value"),
         ("{fault: dropped, signal: A, from: -1, to: 1}", 7, "0"),
     ],
 )

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from typing import Annotated, Literal
 
-from pydantic import Field, ValidationError
+from pydantic import BeforeValidator, Field, ValidationError
 
 from sigcat import codes
 from sigcat.comparison.faults.scenario import Killed, Scenario, Slow, Spoilt
@@ -21,6 +21,17 @@ from sigcat.runs.recording.shapes import Shape
 from sigcat.runs.recording.times import NANOSECONDS
 
 
+def _as_text(value: object) -> object:
+    """A number, or true, as a trace has it: who writes it needs no quotes."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return str(value) if isinstance(value, int | float) else value
+
+
+Cell = Annotated[Text, BeforeValidator(_as_text)]
+"""What a cell of a trace says."""
+
+
 class _SpoiltForm(DeclarationModel):
     """A fault of a signal."""
 
@@ -28,7 +39,7 @@ class _SpoiltForm(DeclarationModel):
     signal: Text = Field(description="Path or interface, as in the trace.")
     start: Duration = Field(description="From when on, in s.", alias="from")
     end: Duration = Field(description="Until when, in s.", alias="to")
-    value: Text | None = Field(None, description="What comes instead.")
+    value: Cell | None = Field(None, description="What comes instead.")
     by: Duration | None = Field(None, description="How much later it comes, in s.")
 
 
@@ -38,7 +49,7 @@ class _SentForm(DeclarationModel):
     fault: Literal["sent"] = Field(description="What happens.")
     signal: Text = Field(description="Path or interface, as in the trace.")
     at: Duration = Field(description="When, in s.")
-    value: Text = Field(description="What comes.")
+    value: Cell = Field(description="What comes.")
 
 
 class _SlowForm(DeclarationModel):

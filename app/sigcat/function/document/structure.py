@@ -186,14 +186,18 @@ def _wanted(kind: str, error: Any) -> str:
 
 
 def _existing(location: Pointer, value: Any) -> Pointer:
-    """The part of a location that exists in the document: for what is missing, the mapping that lacks it."""
+    """The part of a location that exists in the document: for what is missing, the mapping that lacks it.
+
+    pydantic names the kind of a mapping on the way into one of several kinds; the document does not.
+    """
     pointer: list[str | int] = []
     for part in location:
         is_here = part in value if isinstance(value, dict) else _is_index(part, value)
-        if not is_here:
+        if is_here:
+            value = value[part]
+            pointer.append(part)
+        elif not isinstance(value, dict):
             break
-        value = value[part]
-        pointer.append(part)
     return tuple(pointer)
 
 
