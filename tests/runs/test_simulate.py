@@ -278,6 +278,25 @@ def test_a_call_without_an_end_is_stopped_after_a_limit(case):
     assert said[2:] == INPUTS
 
 
+@pytest.mark.parametrize("parent", ["exit(3);", "for (;;) {}"], ids=["has ended", "is stopped"])
+def test_processes_that_a_function_began_end_with_it(case, parent, tmp_path):
+    """They hold what the run writes to: it would not end before they do."""
+    pid = tmp_path / "pid"
+    forks = (
+        "pid_t child = fork();\n        if (child == 0) { for (;;) { pause(); } }\n"
+        f'        FILE *told = fopen("{pid}", "w"); fprintf(told, "%d", (int)child); fclose(told); {parent}'
+    )
+    includes = (
+        "#include <stdio.h>",
+        "#define _DEFAULT_SOURCE\n#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>",
+    )
+    source = Path("filter.c")
+    source.write_text(source.read_text().replace(*includes))
+    status, _ = case("--step-limit", "1", filter_c=(LAST, f"    if (filter_in.speed > 15) {{ {forks} }}"))
+    assert status == 1
+    wait_until(lambda: not _first_word(Path("/proc") / pid.read_text() / "cmdline"), "what it began has ended")
+
+
 def test_what_came_from_another_function_is_told_too(case):
     status, said = case(
         counter_c=("    self->rises =", "    if (in->trend == 1) { *(volatile int *)0 = 1; }\n    self->rises =")

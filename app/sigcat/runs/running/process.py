@@ -6,7 +6,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import IO
 
 _PIECE = 1 << 16
@@ -41,24 +41,36 @@ def told(command: Sequence[str], limit: float) -> Iterator[bytes]:
 
 @contextmanager
 def _started(command: Sequence[str]) -> "Iterator[subprocess.Popen[bytes]]":
-    """A process that ends with the context, also if a signal ends this one while it starts."""
+    """A process that ends with the context, and with it those that it began; also if a signal ends this one while it starts."""
     before = _held_back(_ENDING)
     process: subprocess.Popen[bytes] | None = None
     try:
         # it inherits what waits: it is ended by force, and by this process alone
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0)  # noqa: S603
+        process = subprocess.Popen(  # noqa: S603
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0, process_group=_OWN_GROUP
+        )
         _let_through(before)
         yield process
     finally:
         _let_through(before)
         if process is not None:
-            process.kill()  # nothing if it has ended
+            _kill(process)
             process.wait()
             assert process.stdout is not None
             process.stdout.close()
 
 
 _ENDING = {signal.SIGINT, signal.SIGTERM}
+_OWN_GROUP = 0 if hasattr(os, "killpg") else None
+
+
+def _kill(process: "subprocess.Popen[bytes]") -> None:
+    """With all processes of its group, where the system has groups; nothing if they have ended."""
+    if _OWN_GROUP is None:
+        process.kill()
+    else:
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
 
 
 def _held_back(numbers: set[signal.Signals]) -> set[int]:
@@ -103,5 +115,5 @@ class _Watch:
             since = self._waiting_since
             if since is not None and time.monotonic() - since > self._limit:
                 self.has_stopped_it = True
-                self._process.kill()
+                _kill(self._process)
                 return
