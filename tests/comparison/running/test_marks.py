@@ -41,7 +41,7 @@ def program(tmp_path_factory):
         (folder / file.name).write_bytes(file.data)
     (folder / "main.c").write_text(MAIN)
     header = write_header(subject().prepared.connections.members, folder / "header")
-    code = subject().code["CoreAcc"]
+    code = subject().code_settings["CORE_ACC_CODE"]
     sources = [folder / "CoreAcc_adapter.c", folder / "main.c", code / "CoreAcc.c"]
     flags = [
         "-std=c99",

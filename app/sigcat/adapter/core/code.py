@@ -18,7 +18,7 @@ ADAPTER = "Adapter"
 
 
 def planned_code(context: Context) -> Planning[Code]:
-    """How the code is included and called. Without `Code`, calls are plain functions over globals."""
+    """How the code is compiled, included and called. Without `Code`, calls are plain functions over globals."""
     declared = context.function.code or CodeInterface(signature=GLOBALS)
     objects = tuple(CodeObject(each.name, each.type, each.member) for each in declared.objects or ())
     if declared.signature == CLASS and not declared.class_name:
@@ -32,7 +32,16 @@ def planned_code(context: Context) -> Planning[Code]:
             message = f"The type of {name} is not known: no header declares it."
             yield Problem(codes.HEADER_MISSING, at, message, "Name the header under `code`, `headers`.")
     held = tuple(each for each in objects if declared.signature != GLOBALS or _is_defined_here(declared, each.name))
-    return Code(declared.signature, declared.headers or (), held, declared.class_name, tuple(externs.values()))
+    return Code(
+        signature=declared.signature,
+        headers=declared.headers or (),
+        objects=held,
+        class_name=declared.class_name,
+        externs=tuple(externs.values()),
+        sources=declared.sources or (),
+        include_folders=declared.include_folders or (),
+        definitions=tuple(each.as_option for each in declared.definitions or ()),
+    )
 
 
 def _is_defined_here(declared: CodeInterface, name: str) -> bool:

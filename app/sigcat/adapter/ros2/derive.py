@@ -148,17 +148,12 @@ def _refused(findings: Iterable[Finding]) -> InputRefused:
 
 def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
     node, function = context.node, context.function
-    code = function.code
     priorities = [schedule.thread_priority for schedule in node.schedules if schedule.thread_priority is not None]
     return NodePlan(
         name=node.name,
         package=package,
         core=context.core,
         executable=node.executable,
-        sources=tuple(code.sources or ()) if code else (),
-        include_folders=tuple(code.include_folders or ()) if code else (),
-        definitions=tuple(each.as_option for each in code.definitions or ()) if code else (),
-        headers=tuple(code.headers or ()) if code else (),
         priority=max(priorities, default=None),
         policy=node.scheduling_policy or "other",
         subscriptions=subscriptions(context),

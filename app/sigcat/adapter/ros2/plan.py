@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from sigcat.adapter.core.plan import Argument, Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy
-from sigcat.names import camel_case, screaming_snake_case
+from sigcat.names import camel_case
 
 
 class InterfaceType(NamedTuple):
@@ -175,12 +175,6 @@ class NodePlan:
     """Namespace in C++ and folder of its header."""
     core: CorePlan
     executable: str
-    sources: tuple[str, ...]
-    """Of the code of the function."""
-    include_folders: tuple[str, ...]
-    definitions: tuple[str, ...]
-    """That the code is compiled with: `NAME` or `NAME=VALUE`."""
-    headers: tuple[str, ...]
     priority: int | None
     """Of the thread that runs its calls."""
     policy: SchedulingPolicy
@@ -209,11 +203,6 @@ class NodePlan:
     def type(self) -> str:
         """Its class."""
         return f"{camel_case(self.name)}Node"
-
-    @property
-    def code_setting(self) -> str:
-        """The setting that names the folder of the function's code: `CORE_ACC_CODE`."""
-        return f"{screaming_snake_case(self.core.function)}_CODE"
 
     @property
     def steps(self) -> tuple[Call, ...]:

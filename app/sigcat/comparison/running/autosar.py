@@ -17,7 +17,6 @@ from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS
-from sigcat.names import screaming_snake_case
 from sigcat.players import cmake
 from sigcat.players.commands import write
 from sigcat.runs.connections import Connections
@@ -50,7 +49,7 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
     header = marks.write_header(subject.prepared.connections.members, folder / "marks")
     flags = f"-include {header}"
     settings = {
-        **{f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()},
+        **subject.code_settings,
         "CMAKE_C_FLAGS": flags, "CMAKE_CXX_FLAGS": flags,
         "CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100,
     }  # fmt: skip

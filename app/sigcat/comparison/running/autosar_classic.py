@@ -13,7 +13,6 @@ from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
-from sigcat.names import screaming_snake_case
 from sigcat.players import cmake
 from sigcat.players.commands import write
 
@@ -39,7 +38,7 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
     begin = time.monotonic()
     header = marks.write_header(subject.prepared.connections.members, folder / "marks")
     settings = {
-        **{f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()},
+        **subject.code_settings,
         "CMAKE_C_FLAGS": f"-include {header}", "CMAKE_CXX_FLAGS": f"-include {header}",
     }  # fmt: skip
     cmake.build(folder, folder / "build", settings)

@@ -12,7 +12,6 @@ from xml.etree import ElementTree as ET
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import ros2
 from sigcat.comparison.running.runner import Drive, Subject
-from sigcat.names import screaming_snake_case
 from sigcat.players.commands import BuildFails
 from sigcat.players.ros2_environment import installed
 from sigcat.players.ros2_packages import build_cmake
@@ -23,10 +22,9 @@ NAME, TITLE = "baseline", "ROS 2, by hand"
 def build(package: Path, beside: Built, subject: Subject) -> Built:
     """Compile a package where the generated ones were built. Raises BuildFails."""
     found, folder = installed(), beside.folder
-    settings = {f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()}
     begin = time.monotonic()
     others = [folder / "subset/install"] if found.rclcpp else []
-    build_cmake(package.absolute(), folder, folder / "install", found, *others, settings=settings)
+    build_cmake(package.absolute(), folder, folder / "install", found, *others, settings=subject.code_settings)
     return Built(NAME, folder, tuple(written_files(package)), 0.0, time.monotonic() - begin, beside.notes)
 
 

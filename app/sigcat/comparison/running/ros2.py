@@ -19,7 +19,6 @@ from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
-from sigcat.names import screaming_snake_case
 from sigcat.players.commands import BuildFails, write
 from sigcat.players.ros2_environment import Ros2, find_ros2, installed
 from sigcat.players.ros2_packages import UNITED, build_cmake, build_python
@@ -53,11 +52,14 @@ def _build(subject: Subject, folder: Path, tools: Toolchain, *, language: str) -
     begin = time.monotonic()
     subset = [_built_subset(ros2.rclcpp, folder / "subset", ros2)] if ros2.rclcpp else []
     header = marks.write_header(subject.prepared.connections.members, folder / "marks")
-    settings = {f"{screaming_snake_case(name)}_CODE": path for name, path in subject.code.items()}
     prefix = folder / "install"
     for package in _packages(folder / "src"):
         if (package / "src").exists():
-            own = {**settings, "CMAKE_C_FLAGS": f"-include {header}", "CMAKE_CXX_FLAGS": f"-include {header}"}
+            own = {
+                **subject.code_settings,
+                "CMAKE_C_FLAGS": f"-include {header}",
+                "CMAKE_CXX_FLAGS": f"-include {header}",
+            }
             build_cmake(package, folder, prefix, ros2, *subset, settings={**own, "CMAKE_UNITY_BUILD": "ON"})
         elif (package / "CMakeLists.txt").exists():
             build_cmake(package, folder, prefix, ros2, *subset, settings={"CMAKE_PROJECT_INCLUDE": UNITED})

@@ -19,9 +19,9 @@ class Subject(NamedTuple):
     deployment: Deployment
 
     @property
-    def code(self) -> Mapping[str, Path]:
-        """Where the paths of the code of each function begin."""
-        return {each.name: each.folder.absolute() for each in self.prepared.connections.members}
+    def code_settings(self) -> Mapping[str, Path]:
+        """Where the paths of the code of each function begin, as CMake is told."""
+        return {each.plan.code_setting: each.folder.absolute() for each in self.prepared.connections.members}
 
 
 class Kill(NamedTuple):

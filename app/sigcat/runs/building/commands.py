@@ -58,7 +58,7 @@ def _compilation(member: int | None, source: Path, output: Path, flags: Sequence
 
 
 def _definitions(code: CodeInterface) -> list[str]:
-    return [f"-D{each.name}" + (f"={each.value}" if each.value is not None else "") for each in code.definitions or ()]
+    return [f"-D{each.as_option}" for each in code.definitions or ()]
 
 
 def _folders(code: CodeInterface, member: Member, folder: Path) -> list[str]:

@@ -54,7 +54,6 @@ _SIGNATURES = {POINTERS: "functions that take pointers to the objects of an inst
 
 
 def _facts(code: CodeInterface) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    definitions = [each.name if each.value is None else f"{each.name}={each.value}" for each in code.definitions or ()]
     objects = [f"{each.type} {each.name}{f' ← {each.member}' if each.member else ''}" for each in code.objects or ()]
     named = {
         "Calls": (_SIGNATURES.get(code.signature, "functions over global variables"),),
@@ -62,7 +61,7 @@ def _facts(code: CodeInterface) -> tuple[tuple[str, tuple[str, ...]], ...]:
         "Sources": code.sources or (),
         "Headers": code.headers or (),
         "Include folders": code.include_folders or (),
-        "Definitions": tuple(definitions),
+        "Definitions": tuple(each.as_option for each in code.definitions or ()),
         "Objects": tuple(objects),
         "Storage": (code.storage,) if code.storage else (),
     }

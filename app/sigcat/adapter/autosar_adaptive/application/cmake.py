@@ -5,12 +5,6 @@ from textwrap import indent
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
 from sigcat.adapter.core.plan import CLASS
-from sigcat.names import screaming_snake_case
-
-
-def code_setting(component: ComponentPlan) -> str:
-    """The setting that names the folder of a function's code."""
-    return f"{screaming_snake_case(component.core.function)}_CODE"
 
 
 def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:
@@ -23,7 +17,7 @@ def project_cmake(
 ) -> str:
     """CMakeLists.txt of some of it. Without `bench` it does not know of any, whatever else is in its folder."""
     settings = "".join(
-        f'set({code_setting(component)} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
+        f'set({component.core.code_setting} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
         for component in components
     )
     folders = "".join(f"add_subdirectory({executable.name})\n" for executable in executables)
@@ -87,11 +81,12 @@ target_link_libraries({executable.name} PRIVATE application {libraries})
 
 
 def _core(component: ComponentPlan) -> str:
-    ending = "cpp" if component.core.code.signature == CLASS else "c"
-    setting = code_setting(component)
-    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in component.sources)
-    folders = "".join(f' "${{{setting}}}/{folder}"' for folder in component.include_folders)
-    macros = "".join(f' "{each}"' for each in component.definitions)
+    code = component.core.code
+    ending = "cpp" if code.signature == CLASS else "c"
+    setting = component.core.code_setting
+    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
+    folders = "".join(f' "${{{setting}}}/{folder}"' for folder in code.include_folders)
+    macros = "".join(f' "{each}"' for each in code.definitions)
     defined = f"target_compile_definitions({component.stem}_core PUBLIC{macros})\n" if macros else ""
     return f"""# The core of {component.core.function}, with its code.
 add_library({component.stem}_core STATIC

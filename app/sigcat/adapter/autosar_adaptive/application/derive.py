@@ -116,14 +116,10 @@ def _component(
     ports = f"{component.executable}/{root_name(component)}"
     storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}
     names_of_errors = {id(error): name for name, error in context.errors.items()}
-    code = function.code
     return ComponentPlan(
         name=component.name,
         stem=snake_case(component.name),
         core=core.plan,
-        sources=tuple(code.sources or ()) if code else (),
-        include_folders=tuple(code.include_folders or ()) if code else (),
-        definitions=tuple(each.as_option for each in code.definitions or ()) if code else (),
         required=required,
         provided=provided,
         structs=structs,

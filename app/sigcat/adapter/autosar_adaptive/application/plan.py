@@ -159,11 +159,6 @@ class ComponentPlan:
     stem: str
     """What its files are called."""
     core: CorePlan
-    sources: tuple[str, ...]
-    """Of the code of the function."""
-    include_folders: tuple[str, ...]
-    definitions: tuple[str, ...]
-    """That the code is compiled with: `NAME` or `NAME=VALUE`."""
     required: tuple[Required, ...]
     provided: tuple[Provided, ...]
     structs: tuple[StructPair, ...]

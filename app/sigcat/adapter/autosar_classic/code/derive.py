@@ -66,7 +66,6 @@ def _swc(context: SwcContext) -> SwcPlan:
     return SwcPlan(
         component=component,
         core=core,
-        code=context.function.code,
         received=tuple(received(context)),
         sent=tuple(sent(context)),
         mode_in=_mode(context, "Required"),

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import NamedTuple, Union
 
 from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, WireType
-from sigcat.function.function_json.code import CodeInterface
 from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Runnable
 
 
@@ -143,7 +142,6 @@ class SwcPlan:
 
     component: Component
     core: CorePlan
-    code: CodeInterface | None
     received: tuple[DataEnd, ...]
     sent: tuple[DataEnd, ...]
     mode_in: ModeEnd | None

@@ -2,13 +2,6 @@
 
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
 from sigcat.adapter.core.plan import CLASS
-from sigcat.function.function_json.code import Macro
-from sigcat.names import screaming_snake_case
-
-
-def code_setting(swc: SwcPlan) -> str:
-    """The setting that says where the paths of the code begin."""
-    return f"{screaming_snake_case(swc.core.function)}_CODE"
 
 
 def cmake(plan: ClassicPlan) -> str:
@@ -44,27 +37,22 @@ def _folders(plan: ClassicPlan) -> str:
 
 
 def _include(swc: SwcPlan) -> str:
-    code = swc.code
-    paths = (*(code.sources or ()), *(code.headers or ())) if code else ()
-    folders = dict.fromkeys(
-        [*(path.rpartition("/")[0] for path in paths), *(code.include_folders or () if code else ())]
-    )
-    base = f"${{{code_setting(swc)}}}"
+    code = swc.core.code
+    beside = (path.rpartition("/")[0] for path in (*code.sources, *code.headers))
+    folders = dict.fromkeys((*beside, *code.include_folders))
+    base = f"${{{swc.core.code_setting}}}"
     return " ".join([f'"{base}"', *(f'"{base}/{folder}"' for folder in folders if folder)])
 
 
 def _component(swc: SwcPlan) -> str:
-    ending = "cpp" if swc.core.code.signature == CLASS else "c"
-    base = f"${{{code_setting(swc)}}}"
-    sources = "".join(f'\n  "{base}/{path}"' for path in (swc.code.sources or () if swc.code else ()))
-    macros = [f'"{each.name}{"" if each.value is None else f"={each.value}"}"' for each in _macros(swc)]
+    code = swc.core.code
+    ending = "cpp" if code.signature == CLASS else "c"
+    base = f"${{{swc.core.code_setting}}}"
+    sources = "".join(f'\n  "{base}/{path}"' for path in code.sources)
+    macros = [f'"{each}"' for each in code.definitions]
     defined = f"\ntarget_compile_definitions(swc_{swc.name} PRIVATE {' '.join(macros)})" if macros else ""
     return f"""
-set({code_setting(swc)} "" CACHE PATH "Where the code of {swc.core.function} is")
+set({swc.core.code_setting} "" CACHE PATH "Where the code of {swc.core.function} is")
 add_library(swc_{swc.name} OBJECT swc/{swc.name}.{ending} core/{swc.core.function}_adapter.{ending}{sources})
 target_include_directories(swc_{swc.name} PRIVATE contract core test_rte/include {_include(swc)}){defined}
 """
-
-
-def _macros(swc: SwcPlan) -> tuple[Macro, ...]:
-    return swc.code.definitions or () if swc.code else ()

@@ -7,6 +7,7 @@ from sigcat.adapter.core.plan.call import Call
 from sigcat.adapter.core.plan.interface import Method, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
+from sigcat.names import screaming_snake_case
 
 
 class CodeObject(NamedTuple):
@@ -28,13 +29,17 @@ class Extern(NamedTuple):
 
 
 class Code(NamedTuple):
-    """How the code of the function is included and called."""
+    """How the code of the function is compiled, included and called."""
 
     signature: str
     headers: tuple[str, ...] = ()
     objects: tuple[CodeObject, ...] = ()
     class_name: str | None = None
     externs: tuple[Extern, ...] = ()
+    sources: tuple[str, ...] = ()
+    include_folders: tuple[str, ...] = ()
+    definitions: tuple[str, ...] = ()
+    """`NAME` or `NAME=VALUE`."""
 
 
 class CorePlan(NamedTuple):
@@ -72,6 +77,11 @@ class CorePlan(NamedTuple):
     def type_name(self) -> str:
         """Name of the context struct, with which all names begin."""
         return f"{self.function}_Adapter"
+
+    @property
+    def code_setting(self) -> str:
+        """The setting of CMake that names the folder of the function's code: `CORE_ACC_CODE`."""
+        return f"{screaming_snake_case(self.function)}_CODE"
 
     def errors_of(self, call: str, *, late: bool) -> tuple[Error, ...]:
         """Errors that are evaluated when a call has ended (late), or before it."""

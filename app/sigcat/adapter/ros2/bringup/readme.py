@@ -170,7 +170,7 @@ def _cell(text: str) -> str:
 
 
 def _building(workspace: WorkspacePlan) -> str:
-    settings = "".join(f" \\\n  -D{node.code_setting}=FOLDER" for node in workspace.nodes)
+    settings = "".join(f" \\\n  -D{node.core.code_setting}=FOLDER" for node in workspace.nodes)
     return f"""## Building and testing
 
 With the folder of the code of each function in its setting, or in `{workspace.name}/code/` under the function's name:

@@ -62,14 +62,15 @@ target_link_libraries({name}_support PUBLIC
 def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
     folder = snake_case(node.core.function)
     core = [f"core/{name}" for name in (core_source(node), bridge_source(node))]
-    code = "".join(f'\n  "${{{node.code_setting}}}/{source}"' for source in node.sources)
+    code, setting = node.core.code, node.core.code_setting
+    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
     own = "".join(f"\n  {name}" for name in core)
-    folders = "".join(f'\n  "$<BUILD_INTERFACE:${{{node.code_setting}}}/{each}>"' for each in node.include_folders)
-    macros = "".join(f' "{each}"' for each in node.definitions)
+    folders = "".join(f'\n  "$<BUILD_INTERFACE:${{{setting}}}/{each}>"' for each in code.include_folders)
+    macros = "".join(f' "{each}"' for each in code.definitions)
     defined = f"target_compile_definitions({node.name}_core PUBLIC{macros})\n" if macros else ""
     return _NODE.format(
-        function=node.core.function, setting=node.code_setting, package=workspace.name, name=node.name, stem=node.stem,
-        type=node.type, executable=node.executable, sources=" ".join(node.sources), files=own + code, folder=folder,
+        function=node.core.function, setting=setting, package=workspace.name, name=node.name, stem=node.stem,
+        type=node.type, executable=node.executable, sources=" ".join(code.sources), files=own + sources, folder=folder,
         folders=folders, defined=defined,
     )  # fmt: skip
 
