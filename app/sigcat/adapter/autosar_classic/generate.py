@@ -2,12 +2,11 @@
 
 from sigcat import codes
 from sigcat.adapter.autosar_classic.arxml.generate import generate as generate_arxml
-from sigcat.adapter.autosar_classic.code.derive import SourceCore, derive
+from sigcat.adapter.autosar_classic.code.derive import derive
 from sigcat.adapter.autosar_classic.code.generate import generate as generate_components
 from sigcat.adapter.autosar_classic.test_rte.generate import generate as generate_test_rte
-from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.generate import core_files
 from sigcat.adapter.files import GeneratedFile, within
+from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.integration.autosar_classic.document import read_integration
@@ -24,11 +23,11 @@ def generate(
     """
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_CLASSIC, "autosar-classic")
-    planned = plans(functions)
-    plan = derive(model, [SourceCore(one, each.plan) for one, each in zip(functions, planned, strict=True)])
+    cores = source_cores(functions)
+    plan = derive(model, cores)
     return (
         *within("arxml", generate_arxml(model, release)),
-        *(file for each in planned for file in within("core", core_files(each.plan).files)),
+        *within("core", files_of(cores)),
         *generate_components(model, plan),
         *(generate_test_rte(model, plan) if bench else ()),
     )

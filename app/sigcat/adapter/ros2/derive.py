@@ -1,40 +1,30 @@
 """From an integration and the plans of its cores to the plan of the packages."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator
 
 from sigcat import codes
-from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.core.stored_keys import stored_keys
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.node_ends import mixed_queues, publishers, services, subscriptions
 from sigcat.adapter.ros2.node_parameters import monitors, node_parameters
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.structs import struct_pairs
+from sigcat.adapter.source_cores import Holder, SourceCore, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.ros2.model import NodePackage, Ros2Integration, RosNode
 from sigcat.integration.ros2.services import CLIENT, SERVER
 
 
-class SourceCore(NamedTuple):
-    """A function of the document, and the plan of its core."""
-
-    function: ResolvedFunction
-    plan: CorePlan
-
-
-def derive(model: Ros2Integration, cores: Sequence[SourceCore], release: str) -> WorkspacePlan:
+def derive(model: Ros2Integration, cores: SourceCores, release: str) -> WorkspacePlan:
     """The plan of the packages. Raises InputRefused if a node has no function of its own, or cannot be written."""
-    by_function = {core.function.name: core for core in cores}
     packages = model.node_packages or ()
     if not packages or not model.interface_packages:
         raise _refused([_problem("`NodePackageList` must have a package of nodes.", "/NodePackageList")])
     package = packages[0]
-    _refuse_shared(package, by_function)
+    _refuse_shared(package, cores)
     interfaces = model.interface_packages[0].name
-    contexts = [_context(node, by_function[node.function], model) for node in package.nodes]
+    contexts = [_context(node, cores[node.function], model) for node in package.nodes]
     _refuse_disagreements(contexts)
     _refuse_mixed_queues(contexts)
     nodes = tuple(_node(context, package.name, interfaces) for context in contexts)
@@ -57,7 +47,7 @@ def derive(model: Ros2Integration, cores: Sequence[SourceCore], release: str) ->
 
 def _context(node: RosNode, core: SourceCore, model: Ros2Integration) -> NodeContext:
     messages = {message.name: message for each in model.interface_packages or () for message in each.messages}
-    return NodeContext(node, core.function.function, core.plan, model.communications, messages)
+    return NodeContext(node, core.function, core.plan, model.communications, messages)
 
 
 def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
@@ -120,25 +110,19 @@ def _refuse_full_enumerations(nodes: Iterable[NodePlan]) -> None:
         raise _refused(found)
 
 
-def _refuse_shared(package: NodePackage, known: Mapping[str, SourceCore]) -> None:
-    """A core is one object, which only one node can hold."""
-    found: list[Finding] = []
-    seen: dict[str, str] = {}
-    for index, node in enumerate(package.nodes):
-        at = f"/NodePackageList/0/Nodes/{index}/FunctionName"
-        if node.function not in known:
-            found.append(_problem(f"The function {node.function} of {node.name} must be in `SourceFunctionList`.", at))
-        elif node.function in seen:
-            message = (
-                f"{node.function} must have one component to become a node, not {seen[node.function]} and {node.name}."
-            )
-            found.append(_problem(message, at, "Join the components of the function."))
-        seen.setdefault(node.function, node.name)
-    if found:
+def _refuse_shared(package: NodePackage, cores: SourceCores) -> None:
+    holders = (
+        Holder(node.name, node.function, f"/NodePackageList/0/Nodes/{index}/FunctionName")
+        for index, node in enumerate(package.nodes)
+    )
+    if found := list(wrong_holders(holders, cores, codes.NOT_WRITABLE_AS_ROS2, "a node", _ANEW)):
         raise _refused(found)
 
 
-def _problem(message: str, pointer: str, fix: str = "Integrate it anew with `sigcat integrate ros2`.") -> Finding:
+_ANEW = "Integrate it anew with `sigcat integrate ros2`."
+
+
+def _problem(message: str, pointer: str, fix: str = _ANEW) -> Finding:
     return codes.NOT_WRITABLE_AS_ROS2.finding(message, pointer=pointer, fix=fix)
 
 

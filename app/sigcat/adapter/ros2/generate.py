@@ -1,14 +1,13 @@
 """From Integration JSON to a workspace of ROS 2 packages."""
 
 from sigcat import codes
-from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.generate import core_files
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.ros2.bringup.generate import bringup_files
 from sigcat.adapter.ros2.cpp.generate import cpp_files
-from sigcat.adapter.ros2.derive import SourceCore, derive
+from sigcat.adapter.ros2.derive import derive
 from sigcat.adapter.ros2.interfaces.generate import interface_files
 from sigcat.adapter.ros2.python.generate import python_files
+from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.integration.ros2.document import read_integration
@@ -24,8 +23,7 @@ def generate(data: bytes, name: str, limits: Limits, release: str | None) -> tup
     """
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_ROS2, "ros2")
-    planned = plans(functions)
-    cores = [SourceCore(function, each.plan) for function, each in zip(functions, planned, strict=True)]
+    cores = source_cores(functions)
     workspace = derive(model, cores, release or DEFAULT_RELEASE)
     (interfaces,), (nodes,) = model.interface_packages or (), model.node_packages or ()
     return (
@@ -33,5 +31,5 @@ def generate(data: bytes, name: str, limits: Limits, release: str | None) -> tup
         *interface_files(interfaces),
         *within(workspace.name, cpp_files(workspace)),
         *python_files(workspace, nodes),
-        *within(f"{workspace.name}/core", (file for each in planned for file in core_files(each.plan).files)),
+        *within(f"{workspace.name}/core", files_of(cores)),
     )

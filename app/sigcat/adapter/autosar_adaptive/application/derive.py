@@ -1,7 +1,6 @@
 """From an integration and the plans of its cores to the plan of the applications."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
@@ -24,9 +23,9 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, service_names, type_names
 from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.source_cores import Holder, SourceCore, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
 from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
 from sigcat.integration.autosar_adaptive.storages import StoredParameter, stored_parameters
@@ -37,23 +36,20 @@ _TAKEN = {"all", "application", "arxml", "bench", "clean", "core", "edit_cache",
 """Folders of an application, and targets that CMake has: no executable can be called so."""
 
 
-class SourceCore(NamedTuple):
-    """A function of the document, and the plan of its core."""
-
-    function: ResolvedFunction
-    plan: CorePlan
-
-
-def derive(model: IntegrationModel, cores: Sequence[SourceCore]) -> ApplicationPlan:
+def derive(model: IntegrationModel, cores: SourceCores) -> ApplicationPlan:
     """The plan of the applications. Raises InputRefused if a component has no function of its own."""
     assert model.deployment is not None
-    by_function = {core.function.name: core for core in cores}
-    if found := list(_shared(model.components, by_function)) or list(_unusable(model.components, by_function)):
+    holders = (
+        Holder(each.name, each.function or "", f"/ComponentList/{index}/Function")
+        for index, each in enumerate(model.components)
+    )
+    shared = list(wrong_holders(holders, cores, codes.NOT_WRITABLE_AS_ARXML, "an application"))
+    if found := shared or list(_unusable(model.components, cores)):
         raise InputRefused("The integration cannot become an application.", tuple(found))
     names = {service.name: service_names(service, model) for service in wholes(model)}
     types = type_names(model)
     components = [
-        (component.executable, _component(model, component, by_function[component.function or ""], types, names))
+        (component.executable, _component(model, component, cores[component.function or ""], types, names))
         for component in model.components
     ]
     return ApplicationPlan(
@@ -66,32 +62,14 @@ def derive(model: IntegrationModel, cores: Sequence[SourceCore]) -> ApplicationP
     )
 
 
-def _shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
-    """A core is one object, which only one process can hold."""
-    seen: dict[str, str] = {}
-    for index, component in enumerate(components):
-        function = component.function or ""
-        pointer = f"/ComponentList/{index}/Function"
-        if function not in known:
-            message = (
-                f"The function of {component.name} must be in `SourceFunctionList`, and {function or 'none'} is not."
-            )
-            yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix="Integrate it anew.")
-        elif function in seen:
-            message = f"{function} must have one component to become an application, not {seen[function]} and {component.name}."
-            fix = "Join the components of the function."
-            yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=pointer, fix=fix)
-        seen.setdefault(function, component.name)
-
-
-def _unusable(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
+def _unusable(components: Iterable[Component], cores: SourceCores) -> Iterator[Finding]:
     """What an edited document has that no application can be made of."""
     for index, component in enumerate(components):
         at = f"/ComponentList/{index}"
         if component.executable.lower() in _TAKEN:
             message = f"No executable must be called {component.executable}: the folder or the target of that name is another one."
             yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=f"{at}/ExecutableName", fix="Rename it.")
-        core = known.get(component.function or "")
+        core = cores.get(component.function or "")
         listed = {each.parameter.variable for each in stored_parameters(component)}
         for parameter in core.plan.parameters if core else ():
             if parameter.variable not in listed:
@@ -109,9 +87,8 @@ def _component(
     types: TypeNames,
     names: Mapping[str, ServiceNames],
 ) -> ComponentPlan:
-    function = core.function.function
-    context = ComponentContext(component, function, core.plan, types, names)
-    structs = struct_pairs(core.plan, model, function, types)
+    context = ComponentContext(component, core.function, core.plan, types, names)
+    structs = struct_pairs(core.plan, model, core.function, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"
     storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}

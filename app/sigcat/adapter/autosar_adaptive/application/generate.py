@@ -7,7 +7,7 @@ from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application import cmake, player_source
 from sigcat.adapter.autosar_adaptive.application.adapter_header import adapter_header
 from sigcat.adapter.autosar_adaptive.application.adapter_source import adapter_source
-from sigcat.adapter.autosar_adaptive.application.derive import SourceCore, derive
+from sigcat.adapter.autosar_adaptive.application.derive import derive
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
 from sigcat.adapter.autosar_adaptive.application.readme import readme
@@ -16,9 +16,8 @@ from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.core.c.lines import Lines, wrapped
-from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.generate import core_files
 from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.integration.autosar_adaptive.document import read_integration
@@ -41,12 +40,11 @@ def generate(
     arxml = generate_arxml(model, release)
     rule = codes.NOT_WRITABLE_AS_ARXML
     functions = source_functions(model.functions, data, name, limits, rule, "autosar-adaptive")
-    planned = plans(functions)
-    cores = [SourceCore(function, each.plan) for function, each in zip(functions, planned, strict=True)]
+    cores = source_cores(functions)
     application = derive(model, cores)
     return (
         *within("arxml", arxml),
-        *(file for each in planned for file in within("core", core_files(each.plan).files)),
+        *within("core", files_of(cores)),
         *within("application", shipped(CPP)),
         _file("CMakeLists.txt", cmake.root_cmake(application, bench=bench)),
         _file("README.md", readme(application)),

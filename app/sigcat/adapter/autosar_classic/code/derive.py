@@ -1,7 +1,6 @@
 """From an integration and the plans of its cores to the plan of the software components."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
 
 from sigcat import codes
 from sigcat.adapter.autosar_classic.code.ends import SwcContext, received, sent
@@ -16,49 +15,21 @@ from sigcat.adapter.autosar_classic.code.plan import (
     Told,
 )
 from sigcat.adapter.autosar_classic.code.types import rte_types, type_of
-from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding
-from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, Port
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Port
 
 
-class SourceCore(NamedTuple):
-    """A function of the document, and the plan of its core."""
-
-    function: ResolvedFunction
-    plan: CorePlan
-
-
-def derive(model: ClassicIntegration, cores: Sequence[SourceCore]) -> ClassicPlan:
+def derive(model: ClassicIntegration, cores: SourceCores) -> ClassicPlan:
     """The plan of the components. Raises InputRefused if one of them has no function of its own."""
-    by_function = {core.function.name: core for core in cores}
-    if found := list(_shared(model.components, by_function)):
+    holders = (
+        Holder(each.name, each.function, f"/Components/{at}/Function") for at, each in enumerate(model.components)
+    )
+    if found := list(wrong_holders(holders, cores, codes.NOT_WRITABLE_AS_CLASSIC, "software")):
         raise InputRefused("The integration cannot become software components.", tuple(found))
     types = rte_types(model)
-    swcs = tuple(_swc(SwcContext(model, each, by_function[each.function].function.function,
-                                 by_function[each.function].plan, types)) for each in model.components)  # fmt: skip
+    swcs = tuple(_swc(SwcContext(model, each, *cores[each.function], types)) for each in model.components)
     return ClassicPlan(model.info.name, swcs, types)
-
-
-def _shared(components: Iterable[Component], known: Mapping[str, SourceCore]) -> Iterator[Finding]:
-    """A core is one object, which only one component can hold."""
-    seen: dict[str, str] = {}
-    for index, component in enumerate(components):
-        at = f"/Components/{index}/Function"
-        if component.function not in known:
-            message = (
-                f"The function of {component.name} must be in `SourceFunctionList`, and {component.function} is not."
-            )
-            yield codes.NOT_WRITABLE_AS_CLASSIC.finding(message, pointer=at, fix="Integrate it anew.")
-        elif component.function in seen:
-            message = (
-                f"{component.function} must have one component to become software, not {seen[component.function]} "
-                f"and {component.name}."
-            )
-            fix = "Join the components of the function."
-            yield codes.NOT_WRITABLE_AS_CLASSIC.finding(message, pointer=at, fix=fix)
-        seen.setdefault(component.function, component.name)
 
 
 def _swc(context: SwcContext) -> SwcPlan:

@@ -1,0 +1,58 @@
+"""The cores of the functions of an Integration JSON: each is one object, which one component or node holds."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.files import GeneratedFile
+from sigcat.findings import Finding, RuleCode
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+
+
+class SourceCore(NamedTuple):
+    """A function of the document, and the plan of its core."""
+
+    function: FunctionJson
+    plan: CorePlan
+
+
+SourceCores = Mapping[str, SourceCore]
+"""By the names of functions, in the order of the document."""
+
+
+class Holder(NamedTuple):
+    """What holds the core of a function."""
+
+    name: str
+    function: str
+    pointer: str
+    """Where it names the function."""
+
+
+def source_cores(functions: Sequence[ResolvedFunction]) -> SourceCores:
+    """The core of each function. Raises InputRefused with everything that stands in the way of any."""
+    planned = plans(functions)
+    return {each.name: SourceCore(each.function, core.plan) for each, core in zip(functions, planned, strict=True)}
+
+
+def files_of(cores: SourceCores) -> tuple[GeneratedFile, ...]:
+    """Header and source of each core."""
+    return tuple(file for each in cores.values() for file in core_files(each.plan).files)
+
+
+def wrong_holders(
+    holders: Iterable[Holder], cores: SourceCores, rule: RuleCode, become: str, anew: str = "Integrate it anew."
+) -> Iterator[Finding]:
+    """Those whose function is not in the document, or has a holder already; `become` is what it is to become."""
+    seen: dict[str, str] = {}
+    for name, function, pointer in holders:
+        if function not in cores:
+            message = f"The function of {name} must be in `SourceFunctionList`, and {function or 'none'} is not."
+            yield rule.finding(message, pointer=pointer, fix=anew)
+        elif function in seen:
+            message = f"{function} must have one component to become {become}, not {seen[function]} and {name}."
+            yield rule.finding(message, pointer=pointer, fix="Join the components of the function.")
+        seen.setdefault(function, name)
