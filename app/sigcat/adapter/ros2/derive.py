@@ -18,30 +18,20 @@ from sigcat.integration.ros2.services import CLIENT, SERVER
 
 def derive(model: Ros2Integration, cores: SourceCores, release: str) -> WorkspacePlan:
     """The plan of the packages. Raises InputRefused if a node has no function of its own, or cannot be written."""
-    packages = model.node_packages or ()
-    if not packages or not model.interface_packages:
-        raise _refused([_problem("`NodePackageList` must have a package of nodes.", "/NodePackageList")])
-    package = packages[0]
+    (package,), (messages,) = model.node_packages or (), model.interface_packages or ()  # the document has one of each
     _refuse_shared(package, cores)
-    interfaces = model.interface_packages[0].name
     contexts = [_context(node, cores[node.function], model) for node in package.nodes]
     _refuse_disagreements(contexts)
     _refuse_mixed_queues(contexts)
-    nodes = tuple(_node(context, package.name, interfaces) for context in contexts)
+    nodes = tuple(_node(context, package.name, messages.name) for context in contexts)
     _refuse_full_enumerations(nodes)
     return WorkspacePlan(
         application=model.info.function_name,
-        name=package.name,
-        interfaces=interfaces,
-        version=package.version,
-        description=package.description,
-        maintainer=package.maintainer,
-        email=package.email,
-        license=package.license,
+        package=package,
+        interfaces=messages.name,
         namespace=package.nodes[0].namespace,
         release=release,
         nodes=nodes,
-        package=package,
     )
 
 

@@ -25,11 +25,11 @@ def generate(data: bytes, name: str, limits: Limits, release: str | None) -> tup
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_ROS2, "ros2")
     cores = source_cores(functions)
     workspace = derive(model, cores, release or DEFAULT_RELEASE)
-    (interfaces,), (nodes,) = model.interface_packages or (), model.node_packages or ()
+    (interfaces,) = model.interface_packages or ()
     return (
         *bringup_files(workspace, model),
         *interface_files(interfaces),
         *within(workspace.name, cpp_files(workspace)),
-        *python_files(workspace, nodes),
+        *python_files(workspace),
         *within(f"{workspace.name}/core", files_of(cores)),
     )

@@ -233,18 +233,16 @@ class WorkspacePlan:
 
     application: str
     """As the integration calls it: `EcoControl`."""
-    name: str
-    """Of the package: `eco_control`."""
+    package: Package
+    """In C++, as the document describes it: `eco_control`."""
     interfaces: str
     """Package of messages and services."""
-    version: str
-    description: str
-    maintainer: str
-    email: str
-    license: str
     namespace: str
     release: str
     """`jazzy` or `humble`."""
     nodes: tuple[NodePlan, ...]
-    package: Package
-    """As the document describes it."""
+
+    @property
+    def name(self) -> str:
+        """Of the package."""
+        return self.package.name

@@ -10,7 +10,7 @@ _WIDEST = 99
 
 def launch_file(workspace: WorkspacePlan) -> str:
     """The text of `launch/NAME.launch.py`."""
-    rights = f"Copyright {workspace.maintainer}. License: {workspace.license}."
+    rights = f"Copyright {workspace.package.maintainer}. License: {workspace.package.license}."
     return _TEXT.format(
         head="\n".join(f"# {row}" for row in textwrap.wrap(rights, _WIDEST - 2)),
         name=workspace.name,

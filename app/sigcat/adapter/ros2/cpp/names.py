@@ -20,7 +20,7 @@ def guard(workspace: WorkspacePlan, stem: str) -> str:
 
 def copyright_line(workspace: WorkspacePlan) -> str:
     """Whose code it is, as the package says."""
-    return f"// Copyright {workspace.maintainer}. License: {workspace.license}."
+    return f"// Copyright {workspace.package.maintainer}. License: {workspace.package.license}."
 
 
 def header_of(interface: InterfaceType) -> str:

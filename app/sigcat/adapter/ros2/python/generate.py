@@ -11,7 +11,6 @@ from sigcat.adapter.ros2.python.bridge import bridge_files
 from sigcat.adapter.ros2.python.core_module import core_module
 from sigcat.adapter.ros2.python.names import written
 from sigcat.adapter.ros2.python.node_module import node_module
-from sigcat.integration.ros2.model import Package
 
 SUPPORT = Path(__file__).parent / "support"
 """Modules that are the same in every package."""
@@ -21,18 +20,18 @@ _EVENTS = {"jazzy": b"rclpy.event_handler", "humble": b"rclpy.qos_event"}
 """The module of rclpy that has the events of the quality of service."""
 
 
-def python_files(workspace: WorkspacePlan, nodes: Package) -> tuple[GeneratedFile, ...]:
+def python_files(workspace: WorkspacePlan) -> tuple[GeneratedFile, ...]:
     """The files, by their names in the workspace."""
     bridges = (file for node in workspace.nodes for file in bridge_files(node.core))
     return (
         *within(f"{workspace.name}/core", bridges),
-        *within(package.package_name(workspace), _package(workspace, nodes)),
+        *within(package.package_name(workspace), _package(workspace)),
     )
 
 
-def _package(workspace: WorkspacePlan, nodes: Package) -> Iterable[GeneratedFile]:
+def _package(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     name = package.package_name(workspace)
-    yield _text("package.xml", package.description(workspace, nodes))
+    yield _text("package.xml", package.description(workspace))
     yield _module("setup.py", package.setup_py(workspace))
     yield _text("setup.cfg", package.setup_cfg(workspace))
     yield _text(f"resource/{name}", "")
@@ -56,7 +55,7 @@ def _support(release: str) -> Iterable[GeneratedFile]:
 
 def _node(node: NodePlan, workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     name = package.package_name(workspace)
-    core, stem = package.core_stem(node), package.node_stem(node)
+    core, stem = package.core_stem(node), node.stem
     yield _module(f"{name}/{core}.py", core_module(node))
     yield _module(f"{name}/{stem}.py", node_module(node))
     yield _module(f"test/test_{core}.py", package_tests.core_test(node, workspace))

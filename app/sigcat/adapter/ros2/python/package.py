@@ -4,7 +4,6 @@ from sigcat.adapter.core.c.lines import Lines, lines
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python.names import docstring, text
-from sigcat.integration.ros2.model import Package
 from sigcat.names import snake_case
 
 _DEPENDENCIES = (
@@ -23,23 +22,18 @@ def core_stem(node: NodePlan) -> str:
     return f"{snake_case(node.core.function)}_core"
 
 
-def node_stem(node: NodePlan) -> str:
-    """Module of a node: `core_acc_node`."""
-    return f"{node.name}_node"
-
-
-def description(workspace: WorkspacePlan, package: Package) -> str:
+def description(workspace: WorkspacePlan) -> str:
     """package.xml."""
     needed = [("exec_depend", name) for name in sorted((*_DEPENDENCIES, workspace.name, workspace.interfaces))]
     tested = [("test_depend", name) for name in _TEST_DEPENDENCIES]
-    return package_xml(package, package_name(workspace), [*needed, *tested], "ament_python")
+    return package_xml(workspace.package, package_name(workspace), [*needed, *tested], "ament_python")
 
 
 def setup_py(workspace: WorkspacePlan) -> Lines:
     """setup.py, with an executable for each node."""
     name = package_name(workspace)
     scripts = "".join(
-        f"            {text(f'{node.executable} = {name}.{node_stem(node)}:main')},\n" for node in workspace.nodes
+        f"            {text(f'{node.executable} = {name}.{node.stem}:main')},\n" for node in workspace.nodes
     )
     return lines(f"""
 from setuptools import find_packages, setup
@@ -48,7 +42,7 @@ package_name = {text(name)}
 
 setup(
     name=package_name,
-    version={text(workspace.version)},
+    version={text(workspace.package.version)},
     packages=find_packages(exclude=['test']),
     package_data={{package_name: ['py.typed']}},
     data_files=[
@@ -57,10 +51,10 @@ setup(
     ],
     install_requires=['setuptools', 'cffi'],
     zip_safe=False,
-    maintainer={text(workspace.maintainer)},
-    maintainer_email={text(workspace.email)},
+    maintainer={text(workspace.package.maintainer)},
+    maintainer_email={text(workspace.package.email)},
     description={text(f"{workspace.application} in Python.")},
-    license={text(workspace.license)},
+    license={text(workspace.package.license)},
     tests_require=['pytest'],
     entry_points={{
         'console_scripts': [

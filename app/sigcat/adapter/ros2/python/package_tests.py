@@ -4,7 +4,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, joined, lines
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python.core_module import core_type
 from sigcat.adapter.ros2.python.names import between, docstring, sorted_imports
-from sigcat.adapter.ros2.python.package import core_stem, node_stem, package_name
+from sigcat.adapter.ros2.python.package import core_stem, package_name
 
 FLAKE8_TEST = """from ament_flake8.main import main_with_errors
 import pytest
@@ -123,7 +123,7 @@ def core_test(node: NodePlan, workspace: WorkspacePlan) -> Lines:
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> Lines:
     """Tests of a node with rclpy: its life, in lock-step."""
     modules = [
-        (f"{package_name(workspace)}.{node_stem(node)}", [node.type]),
+        (f"{package_name(workspace)}.{node.stem}", [node.type]),
         ("lifecycle_msgs.srv", ["ChangeState"]),
         (f"{node.step_service.package}.srv", [node.step_service.name]),
         ("pytest", ()),
