@@ -3,12 +3,16 @@
 import json
 import re
 import subprocess
+import sys
+from types import SimpleNamespace
+from typing import Any
+from unittest.mock import MagicMock, patch
 
 import pytest
 import yaml
 
 from scripts import ros2_environment
-from tests.adapter.ros2.generated import ECOCONTROL, ecocontrol, files, full, integration, small, write
+from tests.adapter.ros2.generated import ECOCONTROL, ecocontrol, files, full, integration, small, storing, write
 from tests.needs import ros2
 
 AMENT_FLAKE8 = (
@@ -69,6 +73,52 @@ def test_a_start_that_does_not_come_to_its_end_has_a_time():
     assert text.count("Shutdown(reason=") == 1
 
 
+LAUNCH_MODULES = (
+    "launch", "launch.actions", "launch.events", "launch.substitutions", "launch_ros.actions", "launch_ros.event_handlers",
+    "launch_ros.events.lifecycle", "launch_ros.parameter_descriptions", "launch_ros.substitutions", "lifecycle_msgs.msg",
+)  # fmt: skip
+
+
+@pytest.fixture
+def launched():
+    """The functions of the launch file, over doubles of launch which keep what they are made with."""
+    doubles = {name: MagicMock() for name in LAUNCH_MODULES}
+    for name in ("EmitEvent", "LogInfo", "OpaqueFunction", "TimerAction"):
+        setattr(doubles["launch.actions"], name, SimpleNamespace)
+    doubles["launch.substitutions"].LaunchConfiguration = lambda name: SimpleNamespace(
+        perform=lambda context: context.launch_configurations[name]
+    )
+    functions: dict[str, Any] = {}
+    with patch.dict(sys.modules, doubles):
+        exec(launch_file(ecocontrol()), functions)
+    return SimpleNamespace(**functions)
+
+
+def context(**configurations):
+    return SimpleNamespace(launch_configurations=configurations, is_shutdown=False)
+
+
+def test_arguments_are_read_before_a_group_that_includes_the_file_takes_them_back(launched):
+    at = context(start_timeout="7")
+    (timer,) = launched.in_time(at, [])
+    at.launch_configurations.clear()
+    assert timer.period == 7.0
+    (late,) = timer.actions
+    (ended,) = late.function(at)
+    assert ended.function(at)[0].msg == "all end: eco_control_mpc has not become inactive within 7 s (start_timeout)"
+
+
+def test_whoever_ends_while_all_end_ends_nobody_again(launched):
+    """A second shutdown would make launch itself fail."""
+    (ending,) = launched.end("core_acc has ended")
+    at = context()
+    log, event = ending.function(at)
+    assert log.msg == "all end: core_acc has ended"
+    assert event.event is not None
+    at.is_shutdown = True
+    assert ending.function(at) is None
+
+
 @ros2
 @pytest.mark.parametrize("workspace", [ecocontrol, full, small])
 def test_the_launch_file_is_as_ament_flake8_wants_it(workspace, tmp_path):
@@ -115,6 +165,30 @@ def test_a_list_without_elements_is_left_to_the_default():
         document["NodePackageList"][0]["Nodes"][0]["Parameters"][0] |= {"Default": [], "Type": "double_array"}
 
     assert "a_lat_max" not in parameters(edited(change), "core_acc")
+
+
+READ_BY_RCL = """
+import sys
+import rclpy
+for file in sys.argv[1:]:
+    rclpy.init(args=['--ros-args', '--params-file', file])
+    rclpy.shutdown()
+    print(file)
+"""
+
+
+@ros2
+@pytest.mark.parametrize("workspace", [ecocontrol, full, small, storing])
+def test_rcl_reads_every_parameter_file(workspace, tmp_path):
+    write(workspace(), tmp_path)
+    made = sorted(map(str, tmp_path.glob("*/config/*.yaml")))
+    command = [str(ros2_environment.PYTHON), "-c", READ_BY_RCL, *made]
+    done = subprocess.run(command, env=ros2_environment.variables(), capture_output=True, text=True, check=False)
+    assert (done.stdout.split(), done.returncode) == (made, 0), done.stderr
+
+
+def test_a_parameter_file_without_values_says_that_there_are_none():
+    assert parameters(small(), "idle") == {}
 
 
 # -- README -------------------------------------------------------------------------------------------------------

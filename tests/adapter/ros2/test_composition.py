@@ -1,7 +1,9 @@
 """Many nodes in one process."""
 
+import pytest
+
 from scripts import run_ros2
-from tests.adapter.ros2.built import subset, workspace
+from tests.adapter.ros2.built import LANGUAGES, running, subset, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CLEANUP, CONFIGURE, DEACTIVATE, peer
 from tests.needs import ros2
 
@@ -41,3 +43,11 @@ def test_a_function_with_global_variables_is_there_once_in_a_process(tmp_path):
         status, told = run_ros2.ended([*command, *twice], run_ros2.environment(built, number, tmp_path))
     assert status != 0
     assert "a process can have one node of it" in told
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_diagnostics_tell_nodes_of_one_name_apart_by_their_namespaces(language, tmp_path):
+    with running(language, tmp_path, MPC, arguments=("-r", "__ns:=/fleet/car1")) as other:
+        other.bring(f"/fleet/car1/{MPC}", CONFIGURE)
+        told = other.finds(f"fleet/car1/{MPC}: EcoControlMpc_Step", bool)
+    assert told["values"]["steps"] == "0"

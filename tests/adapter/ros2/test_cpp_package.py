@@ -138,6 +138,13 @@ def test_a_policy_that_the_deployment_gives_is_the_default_of_its_parameter():
     assert "    scheduling_policy: fifo\n" in made["full/config/full.yaml"]
 
 
+def test_a_node_has_only_the_settings_that_do_something():
+    assert re.findall(r'"(\w+_(?:policy|folder))"', source(generated.small(), "idle")) == []
+    assert set(re.findall(r'"(\w+_(?:policy|folder))"', source(generated.full(), "full"))) == {
+        "scheduling_policy", "storage_folder",
+    }  # fmt: skip
+
+
 def test_cmake_says_where_it_looked_for_the_code():
     """The folder of a function's code is a setting; without the code, configuring stops with both ways to give it."""
     text = generated.ecocontrol()["eco_control/CMakeLists.txt"]

@@ -39,5 +39,18 @@ def test_a_parameter_says_its_unit_and_its_range(language, tmp_path):
 )
 def test_a_node_does_not_start_with_a_parameter_that_it_would_refuse(language, name, value, tmp_path):
     status, told = ended(language, tmp_path, NODE, "-p", f"{name}:={value}")
-    assert status != 0
+    assert status == 1
     assert name in told
+    assert not has_trace(told)
+
+
+def test_a_node_says_in_a_line_that_its_arguments_cannot_be_read(language, tmp_path):
+    status, told = ended(language, tmp_path, NODE, "--params-file", "/nowhere.yaml")
+    assert status == 1
+    assert "/nowhere.yaml" in told
+    assert not has_trace(told)
+
+
+def has_trace(told):
+    """Whether a node tells more than a reason: where it is in its code, or that it was aborted."""
+    return "Traceback" in told or "terminate called" in told

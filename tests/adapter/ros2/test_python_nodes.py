@@ -164,8 +164,9 @@ def test_parameters_change_all_or_none(ask, where, tmp_path):
 
 def test_a_node_does_not_start_with_a_parameter_out_of_range(where, tmp_path):
     with started(where, "eco_control_py", "core_acc_node", tmp_path, a_lat_max=20.0) as node:
-        assert node.process.wait(30.0) != 0
+        assert node.process.wait(30.0) == 1
         assert "a_lat_max" in node.said.read_text()
+        assert "Traceback" not in node.said.read_text()
 
 
 # -- what is told -------------------------------------------------------------------------------------------------

@@ -136,6 +136,31 @@ def test_a_core_lives_without_ros(full, tmp_path):
     ], done.stderr  # fmt: skip
 
 
+SETTINGS = """
+from types import SimpleNamespace
+from full_py.support.parameters import Parameters
+def settings(priority, is_stored):
+    found = {}
+    node = SimpleNamespace(
+        declare_parameter=lambda name, default, descriptor: found.update({name: SimpleNamespace(value=default)}),
+        get_parameter=lambda name: found[name])
+    made = Parameters(node, SimpleNamespace(package='full'), None, None)
+    made.declare_settings('other', priority, is_stored=is_stored)
+    return list(found)
+print(settings(None, False))
+print(settings(11, True))
+"""
+
+
+@ros2
+@c_compiler
+def test_a_node_has_only_the_settings_that_do_something(full, tmp_path):
+    done = ran(generated.full(), "full_py", full, SETTINGS, tmp_path)
+    assert done.stdout.splitlines() == [
+        "['lock_step']", "['lock_step', 'storage_folder', 'scheduling_policy']",
+    ], done.stderr  # fmt: skip
+
+
 STORES = """
 from full_py.full_core import FullCore
 from full_py.support import storage

@@ -215,6 +215,11 @@ class NodePlan:
         return tuple(each for each in self.core.parameters if each.learned is not None)
 
     @property
+    def is_stored(self) -> bool:
+        """Whether it keeps anything from one run to the next."""
+        return bool(self.monitors or self.learned)
+
+    @property
     def settable(self) -> tuple[NodeParameter, ...]:
         """Parameters that may change while it runs, by the core's SetParameters."""
         return tuple(each for each in self.parameters if not each.is_learned)

@@ -58,8 +58,8 @@ def generate_launch_description():
                 for step, following in zip(steps, steps[1:])]
     failed = [handler for name, node in zip(NODES, nodes) for handler in on_failure(name, node)]
     return LaunchDescription([
-        *arguments(), *followed, after(*steps[-1], reached), *failed, in_time(reached), *nodes,
-        change(*steps[0])])
+        *arguments(), *followed, after(*steps[-1], reached), *failed,
+        OpaqueFunction(function=in_time, args=[reached]), *nodes, change(*steps[0])])
 
 
 def arguments():
@@ -104,8 +104,13 @@ def lifecycle_node(name):
 
 
 def end(reason):
-    """End all, and say why."""
-    return [LogInfo(msg=f'all end: {{reason}}'), EmitEvent(event=Shutdown(reason=reason))]
+    """End all, and say why, unless they end already."""
+    def ending(context):
+        if context.is_shutdown:
+            return None
+        return [LogInfo(msg=f'all end: {{reason}}'), EmitEvent(event=Shutdown(reason=reason))]
+
+    return [OpaqueFunction(function=ending)]
 
 
 def change(node, transition):
@@ -125,18 +130,19 @@ def after(node, transition, reached, *actions):
         entities=[OpaqueFunction(function=lambda _: reached.append(goal)), *actions]))
 
 
-def in_time(reached):
+def in_time(context, reached):
     """End all if a node has not been configured or activated after the time for that."""
-    def late(context):
+    # Read now: the arguments of a group that includes this file end with the group.
+    seconds = LaunchConfiguration('start_timeout').perform(context)
+
+    def late(_):
         if len(reached) == 2 * len(NODES):
             return None
         goals = [(name, goal) for goal in ('inactive', 'active') for name in NODES]
         name, goal = goals[len(reached)]
-        seconds = LaunchConfiguration('start_timeout').perform(context)
         return end(f'{{name}} has not become {{goal}} within {{seconds}} s (start_timeout)')
 
-    return TimerAction(
-        period=LaunchConfiguration('start_timeout'), actions=[OpaqueFunction(function=late)])
+    return [TimerAction(period=float(seconds), actions=[OpaqueFunction(function=late)])]
 
 
 def on_failure(name, node):

@@ -15,7 +15,9 @@ def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     parts = [*map(_parameter, node.parameters), *_own(node, workspace)]
     body = "\n".join(textwrap.indent(part, "    ") for part in parts)
     head = _comment(f"Parameters of {node.name}: what it has without this file.")
-    return f"{head}/**:\n  ros__parameters:\n{body}"
+    has_values = any(not line.startswith("#") for part in parts for line in part.splitlines())
+    values = "ros__parameters:" if has_values else "ros__parameters: {}"  # rcl refuses a key without a value
+    return f"{head}/**:\n  {values}\n{body}"
 
 
 def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
@@ -23,7 +25,7 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
     if node.priority is not None:
         about = f"Policy of the thread that makes the calls: other, fifo or rr, these with priority {node.priority}."
         yield _comment(about) + f"scheduling_policy: {node.policy}\n"
-    if node.monitors or node.learned:
+    if node.is_stored:
         about = "Folder of what the node keeps from one run to the next"
         yield (
             _comment(f"{about}; if empty $ROS_HOME/{workspace.name}, or else ~/.ros/{workspace.name}.")

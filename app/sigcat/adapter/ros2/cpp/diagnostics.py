@@ -22,7 +22,8 @@ def tell_function(node: NodePlan) -> str:
             "scheduling_problem = scheduling_problem_;" if node.priority is not None else "",
         ]),
         "if (publisher == nullptr || publisher->get_subscription_count() == 0U) {\n  return;\n}",
-        "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();\nconst std::string node = get_name();",
+        "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();",
+        "const std::string node = unique_name(get_node_base_interface()->get_fully_qualified_name());",
         *(_error(each) for each in node.monitors),
         *(call("told.status.push_back", [call("call_status", ["node", string(step.interface), report_name(node, step)], ")", 3)])
           for step in node.steps),

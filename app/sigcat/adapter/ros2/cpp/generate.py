@@ -8,7 +8,7 @@ from sigcat.adapter.ros2.cpp.cmake import cmake
 from sigcat.adapter.ros2.cpp.layout import fitted
 from sigcat.adapter.ros2.cpp.main_source import main_source
 from sigcat.adapter.ros2.cpp.names import copyright_line
-from sigcat.adapter.ros2.cpp.node_header import has_deadline, is_stored, node_header
+from sigcat.adapter.ros2.cpp.node_header import has_deadline, node_header
 from sigcat.adapter.ros2.cpp.node_source import node_source
 from sigcat.adapter.ros2.cpp.structs import structs_header
 from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
@@ -55,7 +55,7 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     unused = {
         *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
         *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
-        *(() if any(is_stored(node) for node in workspace.nodes) else ("storage",)),
+        *(() if any(node.is_stored for node in workspace.nodes) else ("storage",)),
     }
     for path in sorted(SUPPORT.rglob("*.?pp")):
         if path.stem.removeprefix("test_") in unused:

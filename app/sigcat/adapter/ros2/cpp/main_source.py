@@ -17,9 +17,9 @@ def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
 
 int main(int argc, char * argv[])
 {{
-  rclcpp::init(argc, argv);
   int result = EXIT_SUCCESS;
   try {{
+    rclcpp::init(argc, argv);
     const auto node = std::make_shared<{workspace.name}::{node.type}>(rclcpp::NodeOptions());
     // One thread receives, one answers, one changes the state.
     rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);

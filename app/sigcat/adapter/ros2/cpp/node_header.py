@@ -43,16 +43,11 @@ def has_deadline(node: NodePlan) -> bool:
     return any(step.deadline for step in node.steps)
 
 
-def is_stored(node: NodePlan) -> bool:
-    """Whether it keeps anything from one run to the next."""
-    return bool(node.monitors or node.learned)
-
-
 def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     standard = ["memory", "mutex", "string", "thread", "vector"]
     messages = {each.message for each in node.publishers} | {each.service for each in (*node.offered, *node.used)}
     own = ["clock", "diagnostics", "topics"]
-    own += [*(["storage"] if is_stored(node) else []), *(["watch"] if has_deadline(node) else [])]
+    own += [*(["storage"] if node.is_stored else []), *(["watch"] if has_deadline(node) else [])]
     headers = [header_of(each) for each in sorted({*messages, node.step_service})]
     headers += [f"{workspace.name}/{each}.hpp" for each in own]
     headers += ["diagnostic_msgs/msg/diagnostic_array.hpp", "rclcpp/rclcpp.hpp", "rclcpp_lifecycle/lifecycle_node.hpp"]
@@ -118,7 +113,7 @@ def _members(node: NodePlan) -> str:
             "std::thread calls_;",
             "std::string scheduling_problem_;" if node.priority is not None else "",
             "std::unique_ptr<Watch> watch_;" if has_deadline(node) else "",
-            "std::unique_ptr<Storage> storage_;" if is_stored(node) else "",
+            "std::unique_ptr<Storage> storage_;" if node.is_stored else "",
             *(f"CallTimes {times_name(node, step)};" for step in node.steps),
         ]),
         _connections(node),

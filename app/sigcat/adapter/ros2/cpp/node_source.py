@@ -8,7 +8,7 @@ from sigcat.adapter.ros2.cpp.diagnostics import tell_function
 from sigcat.adapter.ros2.cpp.layout import function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.methods import method_functions
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, core_header, header_of, times_name
-from sigcat.adapter.ros2.cpp.node_header import is_stored, messages_of
+from sigcat.adapter.ros2.cpp.node_header import messages_of
 from sigcat.adapter.ros2.cpp.parameters import initial_parameters, parameter_functions
 from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
@@ -131,7 +131,7 @@ def _configured(node: NodePlan) -> str:
     get_parameter("storage_folder").as_string(),
     get_node_base_interface()->get_fully_qualified_name()),
   get_logger());
-""" if is_stored(node) else ""  # fmt: skip
+""" if node.is_stored else ""  # fmt: skip
     return f"""step_clock_.reset();
 if (get_parameter("lock_step").as_bool()) {{
   step_clock_ = std::make_shared<StepClock>();
@@ -156,7 +156,7 @@ return CallbackReturn::SUCCESS;"""
 
 def _initialize(node: NodePlan) -> str:
     core = node.core.type_name
-    load = f"{core}_Stored stored = load(*storage_);" if is_stored(node) else f"{core}_Stored stored{{}};"
+    load = f"{core}_Stored stored = load(*storage_);" if node.is_stored else f"{core}_Stored stored{{}};"
     taken = "\n".join(f"core_->parameters.{name} = core_->adapter.parameter.{name}.value;" for name in unset(node))
     return function(f"bool {node.type}::initialize()", [
         load,
@@ -182,7 +182,7 @@ def unset(node: NodePlan) -> list[str]:
 
 
 def _terminate(node: NodePlan) -> str:
-    store = "store(core_->adapter.stored, *storage_);" if is_stored(node) else ""
+    store = "store(core_->adapter.stored, *storage_);" if node.is_stored else ""
     return function(f"void {node.type}::terminate()", [
         "if (!is_initialized_) {\n  return;\n}",
         "const std::lock_guard<std::mutex> call(call_mutex_);",

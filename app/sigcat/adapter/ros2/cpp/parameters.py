@@ -6,7 +6,6 @@ from typing import Any
 from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import call, function, literal, scope
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, table
-from sigcat.adapter.ros2.cpp.node_header import is_stored
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
@@ -40,7 +39,7 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
         fixed = call("fixed", [descriptor], ")", 2)
         found.append(_declaration("std::string", "scheduling_policy", string(node.policy), fixed))
         found.append('check_policy(get_parameter("scheduling_policy").as_string());')
-    if is_stored(node):
+    if node.is_stored:
         words = f"Folder of what the node keeps; $ROS_HOME/{workspace.name} or ~/.ros/{workspace.name} if empty."
         descriptor = _described(words, "", 3)
         found.append(_declaration("std::string", "storage_folder", '""', call("fixed", [descriptor], ")", 2)))

@@ -6,7 +6,6 @@ from typing import NamedTuple
 from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import CorePlan, Parameter
 from sigcat.adapter.ros2.cpp.layout import function, scope
-from sigcat.adapter.ros2.cpp.node_header import is_stored
 from sigcat.adapter.ros2.plan import NodePlan
 
 
@@ -41,7 +40,7 @@ def _paths(struct: str, core: CorePlan) -> Iterator[str]:
 
 def storage_functions(node: NodePlan) -> list[str]:
     """Reading at the start, writing at the end; calibration is never written."""
-    return [_load(node), _store(node)] if is_stored(node) else []
+    return [_load(node), _store(node)] if node.is_stored else []
 
 
 def _load(node: NodePlan) -> str:

@@ -3,7 +3,6 @@
 from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, header_of
-from sigcat.adapter.ros2.cpp.node_header import is_stored
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 
 
@@ -18,7 +17,7 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         _life_with_errors(node),
         *([_parameters(node)] if _ranged(node) else []),
         _lock_step(node),
-        *([_stored(node)] if is_stored(node) else []),
+        *([_stored(node)] if node.is_stored else []),
     ]) + "\n"  # fmt: skip
 
 
@@ -35,7 +34,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
 
 def _fixture(node: NodePlan) -> str:
     folder = """    options.append_parameter_override("storage_folder", folder_.string());
-""" if is_stored(node) else ""  # fmt: skip
+""" if node.is_stored else ""  # fmt: skip
     return f"""class {node.type}Test : public ::testing::Test
 {{
 protected:
@@ -60,7 +59,7 @@ protected:
 def _life(node: NodePlan) -> str:
     file = f'folder_ / "{node.name}.txt"'
     kept = f"""
-  EXPECT_TRUE(std::filesystem::exists({file}));""" if is_stored(node) else ""  # fmt: skip
+  EXPECT_TRUE(std::filesystem::exists({file}));""" if node.is_stored else ""  # fmt: skip
     return f"""TEST_F({node.type}Test, GoesThroughItsLife)
 {{
   const auto node = make_node();

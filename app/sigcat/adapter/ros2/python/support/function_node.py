@@ -8,6 +8,7 @@ calls; whatever ends it, terminates the function once. Subscriptions only hand v
 from contextlib import suppress
 import os
 from pathlib import Path
+import sys
 from threading import Lock, Thread
 from time import monotonic_ns
 import traceback
@@ -22,6 +23,7 @@ from rclpy.clock import Clock as RosClock
 from rclpy.clock import ClockType
 from rclpy.executors import ExternalShutdownException
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.logging import get_logger
 from rclpy.qos import QoSProfile
 
 from . import diagnostics, storage
@@ -42,8 +44,8 @@ class FunctionNode(LifecycleNode):
     PERIOD = 1.0
     """Seconds between two messages of the diagnostics."""
 
-    priority = 1
-    """Of the thread that runs the calls, where it has a policy that knows priorities."""
+    priority: Optional[int] = None
+    """Of the thread that runs the calls; None if no call has one, and so the thread no policy."""
 
     policy = 'other'
     """Default of the parameter `scheduling_policy`."""
@@ -73,7 +75,9 @@ class FunctionNode(LifecycleNode):
         self._told_states: List[int] = []
         self._answers_group = MutuallyExclusiveCallbackGroup()
         self._diagnostics_group = MutuallyExclusiveCallbackGroup()
-        self._function_parameters.declare_settings(self.policy, self.priority)
+        self._is_stored = bool(core.errors or core.learned)
+        self._function_parameters.declare_settings(
+            self.policy, self.priority, is_stored=self._is_stored)
         self.declare_function_parameters()
         self._function_parameters.take_changes()
         quality = QoSProfile(depth=10)
@@ -187,7 +191,8 @@ class FunctionNode(LifecycleNode):
         self._is_initialized = False
         with self._call_lock, self.core_lock:
             self._core.terminate(self._core_clock.now())
-        self._store()
+        if self._is_stored:
+            self._store()
         for destroy in self._entities:
             destroy()
         self._entities.clear()
@@ -297,6 +302,8 @@ class FunctionNode(LifecycleNode):
 
     def _schedule_thread(self) -> str:
         """Ask for the policy that the parameter names, and answer what is wrong with it."""
+        if self.priority is None:
+            return ''
         policy = self._function_parameters.value('scheduling_policy')
         if policy == 'other':
             return ''
@@ -392,6 +399,8 @@ class FunctionNode(LifecycleNode):
         return storage.file_of(path, self.get_fully_qualified_name())
 
     def _load(self) -> Dict[str, Any]:
+        if not self._is_stored:
+            return {}
         path = self._file
         try:
             return storage.read(path, self._core)
@@ -420,14 +429,15 @@ class FunctionNode(LifecycleNode):
         """Say how errors, topics and calls are, if anybody listens."""
         if self._diagnostics.get_subscription_count() == 0:
             return
-        node, core = self.get_name(), self._core
+        node, core = self.get_fully_qualified_name().strip('/'), self._core
         with self.core_lock:
             errors, calls = core.error_status(), core.call_counts()
         statuses = [diagnostics.error_status(node, *each) for each in zip(core.errors, errors)]
         statuses += [
             diagnostics.call_status(node, *each) for each in zip(core.calls, calls, self._times)
         ]
-        statuses.append(diagnostics.scheduling_status(node, self._scheduling_problem))
+        if self.priority is not None or self._scheduling_problem:
+            statuses.append(diagnostics.scheduling_status(node, self._scheduling_problem))
         statuses += self._topics.statuses(node)
         stamp = self.get_clock().now().to_msg()
         self._diagnostics.publish(diagnostics.diagnostic_array(stamp, statuses))
@@ -435,8 +445,13 @@ class FunctionNode(LifecycleNode):
 
 def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> None:
     """Run a node until it is interrupted."""
-    rclpy.init(args=args)
-    node = make()
+    try:
+        rclpy.init(args=args)
+        node = make()
+    except Exception as error:  # of settings that it refuses
+        get_logger(Path(sys.argv[0]).name).fatal(f'the node does not start: {error}')
+        rclpy.try_shutdown()
+        sys.exit(1)
     try:
         spin_node(node, offers_methods=node.offers_methods)
     except (KeyboardInterrupt, ExternalShutdownException):

@@ -1,7 +1,7 @@
 """Parameters of a node: settings that every node has, and those that its core takes."""
 
 from threading import Lock
-from typing import Any, Callable, Dict, Mapping, Sequence
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.exceptions import InvalidParameterValueException
@@ -29,29 +29,38 @@ class Parameters:
         self._core_parameters = core_parameters
         self._defaults: Dict[str, Any] = {}
 
-    def declare_settings(self, policy: str, priority: int) -> None:
+    def declare_settings(self, policy: str, priority: Optional[int], *, is_stored: bool) -> None:
         """
-        Declare what every node has, whatever its function is.
+        Declare what the node has beside the parameters of its function.
 
         Raises InvalidParameterValueException for a policy that there is not.
         """
-        settings = (
-            ('lock_step', False,
-             'Whether the service ~/step gives the time: for tests and replays.'),
-            ('scheduling_policy', policy,
-             f'Policy of the thread that runs the calls, with priority {priority}: '
-             'other, fifo or rr.'),
-            ('storage_folder', '',
-             f'Folder of what the node keeps; $ROS_HOME/{self._core.package} or '
-             f'~/.ros/{self._core.package} if empty.'),
-        )
-        for name, default, description in settings:
-            descriptor = ParameterDescriptor(description=description, read_only=True)
-            self._node.declare_parameter(name, default, descriptor)
+        self._declare_setting(
+            'lock_step', False,
+            'Whether the service ~/step gives the time: for tests and replays.')
+        if is_stored:
+            self._declare_setting(
+                'storage_folder', '',
+                f'Folder of what the node keeps; $ROS_HOME/{self._core.package} or '
+                f'~/.ros/{self._core.package} if empty.')
+        if priority is not None:
+            self._declare_policy(policy, priority)
+
+    def _declare_policy(self, policy: str, priority: int) -> None:
+        self._declare_setting(
+            'scheduling_policy', policy,
+            f'Policy of the thread that runs the calls, with priority {priority}.',
+            'one of ' + ', '.join(POLICIES))
         given = self.value('scheduling_policy')
         if given not in POLICIES:
             reason = f'it must be one of {", ".join(POLICIES)}'
             raise InvalidParameterValueException('scheduling_policy', given, reason)
+
+    def _declare_setting(
+        self, name: str, default: Any, description: str, constraints: str = ''
+    ) -> None:
+        self._node.declare_parameter(name, default, ParameterDescriptor(
+            description=description, additional_constraints=constraints, read_only=True))
 
     def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
         """Declare a parameter of the function."""

@@ -12,6 +12,9 @@
 namespace PACKAGE_NAME
 {
 
+/// A name that differs between namespaces, without the slash that all begin with: `ego/core_acc`.
+std::string unique_name(const std::string & fully_qualified_name);
+
 /// A status without values.
 diagnostic_msgs::msg::DiagnosticStatus made_status(
   uint8_t level, const std::string & node, const std::string & what, const std::string & message);

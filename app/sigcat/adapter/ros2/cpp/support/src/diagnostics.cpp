@@ -53,6 +53,11 @@ std::string microseconds(uint64_t nanoseconds)
 
 }  // namespace
 
+std::string unique_name(const std::string & fully_qualified_name)
+{
+  return fully_qualified_name.substr(fully_qualified_name.find_first_not_of('/'));
+}
+
 DiagnosticStatus made_status(
   uint8_t level, const std::string & node, const std::string & what, const std::string & message)
 {
