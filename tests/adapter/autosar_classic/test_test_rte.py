@@ -38,6 +38,7 @@ ROWS = {
     "methods_that_the_trace_answers": ("function.yaml",),
     "one_function_feeds_another": ("filter.yaml", "counter.yaml"),
     "structs_and_queues": ("function.yaml",),
+    "windows_that_begin_with_a_mode": ("function.yaml",),
 }
 
 

@@ -212,7 +212,7 @@ def test_a_rejected_message_is_told_by_the_rte():
 def test_each_call_is_a_runnable_with_a_symbol_of_its_own(core_acc):
     assert [(each.name, each.role, each.call) for each in core_acc.runnables] == [
         ("Init", "Init", "CoreAcc_Init"), ("Receive", "Receive", None), ("Step", "Step", "CoreAcc_Step"),
-        ("Supervise", "Supervise", None), ("Terminate", "Terminate", "CoreAcc_Terminate"),
+        ("Supervise", "Supervise", None), ("JudgeWindows", "JudgeWindows", None), ("Terminate", "Terminate", "CoreAcc_Terminate"),
     ]  # fmt: skip
     assert runnable(core_acc, "Step").symbol == "CoreAcc_Run_Step"
 
@@ -368,9 +368,19 @@ def test_a_data_element_is_carried_by_the_signal_that_the_deployment_names():
 
 
 def test_the_shorter_the_period_the_higher_the_priority_of_its_task(whole):
-    cyclic = [task for task in whole.ecu.tasks if task.period is not None]
+    cyclic = [task for task in whole.ecu.tasks if task.period is not None and task.name != "Task_Windows"]
     assert [task.period for task in sorted(cyclic, key=lambda each: -each.priority)] == sorted(task.period for task in cyclic)  # fmt: skip
     assert len({task.priority for task in whole.ecu.tasks}) == len(whole.ecu.tasks)
+
+
+def test_windows_that_may_end_at_any_tick_are_judged_after_steps(whole):
+    """Those of calls that a mode excludes: they begin when the call comes back."""
+    (windows,) = [task for task in whole.ecu.tasks if task.name == "Task_Windows"]
+    assert (windows.period, [event.component for event in windows.events]) == (
+        0.001,
+        ["CoreAcc", "WheelSpeedCalculation"],
+    )
+    assert [task.name for task in whole.ecu.tasks if task.priority < windows.priority] == ["Task_Life"]
 
 
 def test_init_of_every_component_runs_before_the_tasks_do(whole):

@@ -11,7 +11,7 @@ from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.finding_collector import FindingCollector
 
-OF_ADAPTER = ("Init", "Receive", "Supervise", "Terminate", "Core", "Calls", "Stored")
+OF_ADAPTER = ("Init", "Receive", "Supervise", "JudgeWindows", "Terminate", "Core", "Calls", "Stored")
 """Runnables, areas and memory of a component, whatever the names of its steps: all of them have one namespace."""
 OF_BASE_SOFTWARE = (
     "Clock", "Ignition", "EcuMode", "StoredBlock", "Parameters", "AdapterClock", "AdapterIgnition", "DiagnosticMonitor",

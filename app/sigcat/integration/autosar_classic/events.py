@@ -7,7 +7,7 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
 from sigcat.integration.autosar_classic.interfaces import in_seconds
-from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour
+from sigcat.integration.autosar_classic.runnables import AREA, CALLS, JUDGE_WINDOWS, Behaviour
 from sigcat.integration.autosar_classic.service_needs import ECU_PORT, STORED
 from sigcat.integration.autosar_names import distinct, short_name
 
@@ -36,6 +36,8 @@ def _events(
     if runnable.role == "Supervise":
         cycles = [each.call.cycle_time for each in behaviour.steps if each.call.cycle_time]
         yield _timing(runnable, min(cycles, default=100), 0)
+    if runnable.role == JUDGE_WINDOWS:
+        yield _timing(runnable, behaviour.tick / 1000, 0)
     if runnable.role == "Method":
         port = next(p for p in behaviour.ports if p.direction == "Provided" and p.kind == "ClientServer" and p.elements[0].uses and p.elements[0].uses[0].interface == runnable.method)  # fmt: skip
         yield model.Event(
@@ -90,8 +92,9 @@ def _data_received(runnable: model.Runnable, port: str, element: str) -> model.E
 
 
 def _timing(runnable: model.Runnable, cycle: float, offset: float) -> model.Event:
+    number = int(cycle) if cycle == int(cycle) else cycle
     return model.Event(
-        name=short_name(f"{runnable.name}_{cycle}ms"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
+        name=short_name(f"{runnable.name}_{number}ms"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
         offset=in_seconds(offset),
     )  # fmt: skip
 

@@ -22,6 +22,7 @@ from sigcat.integration.autosar_classic.service_needs import (
 )
 from sigcat.integration.autosar_names import short_name
 
+JUDGE_WINDOWS = "JudgeWindows"
 AREA = "Core"
 """Exclusive area around the core."""
 CALLS = "Calls"
@@ -58,6 +59,18 @@ class Behaviour:
         }
 
     @property
+    def has_floating_windows(self) -> bool:
+        """Whether windows of its alive supervision may end between the releases of their call: they begin anew with a mode
+        that the call comes back with, and modes come at any time."""
+        modes = self.part.function.modes or ()
+        return any(
+            each.call.watchdog is not None
+            and each.call.watchdog.alive is not None
+            and any(each.call.name not in mode.runnables for mode in modes)
+            for each in self.steps
+        )
+
+    @property
     def offers(self) -> bool:
         """Whether others may call its methods."""
         return any(_offers(port) for port in self.ports)
@@ -83,6 +96,8 @@ def runnables_of(behaviour: Behaviour) -> tuple[model.Runnable, ...]:
         made.insert(1, _own("Receive", "Receive", "Takes what comes when it comes, and starts what is due.", behaviour))
     if any(port.service == "WatchdogManager" for port in behaviour.ports):
         made.append(_own("Supervise", "Supervise", "Looks for calls that hang or do not come.", behaviour))
+    if behaviour.has_floating_windows:
+        made.append(_judge_windows(behaviour))
     made.append(_terminate(behaviour))
     return tuple(made)
 
@@ -157,6 +172,12 @@ def _own(name: str, role: str, description: str, behaviour: Behaviour) -> model.
     if role == "Receive":
         accesses = [*_arriving(behaviour), *accesses, *_triggers(behaviour, None)]
     return _runnable(name, role, accesses, behaviour, None, description)
+
+
+def _judge_windows(behaviour: Behaviour) -> model.Runnable:
+    accesses = [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)]
+    description = "Judges windows of alive supervision that end between releases: they began with a mode."
+    return _runnable(JUDGE_WINDOWS, JUDGE_WINDOWS, accesses, behaviour, None, description)
 
 
 def _method(port: model.Port, behaviour: Behaviour) -> model.Runnable:

@@ -6,10 +6,10 @@ from typing import NamedTuple
 from sigcat.function.function_json.conversion import of_text
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.runnables import Behaviour
+from sigcat.integration.autosar_classic.runnables import JUDGE_WINDOWS, Behaviour
 from sigcat.integration.autosar_names import distinct, short_name
 
-_ROLES = ("Init", "Receive", "Answer", "Method", "Step", "Supervise", "Terminate")
+_ROLES = ("Init", "Receive", "Answer", "Method", "Step", "Supervise", "JudgeWindows", "Terminate")
 
 
 class _Mapped(NamedTuple):
@@ -34,10 +34,12 @@ def init_batches_of(components: Sequence[model.Component], behaviours: Mapping[s
 
 
 def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]) -> tuple[model.Task, ...]:
-    """One task for each period, one for what other events start, one for terminate; the shorter the period, the higher
-    the priority."""
+    """One task for each period, one for what other events start, one for windows, one for terminate; the shorter the period,
+    the higher the priority."""
     mapped = _all_mapped(components, behaviours)
-    periods = sorted({each.period for each in mapped if each.period is not None})
+    cyclic = [each for each in mapped if not _judges_windows(each)]
+    windows = [each for each in mapped if _judges_windows(each)]
+    periods = sorted({each.period for each in cyclic if each.period is not None})
     groups: list[tuple[str, list[_Mapped], float | None, str]] = [
         (
             "Events",
@@ -47,10 +49,12 @@ def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Beh
         ),
     ]
     groups += [
-        (f"Cycle_{_text(period)}ms", [each for each in mapped if each.period == period], period,
+        (f"Cycle_{_text(period)}ms", [each for each in cyclic if each.period == period], period,
          f"Everything with a period of {_text(period)} ms: the shorter, the higher the priority.")
         for period in periods
     ]  # fmt: skip
+    ticks = next((each.period for each in windows), None)
+    groups += [("Windows", windows, ticks, "Steps come before: what is released with the end of a window closes it.")]
     groups += [("Life", [each for each in mapped if _is_end(each)], None, "Terminate after everything else.")]
     filled = [group for group in groups if group[1]]
     return tuple(_task(*group, priority=len(filled) - index) for index, group in enumerate(filled))
@@ -58,6 +62,10 @@ def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Beh
 
 def _is_end(each: _Mapped) -> bool:
     return each.runnable.role == "Terminate"
+
+
+def _judges_windows(each: _Mapped) -> bool:
+    return each.runnable.role == JUDGE_WINDOWS
 
 
 def _is_event(each: _Mapped) -> bool:

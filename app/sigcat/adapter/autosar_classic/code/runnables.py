@@ -14,7 +14,7 @@ def runnable(each: Runnable, swc: SwcPlan) -> Lines:
     """The definition of a runnable."""
     if each.role == "Method":
         return offered(each, swc)
-    bodies = {"Init": _init, "Step": _step, "Terminate": _terminate}
+    bodies = {"Init": _init, "Step": _step, "JudgeWindows": _judge_windows, "Terminate": _terminate}
     body = bodies.get(each.role, _taking)(each, swc)
     return function(f"void {each.symbol}(void)", body, each.description or "")
 
@@ -158,6 +158,19 @@ def _taking(each: Runnable, swc: SwcPlan) -> list[Lines]:
         _publish(swc) if each.role != "Answer" else (),
         _start(each, swc),
     ]  # fmt: skip
+
+
+def _judge_windows(each: Runnable, swc: SwcPlan) -> list[Lines]:
+    """Only when the core names the time: at others it would judge errors that mature, where no other platform does."""
+    p, core = swc.core.type_name, at_core(swc)
+    return [
+        lines(f"const {_t(swc)}\n"),
+        enter(swc),
+        takes(each, swc),
+        block(f"if ({p}_NextTime({core}) <= t)", [lines(f"{p}_Supervise({core}, t);")]),
+        leave(swc),
+        _publish(swc),
+    ]
 
 
 # -- calls that are found due by another runnable than their own ---------------------------------------------------

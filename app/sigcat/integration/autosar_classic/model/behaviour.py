@@ -41,7 +41,7 @@ class Runnable(WireModel):
 
     name: str = always("Name", "Name of the runnable.")
     symbol: str = always("Symbol", "Name of the function in C, unique on the ECU.")
-    role: Literal["Init", "Step", "Method", "Receive", "Supervise", "Answer", "Terminate"] = always(
+    role: Literal["Init", "Step", "Method", "Receive", "Supervise", "JudgeWindows", "Answer", "Terminate"] = always(
         "Role", "What it does with the core."
     )
     call: str | None = own("Call", "Call of the function that it runs; absent where it runs none.")

@@ -156,6 +156,14 @@ void CoreAcc_Run_Supervise(void);
 #define CoreAcc_START_SEC_CODE
 #include "CoreAcc_MemMap.h"
 
+void CoreAcc_Run_JudgeWindows(void);
+
+#define CoreAcc_STOP_SEC_CODE
+#include "CoreAcc_MemMap.h"
+
+#define CoreAcc_START_SEC_CODE
+#include "CoreAcc_MemMap.h"
+
 void CoreAcc_Run_Terminate(void);
 
 #define CoreAcc_STOP_SEC_CODE

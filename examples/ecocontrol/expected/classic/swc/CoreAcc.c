@@ -500,6 +500,24 @@ void CoreAcc_Run_Supervise(void)
 #define CoreAcc_START_SEC_CODE
 #include "CoreAcc_MemMap.h"
 
+/* Judges windows of alive supervision that end between releases: they began with a mode. */
+void CoreAcc_Run_JudgeWindows(void)
+{
+    const uint64 t = CoreAcc_Swc_Now();
+    Rte_Enter_Core();
+    if (CoreAcc_Adapter_NextTime(&CoreAcc_Adapter_Instance) <= t) {
+        CoreAcc_Adapter_Supervise(&CoreAcc_Adapter_Instance, t);
+    }
+    Rte_Exit_Core();
+    CoreAcc_Swc_Publish();
+}
+
+#define CoreAcc_STOP_SEC_CODE
+#include "CoreAcc_MemMap.h"
+
+#define CoreAcc_START_SEC_CODE
+#include "CoreAcc_MemMap.h"
+
 /* Ends the core, and hands over what is stored. */
 void CoreAcc_Run_Terminate(void)
 {
