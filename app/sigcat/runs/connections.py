@@ -234,7 +234,7 @@ def _answers(index: int, member: Member) -> Iterator[Entry]:
 
 def _exits(index: int, member: Member) -> Iterator[Exit]:
     plan, names, structs = member.plan, names_of(member), structs_of(member)
-    for output in (output for call in plan.steps for output in call.outputs):
+    for output in plan.outputs:
         wire = output.value.wire
         own, shape = names[output.named.pointer], shape_of(wire, structs)
         yield Exit(index, output.named.name, own.path_or_name, wire, shape, own.unit, output.queue is not None)

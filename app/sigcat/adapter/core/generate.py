@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Lines, lines, wrapped
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.c.source import source
-from sigcat.adapter.core.plan import CLASS, CorePlan
+from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.document import Pointer
 
@@ -28,8 +28,7 @@ class CoreFiles(NamedTuple):
 
 def core_files(plan: CorePlan) -> CoreFiles:
     """The files of a core. The same plan gives the same bytes."""
-    end = "cpp" if plan.code.signature == CLASS else "c"
-    names = f"{plan.function}_adapter.h", f"{plan.function}_adapter.{end}"
+    names = plan.header_file, plan.source_file
     title = _title(plan)
     parts = wrapped(header(Scope(plan), title)), wrapped(_source(plan, title, names[0]))
     origins = {

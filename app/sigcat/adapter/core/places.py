@@ -29,7 +29,7 @@ class CorePlaces:
     @cached_property
     def outputs(self) -> Mapping[Pointer, Output]:
         """What is sent, by where it stands."""
-        return {output.named.pointer: output for step in self.core.steps for output in step.outputs}
+        return {output.named.pointer: output for output in self.core.outputs}
 
     @cached_property
     def interface_names(self) -> Mapping[Pointer, str]:

@@ -75,8 +75,7 @@ def _given(trace: Path, prepared: Prepared, last: int) -> Mapping[str, Sequence[
 def _signals(connections: Connections, member: int) -> Iterator[str]:
     """What the calls of a function send, but for statuses: those come when they change."""
     plan = connections.members[member].plan
-    modes = (each for each in (plan.mode_in, plan.mode_out) if each)
-    statuses = {each.named.name for each in (*plan.errors, *plan.reactions, *modes)}
+    statuses = {each.named.name for each in plan.statuses}
     for each in connections.exits:
         if each.member == member and each.field not in statuses:
             yield each.name

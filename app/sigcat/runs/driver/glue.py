@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import CLASS, GLOBALS, Call, Method, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import GLOBALS, Call, Method, WireField, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
 from sigcat.runs.connections import Connections, Entry, Exit, Member, Server, answer_struct, request_struct
 from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
@@ -66,14 +66,13 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
         {connections.entries[entry].receiver: server for entry, server in connections.servers.items()
          if connections.entries[entry].member == index},
     )  # fmt: skip
-    ending = "cpp" if member.plan.code.signature == CLASS else "c"
     text = "\n".join(line.text for line in _whole(glue, member))
-    return GeneratedFile(f"{member.name}_driver.{ending}", f"{text}\n".encode())
+    return GeneratedFile(f"{member.name}_driver.{member.plan.code.ending}", f"{text}\n".encode())
 
 
 def _whole(glue: _Glue, member: Member) -> Lines:
     return spaced([
-        lines(f'#include "{member.name}_adapter.h"\n#include "sigcat_driver.h"\n\n#include <string.h>'),
+        lines(f'#include "{member.plan.header_file}"\n#include "sigcat_driver.h"\n\n#include <string.h>'),
         _data(glue),
         *_struct_functions([*glue.scope.plan.structs, *glue.handed_over]),
         _restore(glue), _store(glue), _start_up(glue), _start(glue), _receive(glue),

@@ -61,7 +61,7 @@ def _includes(component: ComponentPlan) -> Lines:
     groups = (
         [f"#include {name}" for name in sorted(standard)],
         sorted([*(f'#include "application/{name}.h"' for name in application), *(f'#include "{name}"' for name in platform),
-                *(f'#include "{name}"' for name in headers), f'#include "core/{component.core.function}_adapter.h"']),
+                *(f'#include "{name}"' for name in headers), f'#include "core/{component.core.header_file}"']),
     )  # fmt: skip
     return lines("\n\n".join("\n".join(group) for group in groups))
 

@@ -4,7 +4,6 @@ from collections.abc import Iterable
 from textwrap import indent
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
-from sigcat.adapter.core.plan import CLASS
 
 
 def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:
@@ -82,7 +81,6 @@ target_link_libraries({executable.name} PRIVATE application {libraries})
 
 def _core(component: ComponentPlan) -> str:
     code = component.core.code
-    ending = "cpp" if code.signature == CLASS else "c"
     setting = component.core.code_setting
     sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
     folders = "".join(f' "${{{setting}}}/{folder}"' for folder in code.include_folders)
@@ -90,7 +88,7 @@ def _core(component: ComponentPlan) -> str:
     defined = f"target_compile_definitions({component.stem}_core PUBLIC{macros})\n" if macros else ""
     return f"""# The core of {component.core.function}, with its code.
 add_library({component.stem}_core STATIC
-  "${{PROJECT_SOURCE_DIR}}/core/{component.core.function}_adapter.{ending}"{sources}
+  "${{PROJECT_SOURCE_DIR}}/core/{component.core.source_file}"{sources}
 )
 target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}"{folders})
 {defined}target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)

@@ -8,7 +8,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, space
 def structs_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:
     """The whole header."""
     guard = include_guard(application, component, "structs")
-    headers = [f'"{name}"' for name in (*component.type_headers, f"core/{component.core.function}_adapter.h")]
+    headers = [f'"{name}"' for name in (*component.type_headers, f"core/{component.core.header_file}")]
     return spaced([
         lines(f"// Structs that {component.name} takes and gives, between the platform and the core."),
         lines(f"#ifndef {guard}\n#define {guard}"),

@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
 from sigcat.adapter.autosar_classic.code.types import type_of
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.places import CorePlaces
-from sigcat.adapter.core.plan import CorePlan, WireType
+from sigcat.adapter.core.plan import CorePlan, Error, Reaction, WireType
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DataElement, Element, Port, Use
 
@@ -117,9 +117,8 @@ def _sent(port: Port, element: Element, data: DataElement, use: Use, context: Sw
         named, call = output.named, next(step.name for step in context.core.steps if output in step.outputs)
         end = _end(port, element, data, use, context, named.name, output.value.wire, named.comment)
         return end._replace(has_count=output.queue is not None, call=call)
-    ends = [(each.named, each.wire) for each in context.core.errors]
-    ends += [(each.named, each.wire) for each in context.core.reactions]
-    for named, wire in ends:
-        if context.name_of(named) == use.interface:
-            return _end(port, element, data, use, context, named.name, wire, named.comment)
+    statuses: tuple[Error | Reaction, ...] = (*context.core.errors, *context.core.reactions)
+    for each in statuses:
+        if context.name_of(each.named) == use.interface:
+            return _end(port, element, data, use, context, each.named.name, each.wire, each.named.comment)
     return None

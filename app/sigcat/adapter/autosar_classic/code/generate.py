@@ -8,7 +8,6 @@ from sigcat.adapter.autosar_classic.code.plan import ClassicPlan
 from sigcat.adapter.autosar_classic.code.readme import readme
 from sigcat.adapter.autosar_classic.code.swc_source import swc_source
 from sigcat.adapter.core.c.lines import Lines, wrapped
-from sigcat.adapter.core.plan import CLASS
 from sigcat.adapter.files import GeneratedFile
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 
@@ -21,10 +20,9 @@ def generate(model: ClassicIntegration, plan: ClassicPlan) -> Iterator[Generated
     yield _file("contract/Rte_Type.h", rte_header.type_header(model))
     for swc in plan.swcs:
         calls = Apis(swc, model, dict(plan.types)).all()
-        ending = "cpp" if swc.core.code.signature == CLASS else "c"
         yield _file(f"contract/Rte_{swc.name}_Type.h", rte_header.component_type_header(swc, model))
         yield _file(f"contract/Rte_{swc.name}.h", rte_header.component_header(swc, calls))
-        yield _file(f"swc/{swc.name}.{ending}", swc_source(swc))
+        yield _file(f"swc/{swc.name}.{swc.core.code.ending}", swc_source(swc))
 
 
 def _file(name: str, part: Lines) -> GeneratedFile:

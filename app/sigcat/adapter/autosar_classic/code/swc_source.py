@@ -19,7 +19,7 @@ def swc_source(swc: SwcPlan) -> Lines:
 def _whole(swc: SwcPlan) -> Lines:
     return spaced([
         _title(swc),
-        lines(f'#include "Rte_{swc.name}.h"\n#include "{swc.core.function}_adapter.h"\n\n#include <string.h>'),
+        lines(f'#include "Rte_{swc.name}.h"\n#include "{swc.core.header_file}"\n\n#include <string.h>'),
         section(swc, section_of(swc, "VAR_CLEARED", "VAR_CLEARED_UNSPECIFIED"), _data(swc)),
         section(swc, section_of(swc, "CODE", "CODE"), spaced([
             _now(swc),

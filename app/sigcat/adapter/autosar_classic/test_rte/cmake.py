@@ -1,12 +1,11 @@
 """CMakeLists.txt: components, their cores and the code of their functions on the test RTE."""
 
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
-from sigcat.adapter.core.plan import CLASS
 
 
 def cmake(plan: ClassicPlan) -> str:
     """The whole file."""
-    languages = "C CXX" if any(swc.core.code.signature == CLASS for swc in plan.swcs) else "C"
+    languages = "C CXX" if any(swc.core.code.is_cpp for swc in plan.swcs) else "C"
     components = "".join(_component(swc) for swc in plan.swcs)
     sources = " ".join(f"test_rte/Rte_{swc.name}.c" for swc in plan.swcs)
     objects = " ".join(f"$<TARGET_OBJECTS:swc_{swc.name}>" for swc in plan.swcs)
@@ -46,13 +45,12 @@ def _include(swc: SwcPlan) -> str:
 
 def _component(swc: SwcPlan) -> str:
     code = swc.core.code
-    ending = "cpp" if code.signature == CLASS else "c"
     base = f"${{{swc.core.code_setting}}}"
     sources = "".join(f'\n  "{base}/{path}"' for path in code.sources)
     macros = [f'"{each}"' for each in code.definitions]
     defined = f"\ntarget_compile_definitions(swc_{swc.name} PRIVATE {' '.join(macros)})" if macros else ""
     return f"""
 set({swc.core.code_setting} "" CACHE PATH "Where the code of {swc.core.function} is")
-add_library(swc_{swc.name} OBJECT swc/{swc.name}.{ending} core/{swc.core.function}_adapter.{ending}{sources})
+add_library(swc_{swc.name} OBJECT swc/{swc.name}.{code.ending} core/{swc.core.source_file}{sources})
 target_include_directories(swc_{swc.name} PRIVATE contract core test_rte/include {_include(swc)}){defined}
 """

@@ -201,10 +201,8 @@ def _request(method: Method, scope: Scope) -> Lines:
 
 def _out(scope: Scope) -> list[Lines]:
     plan = scope.plan
-    found = [_out_member(output) for call in plan.steps for output in call.outputs]
-    status = [*((each.wire, each.named) for each in plan.errors), *((each.wire, each.named) for each in plan.reactions)]
-    status += [(plan.mode_out.wire, plan.mode_out.named)] if plan.mode_out else []
-    return [*found, *(member(wire, named.name, named.comment) for wire, named in status)]
+    statuses = (member(each.wire, each.named.name, each.named.comment) for each in plan.statuses)
+    return [*map(_out_member, plan.outputs), *statuses]
 
 
 def _out_member(output: Output) -> Lines:
@@ -217,14 +215,7 @@ def _out_member(output: Output) -> Lines:
 
 def _publish(scope: Scope) -> list[Lines]:
     plan = scope.plan
-    names = [
-        *(output.named.name for call in plan.steps for output in call.outputs),
-        *(each.named.name for each in plan.errors),
-        *(each.named.name for each in plan.reactions),
-        *([plan.mode_out.named.name] if plan.mode_out else []),
-        *(each.named.name for each in plan.methods if not each.is_offered),
-    ]
-    return [lines(f"bool {name};") for name in names]
+    return [lines(f"bool {each.named.name};") for each in (*plan.outputs, *plan.statuses, *plan.requests)]
 
 
 def _objects(scope: Scope) -> Lines:

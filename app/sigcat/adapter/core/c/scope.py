@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan
+from sigcat.adapter.core.plan import GLOBALS, CorePlan
 from sigcat.names import screaming_snake_case
 
 MARK = "\x02"
@@ -42,7 +42,7 @@ class Scope(NamedTuple):
             expression, count = re.subn(rf"(?<![\w.>])({names})\b", r"self->code.\1", expression)
             if count:
                 return expression
-        return f"self->object.{expression}" if code.signature == CLASS else expression
+        return f"self->object.{expression}" if code.is_cpp else expression
 
     def _marked(self, expression: str) -> str:
         if not self.shadowed:
@@ -52,7 +52,7 @@ class Scope(NamedTuple):
     @property
     def is_cpp(self) -> bool:
         """Whether the core is C++, where an enumeration is no number."""
-        return self.plan.code.signature == CLASS
+        return self.plan.code.is_cpp
 
     @property
     def put(self) -> str:

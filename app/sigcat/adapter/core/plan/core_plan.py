@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.call import Call
-from sigcat.adapter.core.plan.interface import Method, Parameter, Port
+from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
+from sigcat.function.function_json.code import CLASS
 from sigcat.names import screaming_snake_case
 
 
@@ -41,6 +42,16 @@ class Code(NamedTuple):
     definitions: tuple[str, ...] = ()
     """`NAME` or `NAME=VALUE`."""
 
+    @property
+    def is_cpp(self) -> bool:
+        """Whether what calls it is C++."""
+        return self.signature == CLASS
+
+    @property
+    def ending(self) -> str:
+        """Of names of files that call it."""
+        return "cpp" if self.is_cpp else "c"
+
 
 class CorePlan(NamedTuple):
     """The core of one function."""
@@ -74,9 +85,34 @@ class CorePlan(NamedTuple):
         return (*self.inits, *self.steps, *self.terminates)
 
     @property
+    def outputs(self) -> tuple[Output, ...]:
+        """Data that is sent."""
+        return tuple(output for step in self.steps for output in step.outputs)
+
+    @property
+    def statuses(self) -> tuple[Error | Reaction | ModeOut, ...]:
+        """What is sent of how the function is: errors, safety reactions and the mode that it is in."""
+        return (*self.errors, *self.reactions, *((self.mode_out,) if self.mode_out else ()))
+
+    @property
+    def requests(self) -> tuple[Method, ...]:
+        """Methods of others that the function uses."""
+        return tuple(method for method in self.methods if not method.is_offered)
+
+    @property
     def type_name(self) -> str:
         """Name of the context struct, with which all names begin."""
         return f"{self.function}_Adapter"
+
+    @property
+    def header_file(self) -> str:
+        """Name of its header."""
+        return f"{self.function}_adapter.h"
+
+    @property
+    def source_file(self) -> str:
+        """Name of its source."""
+        return f"{self.function}_adapter.{self.code.ending}"
 
     @property
     def code_setting(self) -> str:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sigcat.adapter.ros2.cpp.names import bridge_source, core_source
+from sigcat.adapter.ros2.cpp.names import bridge_source
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.names import snake_case
 
@@ -61,7 +61,7 @@ target_link_libraries({name}_support PUBLIC
 
 def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
     folder = snake_case(node.core.function)
-    core = [f"core/{name}" for name in (core_source(node), bridge_source(node))]
+    core = [f"core/{name}" for name in (node.core.source_file, bridge_source(node))]
     code, setting = node.core.code, node.core.code_setting
     sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
     own = "".join(f"\n  {name}" for name in core)

@@ -3,7 +3,7 @@
 import re
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import CLASS, Call, WireType
+from sigcat.adapter.core.plan import Call, WireType
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
 from sigcat.names import snake_case
 
@@ -35,19 +35,9 @@ def short(interface: InterfaceType) -> str:
     return f"{interface.kind}::{interface.name}"
 
 
-def core_header(node: NodePlan) -> str:
-    """The header of the core."""
-    return f"{node.core.function}_adapter.h"
-
-
-def core_source(node: NodePlan) -> str:
-    """The source of the core."""
-    return f"{node.core.function}_adapter.{'cpp' if node.core.code.signature == CLASS else 'c'}"
-
-
 def bridge_source(node: NodePlan) -> str:
     """What the core has for Python."""
-    return f"{node.core.function}_bridge.{'cpp' if node.core.code.signature == CLASS else 'c'}"
+    return f"{node.core.function}_bridge.{node.core.code.ending}"
 
 
 def core_function(node: NodePlan, name: str) -> str:

@@ -7,7 +7,7 @@ from sigcat.adapter.ros2.cpp.connections import connection_functions
 from sigcat.adapter.ros2.cpp.diagnostics import tell_function
 from sigcat.adapter.ros2.cpp.layout import function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.methods import method_functions
-from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, core_header, header_of, times_name
+from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, header_of, times_name
 from sigcat.adapter.ros2.cpp.node_header import messages_of
 from sigcat.adapter.ros2.cpp.parameters import initial_parameters, parameter_functions
 from sigcat.adapter.ros2.cpp.sending import publish_function
@@ -59,7 +59,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
         for each in own
     ]
     headers += [header_of(each.message) for each in node.subscriptions]
-    headers.append(core_header(node))
+    headers.append(node.core.header_file)
     return spaced([
         "\n".join(f"#include <{each}>" for each in sorted(standard)),
         "\n".join(f'#include "{each}"' for each in sorted(set(headers))),

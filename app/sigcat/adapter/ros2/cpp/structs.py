@@ -1,7 +1,7 @@
 """Structs of messages and of the core, copied member by member."""
 
 from sigcat.adapter.ros2.cpp.layout import WIDEST, function, indented, spaced, text
-from sigcat.adapter.ros2.cpp.names import copyright_line, core_header, guard, header_of
+from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
 
 
@@ -9,7 +9,7 @@ def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole header."""
     name = guard(workspace, f"{node.name}_structs")
     headers = sorted(
-        [core_header(node), f"{workspace.name}/values.hpp", *(header_of(pair.message) for pair in node.structs)]
+        [node.core.header_file, f"{workspace.name}/values.hpp", *(header_of(pair.message) for pair in node.structs)]
     )
     return spaced([
         f"{copyright_line(workspace)}\n//\n// Structs that {node.name} takes and gives, between messages and the core.",

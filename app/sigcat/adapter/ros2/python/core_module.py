@@ -71,7 +71,7 @@ def core_module(node: NodePlan) -> Lines:
 def _imports(core: CorePlan) -> Lines:
     taken = [typed(wire, is_sequence=True) for _, wire, _ in _taken(core)]
     taken += ["Tuple[Dict[str, Any]"] * bool(core.methods)
-    taken += ["Mapping[str, Any]"] * any(not each.is_offered for each in core.methods)
+    taken += ["Mapping[str, Any]"] * bool(core.requests)
     given = [_type(core, name) for name in out_names(core)]
     used = " ".join((*taken, *given))
     names = [
@@ -86,14 +86,12 @@ def _imports(core: CorePlan) -> Lines:
 
 
 def _outputs(core: CorePlan) -> dict[str, Output]:
-    return {output.named.name: output for call in core.steps for output in call.outputs}
+    return {output.named.name: output for output in core.outputs}
 
 
 def _wires(core: CorePlan) -> dict[str, WireType]:
     found = {name: output.value.wire for name, output in _outputs(core).items()}
-    found |= {each.named.name: each.wire for each in core.errors}
-    found |= {each.named.name: each.wire for each in core.reactions}
-    return found | ({core.mode_out.named.name: core.mode_out.wire} if core.mode_out else {})
+    return found | {each.named.name: each.wire for each in core.statuses}
 
 
 def _type(core: CorePlan, name: str) -> str:
@@ -102,10 +100,8 @@ def _type(core: CorePlan, name: str) -> str:
 
 
 def _comments(core: CorePlan) -> dict[str, str]:
-    named = [each.named for each in _outputs(core).values()] + [each.named for each in core.errors]
-    named += [each.named for each in core.reactions] + [each.named for each in core.methods]
-    named += [core.mode_out.named] if core.mode_out else []
-    return {each.name: each.comment for each in named}
+    found = (*core.outputs, *core.statuses, *core.methods)
+    return {each.named.name: each.named.comment for each in found}
 
 
 def _named_tuple(core: CorePlan, what: str, summary: str) -> Lines:
