@@ -212,7 +212,8 @@ def test_a_cyclic_call_has_its_period_its_task_and_an_alarm():
     behavior = f"{ROOT}/ComponentTypes/CoreAcc/CoreAcc_Behavior"
     timing = [e for _, e in model.get_element_by_path(behavior).elements_dfs if e.element_name == "TIMING-EVENT"]
     assert timing
-    assert {float(values(model, each.path)["PERIOD"]) for each in timing} <= {0.02, 0.05, 0.1}
+    cycle, tick = 0.05, 0.001  # at each tick, windows of supervision are judged
+    assert {float(values(model, each.path)["PERIOD"]) for each in timing} == {cycle, tick}
     mapping = next(each for each in model.get_references_to(timing[0].path)).named_parent
     used = [str(e.character_data) for _, e in mapping.elements_dfs if e.element_name == "VALUE-REF"]
     assert any("/Os/Task_Cycle_" in path for path in used)
