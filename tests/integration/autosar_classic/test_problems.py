@@ -64,6 +64,12 @@ def typed(document, kind):
     return element(document, "Vehicle_Speed")
 
 
+def meaning(document, kind, **form):
+    """Another application type of a datatype of the code."""
+    typed(document, "Three")
+    document["ApplicationTypes"].append({"Name": "Meaning", "ImplementationType": kind, **form})
+
+
 def literals(document):
     """Names and numbers of an enumeration."""
     return next(each["Symbols"] for each in document["CompuMethods"] if len(each.get("Symbols", ())) > 1)
@@ -129,6 +135,14 @@ CHANGES = {
     "an access to no port": (lambda d: first(d)["Runnables"][1]["Accesses"][0].update(Port="Other"), "of a port"),
     "an access against the direction": (
         lambda d: of(first(d)["Runnables"], "Step")["Accesses"][3].update(Kind="ExplicitWrite"), "must be of a port that is",
+    ),
+    "an array of more elements than in the code": (
+        lambda d: meaning(d, "Three", Category="ARRAY", Length=4, ElementType=d["ApplicationTypes"][0]["Name"]),
+        "must be 3 values, as Three is in the code, not 4 values",
+    ),
+    "a structure that is one value in the code": (
+        lambda d: meaning(d, "uint8", Category="STRUCTURE", Members=[{"Name": "A", "Type": d["ApplicationTypes"][0]["Name"]}]),
+        "must be one value, as uint8 is in the code, not a structure of A",
     ),
     "a datatype that is not there": (lambda d: d["ApplicationTypes"][0].update(ImplementationType="Other"), "implementation type"),
     "a datatype that comes later": (lambda d: d["ImplementationTypes"].reverse(), "implementation type before it"),

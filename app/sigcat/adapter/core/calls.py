@@ -14,9 +14,6 @@ from sigcat.function.function_json.data_interfaces import DataQueue
 from sigcat.function.function_json.runnable import Runnable, WatchdogLimits
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 
-Checkpoints = Mapping[str, int]
-"""Numbers of checkpoints, from 1, by the names of calls."""
-
 
 def short_name(call: str, function: str) -> str:
     """The last part of the name of a call: `CoreAcc_Step` of CoreAcc → `Step`."""

@@ -14,9 +14,6 @@ from sigcat.integration.autosar_classic.interfaces import CALL_QUEUE, numbers_of
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.sent_values import initial
 
-CALIBRATION = "Parameters"
-"""Port of calibration parameters."""
-
 
 def data_ports(part: Part, elements: Iterable[Element], types: TypeTable) -> tuple[model.Port, ...]:
     """Ports for everything that the component exchanges with others, by name."""

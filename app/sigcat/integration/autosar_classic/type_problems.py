@@ -18,9 +18,8 @@ PLATFORM_TYPES = (
 
 def type_problems(model: ClassicIntegration) -> Iterator[Problem]:
     """Datatypes that refer to others: these stand before them, so that nothing contains itself."""
-    codes = {each.name for each in model.implementation_types}
     yield from _implementation(model)
-    yield from _application(model, codes)
+    yield from _application(model)
     units = {each.name for each in model.units}
     for index, method in enumerate(model.compu_methods):
         if method.unit is not None and method.unit not in units:
@@ -49,15 +48,20 @@ def _implementation(model: ClassicIntegration) -> Iterator[Problem]:
         seen.add(each.name)
 
 
-def _application(model: ClassicIntegration, codes: set[str]) -> Iterator[Problem]:
+def _application(model: ClassicIntegration) -> Iterator[Problem]:
     seen: set[str] = set()
+    codes = {each.name: each for each in model.implementation_types}
     methods = {each.name for each in model.compu_methods}
     ranges = {each.name for each in model.constraints}
     units = {each.name for each in model.units}
     for index, each in enumerate(model.application_types):
         at = ("ApplicationTypes", index)
-        if each.implementation not in codes:
+        code = codes.get(each.implementation)
+        if code is None:
             yield unknown(at, "implementation type", each.implementation)
+        elif _form(each) != _form(code):
+            message = f"{each.name} must be {_words(code)}, as {code.name} is in the code, not {_words(each)}."
+            yield Problem(at, message, "Give both the same form.")
         if each.compu_method is not None and each.compu_method not in methods:
             yield unknown(at, "compu method", each.compu_method)
         yield from names((*at, "Members"), (member.name for member in each.members or ()))
@@ -70,6 +74,18 @@ def _application(model: ClassicIntegration, codes: set[str]) -> Iterator[Problem
             if used not in seen:
                 yield unknown(at, "application type before it", used)
         seen.add(each.name)
+
+
+def _form(entry: ImplementationType | ApplicationType) -> tuple[int | None, tuple[str, ...]]:
+    """How many elements an array has, and which members a structure: what means a value has the form of its code."""
+    length = entry.length if entry.category == "ARRAY" else None
+    members = entry.members or () if entry.category == "STRUCTURE" else ()
+    return length, tuple(member.name for member in members)
+
+
+def _words(entry: ImplementationType | ApplicationType) -> str:
+    length, members = _form(entry)
+    return f"a structure of {', '.join(members)}" if members else "one value" if length is None else f"{length} values"
 
 
 def _whole(entry: ImplementationType | ApplicationType, at: Pointer) -> Iterator[Problem]:

@@ -1,6 +1,6 @@
 """Values before the first one, as specifications of AUTOSAR."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sigcat.adapter.arxml.paths import UNITS
@@ -15,35 +15,25 @@ def init_value(value: Any, type_name: str, known: Library) -> Tag | None:
 
 
 def specification(value: Any, type_name: str, known: Library) -> Tag:
-    """A value as its type has it: of an application type what it means, of an implementation type the number."""
+    """A value as its type has it: of an application type what it means, of an implementation type the number.
+
+    One number stands for every element of an array and every member of a structure.
+    """
     found = known.application_types.get(type_name) or known.implementation_types.get(type_name)
     if found is not None and found.category == "ARRAY":
         inner = found.element or ""
-        elements = (specification(each, inner, known) for each in _elements(value, found.length or 1))
+        values = value if isinstance(value, Sequence) else [value] * (found.length or 1)
+        elements = (specification(each, inner, known) for each in values)
         return tag("ARRAY-VALUE-SPECIFICATION", listed("ELEMENTS", elements))
     if found is not None and found.category == "STRUCTURE":
         fields = (
-            specification(_member(value, member.name, index), member.type, known)
-            for index, member in enumerate(found.members or ())
+            specification(value[member.name] if isinstance(value, Mapping) else value, member.type, known)
+            for member in found.members or ()
         )
         return tag("RECORD-VALUE-SPECIFICATION", listed("FIELDS", fields))
     if isinstance(found, ApplicationType):
         return _application(value, found, known)
     return tag("NUMERICAL-VALUE-SPECIFICATION", tag("VALUE", text=_number(value)))
-
-
-def _elements(value: Any, length: int) -> Iterable[Any]:
-    """As many values as the array has: a short list goes on with its last one, one number stands for all."""
-    given = list(value) if isinstance(value, Sequence) and not isinstance(value, str) else [value]
-    return (*given, *[given[-1] if given else 0] * length)[:length]
-
-
-def _member(value: Any, name: str, index: int) -> Any:
-    if isinstance(value, Mapping):
-        return value.get(name, 0)
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return value[index] if index < len(value) else 0
-    return value
 
 
 def _application(value: Any, found: ApplicationType, known: Library) -> Tag:
