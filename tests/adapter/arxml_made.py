@@ -1,5 +1,6 @@
 """ARXML of examples and of every kind of interface, and how it is looked into."""
 
+import html
 import json
 import xml.etree.ElementTree as ET
 from functools import cache
@@ -69,6 +70,20 @@ def tags(files):
 
 def texts(files, tag):
     return [element.text for element in tags(files) if element.tag.endswith(f"}}{tag}")]
+
+
+def lost(written, files, elsewhere):
+    """Values of a document that its files do not have, but for fields whose values are other words there."""
+    texts = html.unescape(b"".join(file.data for file in files).decode())
+    return [text for text in _leaves(json.loads(written), elsewhere) if text not in texts]
+
+
+def _leaves(value, elsewhere):
+    if isinstance(value, dict):
+        return [text for key, inner in value.items() if key not in elsewhere for text in _leaves(inner, elsewhere)]
+    if isinstance(value, list):
+        return [text for inner in value for text in _leaves(inner, elsewhere)]
+    return [str(value).lower() if isinstance(value, bool) else str(value)] if value not in (None, "") else []
 
 
 def document(**changes):
