@@ -1,11 +1,13 @@
 """What a deployment says for every platform: who answers for the documents, and what they are called."""
 
 import datetime as dt
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
+from sigcat.findings import Finding, RuleCode
 from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.document.document import Document, Pointer
 
 
 class Deployment(DeclarationModel):
@@ -29,6 +31,18 @@ class Deployment(DeclarationModel):
     paths: dict[str, Text] = Field(
         {}, description="VSS paths of signals that name none, by `Function.Signal`; for Function JSON from elsewhere."
     )
+    _document: Document | None = PrivateAttr(default=None)
+
+    def read_from(self, document: Document) -> Self:
+        """The same, with the file that it was read from."""
+        self._document = document
+        return self
+
+    def finding(self, rule: RuleCode, pointer: Pointer, message: str, fix: str, path: str) -> Finding:
+        """A finding about a key of the file, or about a value that has none."""
+        if self._document is None:
+            return rule.finding(message, path=path, fix=fix)
+        return self._document.finding(rule, pointer, message, fix, path, of_key=isinstance(pointer[-1], str))
 
 
 NO_DEPLOYMENT = Deployment.model_construct()

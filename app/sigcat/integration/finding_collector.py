@@ -11,6 +11,7 @@ from sigcat.findings import Finding, RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import parts
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
 
 class Subject(NamedTuple):
@@ -29,6 +30,7 @@ class FindingCollector:
     """Findings in the order in which they were reported, each once."""
 
     functions: Sequence[ResolvedFunction] = ()
+    deployment: Deployment = NO_DEPLOYMENT
     _found: dict[Finding, None] = field(default_factory=dict)
 
     def report(
@@ -36,6 +38,10 @@ class FindingCollector:
     ) -> None:
         """Report one about a part of a function, at its field `key` if one is to blame; or about whatever else is named."""
         self._found[self._finding(rule, message, subject, fix, key)] = None
+
+    def report_deployment(self, rule: RuleCode, message: str, pointer: Pointer, fix: str, path: str) -> None:
+        """Report one about a place in the deployment file, which says something of what `path` names."""
+        self._found[self.deployment.finding(rule, pointer, message, fix, path)] = None
 
     @property
     def findings(self) -> tuple[Finding, ...]:

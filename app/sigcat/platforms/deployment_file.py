@@ -31,7 +31,7 @@ def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> 
     findings = document.findings
     if not has_errors(findings):
         try:
-            return DEPLOYMENT_FILE.model_validate(document.value)
+            return DEPLOYMENT_FILE.model_validate(document.value).read_from(document)
         except ValidationError as error:
             findings = (*findings, *structural_findings(error, document, DEPLOYMENT_FILE))
     raise InputRefused(f"{name} cannot be used as a deployment file.", in_order(findings))

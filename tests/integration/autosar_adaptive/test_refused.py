@@ -34,6 +34,18 @@ def test_what_the_deployment_says_of_nothing_is_told_with_what_was_meant():
     assert any(finding.fix.startswith("Did you mean 'VehicleAService'") for finding in derived.findings)
 
 
+def test_what_the_deployment_says_of_nothing_is_told_where_it_stands():
+    text = (
+        "paths: {Demo.C: V.A}\nautosarAdaptive:\n  components:\n    Dem: {executable: X}\n"
+        "  services:\n    - name: Map\n      paths: [Vehicle.A.B, Vehicle.AB]\n"
+    )
+    derived = derive([function(signals=[at("Vehicle.A.B")])], read_deployment(text.encode(), "d.yaml"))
+    found = [(each.rule, each.file, each.line, each.column, each.path) for each in derived.findings]
+    assert found == [
+        ("A014", "d.yaml", 1, 9, "Demo.C"), ("A014", "d.yaml", 4, 5, "Dem"), ("A014", "d.yaml", 7, 28, "Vehicle.AB"),
+    ]  # fmt: skip
+
+
 def test_a_word_that_the_published_schema_lacks_is_told_and_not_written():
     words = parameter(Interfacetype="calibration", Attribute="Odd", RangeErrorAction="Ignore")
     derived = derive([function(contract={"ParameterList": [words]})])

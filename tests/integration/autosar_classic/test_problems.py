@@ -243,6 +243,7 @@ CHANGES = {
     "one signal for two ports": (lambda d: bus_signals(d)[0].update(SystemSignal="Mass"), "must carry one data element"),
     "two signals for one port": (lambda d: copied(bus_signals(d), SystemSignal="Other"), "must have one signal"),
     "a signal of no length": (lambda d: bus_signals(d)[0].update(Length=0), "1 to 512 bits"),
+    "a signal that a float does not fit into": (lambda d: bus_signals(d)[0].update(Length=16), "at least 32 bits"),
     "a signal that is a piece of C": (lambda d: bus_signals(d)[0].update(SystemSignal="A B"), "identifier of C"),
     "one section for code and variables": (
         lambda d: first(d)["MemorySections"][1].update(Name="CODE_ASIL_B"), "must be of kind",

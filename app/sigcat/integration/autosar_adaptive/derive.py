@@ -68,7 +68,10 @@ def derive(
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
     context = Context(
-        app, settings, named_parts([each.function for each in app.functions]), FindingCollector(app.functions)
+        app,
+        settings,
+        named_parts([each.function for each in app.functions]),
+        FindingCollector(app.functions, deployment),
     )
     types = TypeTable(context)
     sides = placed(list(items(context.parts)), context)

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
+from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
@@ -17,24 +18,26 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     settings = context.settings
     signals = [side.item for side in sides if isinstance(side.item.interface, Signal | DataQueue)]
     names = {f"{item.part.function_name}.{item.interface.name}" for item in signals}
-    _report_unknown("paths", context.application.paths, names, context)
-    _report_unknown("autosarAdaptive: components", settings.components, {part.name for part in context.parts}, context)
-    _report_unknown("autosarAdaptive: identifiers", settings.identifiers, set(_identified(services)), context)
-    _report_unknown("autosarAdaptive: e2e: events", settings.e2e.events, set(_events(services)), context)
+    _report_unknown(("paths",), context.application.paths, names, context)
+    _report_unknown(
+        ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
+    )
+    _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
+    _report_unknown(("autosarAdaptive", "e2e", "events"), settings.e2e.events, set(_events(services)), context)
     paths = {context.path_of(item) for item in signals}
-    for service in settings.services:
-        for above in service.paths:
+    for index, service in enumerate(settings.services):
+        for number, above in enumerate(service.paths):
             if not any(path == above or path.startswith(f"{above}.") for path in paths):
                 message = f"No signal of the set is at or below {above}, which the deployment file puts into service {service.name}."
-                context.findings.report(
-                    codes.DEPLOYMENT_NAMES_NOTHING, message, above, did_you_mean(above, _branches(paths))
-                )
+                pointer = ("autosarAdaptive", "services", index, "paths", number)
+                fix = did_you_mean(above, _branches(paths))
+                context.findings.report_deployment(codes.DEPLOYMENT_NAMES_NOTHING, message, pointer, fix, above)
 
 
 def report_units(units: Collection[str], context: Context) -> None:
     """A finding for each unit that nothing is known of, and for each that the deployment describes in vain."""
     described = context.settings.units
-    _report_unknown("autosarAdaptive: units", described, units, context)
+    _report_unknown(("autosarAdaptive", "units"), described, units, context)
     for unit in sorted(units):
         if unit not in described and unit not in WITHOUT_SI and si_unit(unit) is None:
             message = f"Unit {unit!r} must be one of VSS to have a dimension and a factor to SI units in ARXML."
@@ -42,11 +45,13 @@ def report_units(units: Collection[str], context: Context) -> None:
             context.findings.report(codes.UNIT_WITHOUT_SI, message, unit, fix)
 
 
-def _report_unknown(section: str, keys: Collection[str], known: Collection[str], context: Context) -> None:
+def _report_unknown(section: Pointer, keys: Collection[str], known: Collection[str], context: Context) -> None:
     for key in keys:
         if key not in known:
-            message = f"Nothing in the set is called {key!r}, which the deployment file names under `{section}`."
-            context.findings.report(codes.DEPLOYMENT_NAMES_NOTHING, message, key, did_you_mean(key, known))
+            message = f"Nothing in the set is called {key!r}, which the deployment file names under `{': '.join(map(str, section))}`."
+            context.findings.report_deployment(
+                codes.DEPLOYMENT_NAMES_NOTHING, message, (*section, key), did_you_mean(key, known), key
+            )
 
 
 def _identified(services: Sequence[Service]) -> Iterator[str]:

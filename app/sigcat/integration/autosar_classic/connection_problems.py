@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
 from sigcat.integration.autosar_classic.problem import Named, name, names, names_of, unknown
+from sigcat.integration.autosar_classic.signal_lengths import needs_of
 from sigcat.integration.checked_document import Problem
 
 LONGEST_SIGNAL = 512
@@ -109,6 +110,7 @@ def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
 def signal_problems(model: ClassicIntegration, elements: Mapping[str, frozenset[str]]) -> Iterator[Problem]:
     """Signals of buses: each carries one data element of the composition, which has no other one."""
     interfaces = {port.name: port.interface for port in model.composition.ports}
+    needs = needs_of(model)
     at: Pointer = ("Ecu", "Signals")
     carried: dict[tuple[str, str], str] = {}
     seen: dict[str, int] = {}
@@ -122,9 +124,13 @@ def signal_problems(model: ClassicIntegration, elements: Mapping[str, frozenset[
         other = carried.setdefault((each.port, each.element), each.signal)
         if other != each.signal:
             yield Problem((*here, "Port"), f"{each.port} must have one signal, and has {other} already.", "Take one away.")  # fmt: skip
+        need = needs.get((interfaces.get(each.port, ""), each.element))
         if each.length is not None and not 1 <= each.length <= LONGEST_SIGNAL:
             message = f"A signal must be 1 to {LONGEST_SIGNAL} bits long, not {each.length}."
             yield Problem((*here, "Length"), message, "Correct it.")
+        elif each.length is not None and need is not None and not need.fits(each.length, each.database):
+            message = f"{each.signal} must have at least {need.bits} bits for every value of {each.element}, not {each.length}."
+            yield Problem((*here, "Length"), message, need.advice)
 
 
 _Place = tuple[str, list[int]]

@@ -52,7 +52,7 @@ from sigcat.integration.autosar_classic.service_needs import (
     supervised_entities,
 )
 from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
-from sigcat.integration.autosar_classic.signals import system_signals
+from sigcat.integration.autosar_classic.signals import report_narrow_signals, system_signals
 from sigcat.integration.autosar_classic.tasks import behaviours_by_name, init_batches_of, tasks_of
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.autosar_names import short_name
@@ -78,7 +78,9 @@ def derive(
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
-    context = Context(app, settings, named_parts([f.function for f in app.functions]), FindingCollector(app.functions))
+    context = Context(
+        app, settings, named_parts([f.function for f in app.functions]), FindingCollector(app.functions, deployment)
+    )
     elements = elements_of(context)
     types = _types(context)
     interfaces = _interfaces(elements, types, context)
@@ -88,6 +90,7 @@ def derive(
     integration = _document(_Made(elements, types, interfaces, behaviours, components), context)
     targets = field_targets(context, elements)
     report_asil(elements, integration.composition, context)
+    report_narrow_signals(elements, integration, context)
     report_calls(context)
     report_long_names(context)
     report_order(integration.ecu.tasks, _priorities(components, behaviours), context)

@@ -33,7 +33,9 @@ class SignalSettings(DeclarationModel):
         None, description="Message that has it; its name is part of that of the system signal."
     )
     database: Text | None = Field(None, description="File name of the CAN database, for those who read the document.")
-    length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(None, description="Length of the signal, in bits.")
+    length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(
+        None, description="Length of the signal, in bits: room for every value (K013)."
+    )
 
 
 def _each_once(signals: dict[str, SignalSettings]) -> dict[str, SignalSettings]:
