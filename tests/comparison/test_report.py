@@ -44,7 +44,7 @@ def calls(adapter, logic=1000, count=200):
 def played(name, adapter=1000, sent=SENT, cpu=1.0, memory=40_000_000, **more):
     built = Built(name, Path(), (), 0.5, 12.0, more.pop("notes", ()))
     processes = (ProcessLoad("acc", cpu, memory, 100_000), ProcessLoad("player", 9.0, memory, 0, True))
-    fields = {key: more.pop(key) for key in ("silent", "last_words", "lost") if key in more}
+    fields = {key: more.pop(key) for key in ("silent", "last_words") if key in more}
     recording = Recording(name, "lock step", built, sent, calls(adapter), processes, **fields)
     return Played(name, name.upper(), built=built, lock_step=recording, **more)
 

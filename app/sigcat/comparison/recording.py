@@ -70,8 +70,6 @@ class Recording(NamedTuple):
     """By the names of columns that `sigcat simulate` writes. In order of time."""
     calls: tuple[CallTime, ...] = ()
     processes: tuple[ProcessLoad, ...] = ()
-    lost: int = 0
-    """Messages that did not come; in lock step one ends the run."""
     last_words: str = ""
     """Why the run did not come to its end; empty if it did. What was sent until then is there."""
     play_s: float = 0.0

@@ -40,8 +40,6 @@ class Platform(Part):
     generate_s: Number = 0.0
     build_s: Number = 0.0
     play_s: Number = 0.0
-    lost: Count = 0
-    """Messages, in all runs."""
     is_by_hand: bool = False
     """Whether people wrote it, for comparison."""
 

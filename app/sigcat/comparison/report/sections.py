@@ -327,9 +327,9 @@ def _set_up(report: Report) -> Section:
             else Cell("played")
         )
         remark = "; ".join((*((each.left_out,) if each.left_out else ()), *each.notes, *each.last_words))
-        rows.append(_cells(each.title, state, f"{each.lost:,}" if not each.left_out else "", remark))
+        rows.append(_cells(each.title, state, remark))
     machine = [_cells(name, value) for name, value in report.machine]
-    parts = (*_table("Platforms", "platform||messages lost|remark", rows), *_table("Machine", "what|", machine))
+    parts = (*_table("Platforms", "platform||remark", rows), *_table("Machine", "what|", machine))
     return Section("Set-up", tuple(_whole_time(report)), parts)
 
 

@@ -1,6 +1,6 @@
 """Everything that was done for a comparison: what a report is made of."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.comparison.effort import Counted
@@ -74,13 +74,3 @@ class Material(NamedTuple):
     def reference(self) -> Played:
         """What all others are held against."""
         return self.platforms[0]
-
-    @property
-    def others(self) -> Iterable[Played]:
-        """Those that are held against it, and are sigcat's."""
-        return [each for each in self.platforms[1:] if not each.is_by_hand]
-
-    @property
-    def by_hand(self) -> Played | None:
-        """What people wrote for comparison, if it was played to."""
-        return next((each for each in self.platforms if each.is_by_hand and each.recordings), None)

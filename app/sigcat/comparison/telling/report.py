@@ -55,7 +55,6 @@ def _platform(played: Played) -> model.Platform:
         generate_s=built.generate_s if built else 0.0,
         build_s=built.build_s if built else 0.0,
         play_s=sum(each.play_s for each in recordings),
-        lost=sum(each.lost for each in recordings),
         is_by_hand=played.is_by_hand,
     )
 
