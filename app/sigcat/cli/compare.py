@@ -231,7 +231,7 @@ def _span(trace: Path, subject: "Subject") -> tuple[int, int]:
     """Times of the first and the last row of a trace, which is read once to see that it can be. Raises InputRefused."""
     from sigcat.runs.recording.trace_file import moments, open_trace
 
-    opened = open_trace(trace, subject.prepared.known_columns(())._replace(others=None))
+    opened = open_trace(trace, subject.prepared.known_in_drive)
     _print(opened.findings)
     if not opened.taken:
         raise UsageError(f"{trace} has no column that one of the functions receives: there is nothing to play")

@@ -35,6 +35,11 @@ class Prepared(NamedTuple):
         names = [each.names for each in connections.entries] + [each.names for each in connections.exits]
         return Known({**durations, **connections.received}, {*paths, *(name for each in names for name in each)})
 
+    @property
+    def known_in_drive(self) -> Known:
+        """What the columns of a drive may be, which has more than these functions need."""
+        return self.known_columns(())._replace(others=None)
+
 
 def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
     """The functions, planned and connected. Raises InputRefused with everything that stands in the way."""

@@ -62,7 +62,7 @@ def _given(trace: Path, prepared: Prepared, last: int) -> Mapping[str, Sequence[
         for index, member in enumerate(members)
     }
     found: dict[str, list[int]] = {member.name: [] for member in members}
-    for row in moments(open_trace(trace, prepared.known_columns(())._replace(others=None))):
+    for row in moments(open_trace(trace, prepared.known_in_drive)):
         if row.time > last:
             break
         names = {name for name, _ in row.values}

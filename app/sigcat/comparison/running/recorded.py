@@ -27,7 +27,7 @@ def fresh_run(built: Built, drive: Drive) -> Path:
 
 def begin_of(trace: Path, prepared: Prepared) -> int:
     """When a drive begins, in ns: with the first row of its trace; 0 without one."""
-    rows = moments(open_trace(trace, prepared.known_columns(())._replace(others=None)))
+    rows = moments(open_trace(trace, prepared.known_in_drive))
     return next((row.time for row in rows), 0)
 
 

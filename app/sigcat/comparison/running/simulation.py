@@ -38,7 +38,7 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     prepared = subject.prepared
-    trace = open_trace(drive.trace, prepared.known_columns(())._replace(others=None))
+    trace = open_trace(drive.trace, prepared.known_in_drive)
     begin = time.monotonic()
     gone = {each.function: each.time_ns for each in drive.kills}
     settings = Settings(
