@@ -139,6 +139,8 @@ def test_unreadable_units_are_a_finding(tmp_path):
         ("datatype: string, delete: 'yes'", [("warning", "V027")]),
         ("datatype: float, default: .nan", [("error", "V004")]),
         ("datatype: float, acme: {least: -.inf}", [("error", "V004")]),
+        ("datatype: float, arraysize: .nan", [("error", "V004")]),
+        ("datatype: .nan", [("error", "V004")]),
         ("datatype: uint8, max: 0100", [("warning", "R018")]),
         ("datatype: uint8, max: 1:30", [("warning", "R018")]),
         ("datatype: uint8, max: 0x1F", []),

@@ -123,6 +123,11 @@ def test_a_name_is_found_as_a_whole(index):
     assert paths(index.search("wheelspeedlim")) == ["Vehicle.WheelSpeedLimit"]
 
 
+@pytest.mark.parametrize("text", ["\0", "speed\0", "vehicle\0 speed"])
+def test_a_sign_that_nobody_sees_is_in_no_name(index, text):
+    assert index.search(text).total == 0
+
+
 def test_filters_narrow_and_are_counted(index):
     result = index.search("speed", {"asil": "D"})
     assert paths(result) == ["Vehicle.Speed"]

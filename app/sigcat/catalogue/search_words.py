@@ -25,8 +25,8 @@ Numbered = Iterable[tuple[int, Iterable[str]]]
 _BLOCK = 1024
 _LAST = "\U0010ffff"
 """Sorts after every letter: what begins with a prefix sorts before the prefix and this."""
-_END = "\0"
-"""Stands behind a whole name, so that it is told from the same word in a longer name."""
+_END = " "
+"""Stands behind a whole name, so that it is told from the same word in a longer name. No word that is looked for has one."""
 
 
 class Words:

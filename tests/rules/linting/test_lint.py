@@ -278,6 +278,32 @@ def test_posted_text_gets_the_findings_of_an_overlay():
     assert [(f.file, f.line, f.column, f.rule) for f in findings] == [("posted", 1, 22, "V004")]
 
 
+@pytest.mark.parametrize(
+    ("attributes", "rule"),
+    [
+        ("min: .inf", "V004"),
+        ("max: -.inf", "V004"),
+        ("max: .nan", "V004"),
+        ("type: .nan", "V001"),
+        ("unit: .inf", "V004"),
+    ],
+)
+def test_a_number_that_is_none_is_told_once_and_nothing_is_held_against_it(attributes, rule):
+    base = read_catalogue(ROOT_FILE)
+    whole = {
+        "type": "sensor",
+        "datatype": "float",
+        "unit": "km/h",
+        "min": 0,
+        "max": 9,
+        "description": "How loud it is.",
+    }
+    whole.update([tuple(attributes.split(": "))])
+    lines = "".join(f"  {name}: {value}\n" for name, value in whole.items())
+    found = lint_text(f"Vehicle.Loudness:\n{lines}".encode(), "posted", base, RuleSet(rules_for(LintOptions())))
+    assert [finding.rule for finding in found if finding.severity == "error"] == [rule]
+
+
 # -- real trees ----------------------------------------------------------------------------------------------------
 
 

@@ -75,20 +75,18 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
     """The values as vss-tools holds them: units by canonical key, datatypes by full path, numbers as numbers."""
     changed: dict[str, Any] = {}
     for name, value in values.items():
-        if type(value) in _MAY_BE_INFINITE and not is_finite(value):
-            message = f"`{name}` must be a finite number, not {shown(value)}."
-            problems.append(
-                Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, "Remove it: JSON has no such number.")
-            )
-            continue
         convert = CONVERSIONS.get(name)
-        if convert is None or value is None or (convert is text and type(value) is str):
-            continue
-        converted = convert(value)
+        is_as_meant = convert is None or value is None or (convert is text and type(value) is str)
+        converted = value if convert is None or is_as_meant else convert(value)
         if converted is NO_VALUE:
             message = f"`{name}` must be {EXPECTED[name]}, not {shown(value)}."
             fix = _in_quotes(value) if convert is text or name == "allowed" else ""
             problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, fix))
+        elif type(value) in _MAY_BE_INFINITE and name != "type" and not is_finite(value):
+            message = f"`{name}` must be a finite number, not {shown(value)}."
+            problems.append(
+                Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, "Remove it: JSON has no such number.")
+            )
         elif converted is not value:
             changed[name] = converted
     changed.update(whole_numbers({**values, **changed}))

@@ -6,7 +6,7 @@ from typing import Any
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest, parent_path
-from sigcat.rules.checks.kind import NodeTest, is_number, listed, nested
+from sigcat.rules.checks.kind import NodeTest, is_bound, listed, nested
 from sigcat.rules.patterns import compile_exception
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule
@@ -107,7 +107,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
         before = ""
         for name in names:
             value = nested(definition.values, name)
-            if not is_number(value):
+            if not is_bound(value):
                 continue
             if before and value < nested(definition.values, before):
                 least = nested(definition.values, before)

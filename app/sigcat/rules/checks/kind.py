@@ -1,6 +1,7 @@
 """What a check is: a named function that a rule's options turn into a test of a node, of the tree or of a text."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from math import isfinite
 from typing import Any, Literal, NamedTuple
 
 from sigcat.catalogue.model.definition import Definition
@@ -171,3 +172,8 @@ def nested(values: Mapping[str, Any], dotted: str) -> Any:
 def is_number(value: Any) -> bool:
     """Whether a value is a number; true and false are none."""
     return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def is_bound(value: Any) -> bool:
+    """Whether a value is a number that others are held against. `.nan` and `.inf` are none: composing refuses them."""
+    return is_number(value) and isfinite(value)

@@ -18,7 +18,7 @@ from sigcat.catalogue.network.mapping import (
 from sigcat.catalogue.network.values import Unfit, in_datatype
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest
-from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
+from sigcat.rules.checks.kind import NodeTest, TreeTest, is_bound, is_number, listed
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
@@ -115,9 +115,9 @@ def _misfit(value: Any, datatype: str, values: Mapping[str, Any]) -> str:
     allowed, low, high = values.get("allowed"), values.get("min"), values.get("max")
     if isinstance(allowed, list) and allowed and fitted not in allowed:
         return f"`allowed` has no such value. {did_you_mean(str(fitted), map(str, allowed))}".rstrip(". ")
-    if is_number(fitted) and is_number(low) and fitted < low:  # type: ignore[operator]  # it is a number
+    if is_number(fitted) and is_bound(low) and fitted < low:  # type: ignore[operator]  # it is a number
         return f"`min` is {low}"
-    if is_number(fitted) and is_number(high) and fitted > high:  # type: ignore[operator]  # it is a number
+    if is_number(fitted) and is_bound(high) and fitted > high:  # type: ignore[operator]  # it is a number
         return f"`max` is {high}"
     return ""
 

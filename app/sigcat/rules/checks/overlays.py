@@ -10,7 +10,7 @@ from sigcat.catalogue.reading.statement import Statement
 from sigcat.findings import shown
 from sigcat.limits import COMPARED_INSTANCES
 from sigcat.names import parent_path
-from sigcat.rules.checks.kind import NodeTest, TreeTest, is_number, listed
+from sigcat.rules.checks.kind import NodeTest, TreeTest, is_bound, listed
 from sigcat.rules.near_paths import near_path
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule
@@ -262,9 +262,9 @@ def _differs(one: Any, other: Any) -> bool:
 
 
 def _narrowed(attribute: str, base: Any, now: Any) -> str:
-    if attribute == "min" and is_number(now) and (base is None or (is_number(base) and now > base)):
+    if attribute == "min" and is_bound(now) and (base is None or (is_bound(base) and now > base)):
         return f"{shown(base)} becomes {now}" if base is not None else f"it had no limit and becomes {now}"
-    if attribute == "max" and is_number(now) and (base is None or (is_number(base) and now < base)):
+    if attribute == "max" and is_bound(now) and (base is None or (is_bound(base) and now < base)):
         return f"{shown(base)} becomes {now}" if base is not None else f"it had no limit and becomes {now}"
     if attribute in ("allowed", "enum") and isinstance(now, list | dict):
         if not isinstance(base, list | dict):
