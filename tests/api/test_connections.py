@@ -86,10 +86,21 @@ NO_REQUESTS = {
     "chunks in HTTP/1.0": (b"POST /api/v1/lint HTTP/1.0\r\n" + CHUNKED + b"\r\n0\r\n\r\n", 400, "chunked"),
     "a chunk that is none": (LINT + CHUNKED + b"\r\nzz\r\n", 400, "chunk size"),
     "another method": (b"INVENTED / HTTP/1.1\r\nHost: a\r\n\r\n", 400, "method"),
-    "a proxy's method": (b"CONNECT a:1 HTTP/1.1\r\nHost: a\r\n\r\n", 400, "read as HTTP"),
+    "a proxy's method": (b"CONNECT a:1 HTTP/1.1\r\nHost: a\r\n\r\n", 400, "must be a path"),
+    "the next protocol": (b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", 400, "HTTP/2"),
+    "a method in small letters": (b"get / HTTP/1.1\r\nHost: a\r\n\r\n", 400, "capitals"),
+    "a chunk that is longer than it says": (LINT + CHUNKED + b"\r\n5\r\nVehicle", 400, "chunk size"),
+    "a line that ends early": (b"GET / HTTP/1.1\nHost: a\n\n", 400, "CR LF"),
+    "an address with a space": (b"GET /a b HTTP/1.1\r\nHost: a\r\n\r\n", 400, "METHOD ADDRESS"),
+    "an address that is not ASCII": (b"GET /\xc3\xa4 HTTP/1.1\r\nHost: a\r\n\r\n", 400, "%C3%A4"),
+    "an address with a port that is none": (b"GET http://a:99999/ HTTP/1.1\r\nHost: a\r\n\r\n", 400, "must be a path"),
+    "all addresses": (b"GET * HTTP/1.1\r\nHost: a\r\n\r\n", 400, "must be a path"),
+    "a way up": (b"GET /rules/../ HTTP/1.1\r\nHost: a\r\n\r\n", 400, "segments"),
+    "a way up that is hidden": (b"GET /rules%2f.%2E HTTP/1.1\r\nHost: a\r\n\r\n", 400, "segments"),
+    "a way on the spot": (b"GET /tree/./small HTTP/1.1\r\nHost: a\r\n\r\n", 400, "segments"),
     "another version": (b"GET / HTTP/9.9\r\nHost: a\r\n\r\n", 400, "version"),
     "no version": (b"GET /\r\n\r\n", 400, "version"),
-    "another protocol": (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 400, "read as HTTP"),
+    "another protocol": (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 400, "TLS"),
     "no host": (b"GET / HTTP/1.1\r\n\r\n", 400, "`Host`"),
     "two hosts": (b"GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n", 400, "`Host`"),
     "an address without a path": (b"GET http://a HTTP/1.1\r\nHost: a\r\n\r\n", 400, "path"),
@@ -128,6 +139,18 @@ def test_a_wish_for_another_protocol_is_not_heard(service: Service, body: bytes)
     head = LINT + b"Connection: upgrade, http2-settings\r\nUpgrade: h2c\r\nContent-Length: %d\r\n\r\n" % len(body)
     answer = answer_to(service, head + body + LAST)
     assert statuses(answer) == [200, 200]
+
+
+def test_a_question_for_the_whole_service_is_answered_with_its_methods(service: Service) -> None:
+    answer = answer_to(service, b"OPTIONS * HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
+    assert statuses(answer) == [204]
+    assert b"\r\nallow: GET, HEAD, OPTIONS, POST\r\n" in answer
+
+
+@pytest.mark.parametrize("path", ["/.well-known/x", "/...", "/a..b/c.d", "/tree/tree/Vehicle..Speed"])
+def test_dots_in_names_are_no_way_up(service: Service, path: str) -> None:
+    answer = answer_to(service, b"GET %b HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n" % path.encode())
+    assert statuses(answer) == [404]
 
 
 def test_half_a_head_that_drips_is_late_too(service: Service) -> None:

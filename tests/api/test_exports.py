@@ -117,6 +117,11 @@ def test_warnings_of_an_export_are_counted(get: Ask) -> None:
     assert get(f"{CLEAN}/export/apigear").headers["sigcat-warnings"] == "1"  # no layer is named
 
 
+def test_an_export_of_another_version_is_refused(get: Ask) -> None:
+    assert get(f"{CLEAN}/export/json", headers={"If-Match": '"1"'}).status_code == 412
+    assert get(f"{CLEAN}/export/json", headers={"If-Match": "*"}).status_code == 200
+
+
 def test_an_unknown_format_proposes_near_ones(get: Ask) -> None:
     refused = get(f"{CLEAN}/export/jsn")
     assert (refused.status_code, refused.json()["nearest"][0]) == (404, "json")

@@ -130,6 +130,33 @@ def test_an_address_or_method_that_does_not_exist_is_a_problem_too(ask: Ask) -> 
     problem(ask, "/api/v1/catalogues", 405, method="DELETE")
 
 
+def test_where_reading_is_allowed_so_is_asking_for_the_head(ask: Ask) -> None:
+    assert ask("/api/v1/catalogues", "DELETE").headers["allow"] == "GET, HEAD"
+    assert ask("/api/v1/lint", "DELETE").headers["allow"] == "POST"
+
+
+@pytest.mark.parametrize(
+    "address", ["/openapi.json", "/health/live", "/health/ready", "/metrics", "/api/v1/rules", SMALL]
+)
+def test_no_address_takes_a_parameter_that_it_does_not_have(ask: Ask, address: str) -> None:
+    (finding,) = problem(ask, f"{address}?colour=red", 422)["findings"]
+    assert finding["pointer"] == "/query/colour"
+
+
+@pytest.mark.parametrize("wanted", ['"1"', 'W/"1"', '"1", "2"', "", "the tag itself"])
+@pytest.mark.parametrize("address", [SMALL, f"{SMALL}/nodes/Vehicle.Speed", f"{SMALL}/diff?to=bare"])
+def test_a_version_that_is_not_there_is_not_answered_with_another_one(ask: Ask, address: str, wanted: str) -> None:
+    tag = ask(address).headers["etag"]  # and from now on the answer is kept
+    assert tag.startswith("W/"), "which is equal to none (RFC 9110, 8.8.3.2)"
+    headers = {"If-Match": tag if wanted == "the tag itself" else wanted}
+    assert "ID@VERSION" in problem(ask, address, 412, headers=headers)["detail"]
+    assert ask(address, headers={"If-Match": "*"}).status_code == 200
+
+
+def test_what_has_no_version_heeds_none(ask: Ask) -> None:
+    assert ask("/api/v1/rules", headers={"If-Match": '"1"'}).status_code == 200
+
+
 def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(*_: object) -> None:
         raise RuntimeError("secret")

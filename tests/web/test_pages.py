@@ -47,6 +47,21 @@ def test_no_answer_repeats_the_host_that_a_client_sent(site: Ask, address: str) 
     assert other.headers.get("location", "/").startswith("/")
 
 
+@pytest.mark.parametrize("address", [*PAGES, "/static/icon.svg", "/openapi.json", "/metrics"])
+def test_no_address_takes_a_parameter_that_it_does_not_have(site: Ask, address: str) -> None:
+    refused = site(f"{address}{'&' if '?' in address else '?'}colour=red")
+    assert refused.status_code == 422
+    assert "Unknown parameter" in refused.text
+
+
+def test_a_file_of_pages_is_sent_in_the_version_that_is_wanted(site: Ask) -> None:
+    tag = site("/static/icon.svg").headers["etag"]
+    statuses = [
+        site("/static/icon.svg", headers={"If-Match": each}).status_code for each in (tag, "*", '"1"', f"W/{tag}")
+    ]
+    assert statuses == [200, 200, 412, 412]
+
+
 def test_without_javascript_branches_open_by_links(site: Ask) -> None:
     closed = site("/tree/small/Vehicle.Label").text
     (link,) = re.findall(r'href="([^"]+)" aria-label="Open Door"', closed)

@@ -29,7 +29,19 @@ from sigcat.api.middleware.request_notes import RequestNotes
 from sigcat.api.openapi_document import openapi_document
 from sigcat.api.requests.held_bodies import HeldBodies
 from sigcat.api.requests.query_parameters import refuse_unknown
-from sigcat.api.routes import catalogues, changes, exports, functions, health, integration, lint, reloading, rules, viss
+from sigcat.api.routes import (
+    catalogues,
+    changes,
+    contract,
+    exports,
+    functions,
+    health,
+    integration,
+    lint,
+    reloading,
+    rules,
+    viss,
+)
 from sigcat.api.routes.shortcuts import SHORTCUTS
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
@@ -53,7 +65,7 @@ _THREADS = 4
 """Pages that are made at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
-    lint.router, functions.router, integration.router, health.router,
+    lint.router, functions.router, integration.router, health.router, contract.router,
 )  # fmt: skip
 
 _MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functions, integration, lint))
@@ -67,8 +79,7 @@ def create_app(
         title="sigcat",
         version=__version__,
         description=_DESCRIPTION,
-        docs_url=None,
-        redoc_url=None,
+        openapi_url=None,  # `routes/contract.py` has it
         generate_unique_id_function=_operation_id,
         telemetry={"tracing": False, "metrics": False, "logs": False},  # `/metrics` and the log are the service's own
         lifespan=_running,
@@ -89,6 +100,7 @@ def create_app(
     for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
     app.include_router(exports.unknown_formats)
+    app.router.routes.append(contract.WHOLE_SERVICE)
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)

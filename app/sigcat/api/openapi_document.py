@@ -28,6 +28,7 @@ TAGS = {
 }
 _EVERYWHERE = (422, 429, 500, 503)
 """Statuses of any operation: an unknown parameter, more than a client's share, a failure, a service that stops or is busy."""
+_CATALOGUE = "/api/v1/catalogues/{catalogue}"
 _LATER = ("429", "503")
 """Statuses that say when to come again."""
 _CLOSED = "A token is needed, where the operator closed reading"
@@ -86,11 +87,12 @@ def _contact(settings: Settings) -> dict[str, str]:
 def completed(document: Document) -> Document:
     """The document with problems in every operation, every form of an answer, and links. Changes its argument."""
     ids = {operation["operationId"] for _, _, operation in operations(document)}
-    for path, _, operation in operations(document):
+    for path, method, operation in operations(document):
         parameters = in_order(map(parameter, operation.get("parameters", ())), path)
         operation.update({"parameters": parameters} if parameters else {})
         responses = operation["responses"]
-        _add_problems(responses, is_open=not path.startswith("/api/"))
+        has_versions = method == "get" and path.startswith(_CATALOGUE)
+        _add_problems(responses, is_open=not path.startswith("/api/"), has_versions=has_versions)
         for response in responses.values():
             _complete_forms(response)
         links = {name: link for name, link in LINKS.get(operation["operationId"], {}).items() if name in ids}
@@ -113,9 +115,9 @@ def _schemas(made: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def _add_problems(responses: dict[str, Any], *, is_open: bool) -> None:
-    """The problems that any operation may answer with."""
-    for status in _EVERYWHERE:
+def _add_problems(responses: dict[str, Any], *, is_open: bool, has_versions: bool) -> None:
+    """The problems that any operation may answer with, and one of what has an `ETag`."""
+    for status in (*_EVERYWHERE, *([412] if has_versions else [])):
         responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
     if not is_open:
         responses.setdefault("401", {"description": _CLOSED, **deepcopy(PROBLEM)})

@@ -9,9 +9,8 @@ from pathlib import Path
 from fastapi import Depends, FastAPI, Request
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
-from starlette.staticfiles import StaticFiles
 
-from sigcat.api.answers.problems import ANSWERED, answer_problem, problem_from
+from sigcat.api.answers.problems import ANSWERED, answer_problem, headers_of, problem_from
 from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.references import Work
@@ -30,6 +29,7 @@ from sigcat.web.pages import (
 )
 from sigcat.web.rendering import compile_templates, problem_page
 from sigcat.web.security_headers import SecurityHeaders
+from sigcat.web.static_files import CheckedStaticFiles
 from sigcat.web.visits import refuse_unknown
 
 _PAGES = (
@@ -60,7 +60,7 @@ def create_site(
     app.state.rehearsals = partial(_rehearsals, app, library, settings)
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])
-    app.mount("/static", StaticFiles(directory=_STATIC), name="static")
+    app.mount("/static", CheckedStaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
     for kind in ANSWERED:
         app.add_exception_handler(kind, _answer)
@@ -86,4 +86,4 @@ async def _answer(request: Request, error: Exception) -> Response:
     problem = problem_from(error)
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
         await answer_problem(request, error)
-    return problem_page(request, problem, getattr(error, "headers", None))
+    return problem_page(request, problem, headers_of(error))

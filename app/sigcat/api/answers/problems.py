@@ -31,6 +31,7 @@ KINDS: dict[int, tuple[str, str]] = {
     405: ("method-not-allowed", "Method not allowed"),
     406: ("not-acceptable", "Not acceptable"),
     408: ("too-slow", "Request timed out"),
+    412: ("other-version", "Another version is wanted"),
     413: ("too-large", "Body too large"),
     415: ("unsupported-media-type", "Unsupported media type"),
     422: ("input-refused", "The input cannot be used"),
@@ -100,7 +101,7 @@ async def answer_problem(request: Request, error: Exception) -> Response:
 
     What failed inside goes to the log.
     """
-    headers = getattr(error, "headers", None)
+    headers = headers_of(error)
     if isinstance(error, HTTPException) and error.status_code == HTTPStatus.NOT_MODIFIED:
         return Response(status_code=error.status_code, headers=headers)
     problem = problem_from(error)
@@ -109,6 +110,14 @@ async def answer_problem(request: Request, error: Exception) -> Response:
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
         _log_failure(request, problem, error)
     return Response(problem.model_dump_json(), problem.status, media_type=MEDIA_TYPE, headers=headers)
+
+
+def headers_of(error: Exception) -> dict[str, str]:
+    """The headers of a problem. Where GET is allowed, HEAD is: the same without its body."""
+    headers: dict[str, str] = dict(getattr(error, "headers", None) or {})
+    if "GET" in (methods := headers.get("Allow", "").split(", ")):
+        headers["Allow"] = ", ".join(sorted({*methods, "HEAD"}))
+    return headers
 
 
 def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:

@@ -5,6 +5,7 @@ without end, never reads its answer, or opens connections without end.
 """
 
 import asyncio
+import re
 from http import HTTPStatus
 from typing import Any, NamedTuple
 
@@ -21,10 +22,31 @@ from sigcat.api.work.refusals import RETRY_SECONDS
 
 HEAD_BYTES = 32 * 1024
 """Bytes of the address and the headers of a request."""
+_DOTS = re.compile(rb"(?:/|%2F)(?:\.|%2E){1,2}(?=/|%2F|$)", re.IGNORECASE)
+_HTTP_2 = b"PRI"
+"""The method with which its clients begin."""
 _PIPELINED = 32
 """Requests of one connection that wait for the answer to another one before them."""
 _LINGERING_SECONDS = 2.0
 """How long a client may read why it was refused, before the connection is gone."""
+
+_NO_METHOD = (
+    "A request must begin with a method of HTTP in capitals, such as `GET`. This address speaks neither TLS nor HTTP/2."
+)
+_NO_PATH = "The address must be a path such as `/docs`, in ASCII: write any other character as `%C3%A4`."
+_NO_HEAD = (
+    "A request must begin with the line `METHOD ADDRESS HTTP/1.1`, where the version may be 1.0 too, then headers "
+    "`NAME: VALUE`, such as `Host`. Each line ends with CR LF."
+)
+_NO_HEADERS = (
+    "Each header must be one line `NAME: VALUE`, of letters that are seen, and end with CR LF. `Content-Length` must be "
+    "a number of bytes, there once, and not beside `Transfer-Encoding`."
+)
+_NO_CHUNKS = (
+    "The body must come in chunks, as `Transfer-Encoding` says: a chunk size in hexadecimal digits, CR LF, as many "
+    "bytes, CR LF. The last chunk has the size 0; behind it may stand headers `NAME: VALUE`."
+)
+_NOTHING_FOLLOWS = "Nothing may follow a request that closes the connection. Send it on another one."
 
 
 class ConnectionRules(NamedTuple):
@@ -85,11 +107,9 @@ class HttpConnection(HttpToolsProtocol):
             if began_in_head and self._is_in_head:
                 self._count_head(len(data))
         except httptools.HttpParserCallbackError as error:
-            self._refuse(error.__context__ if isinstance(error.__context__, Refused) else _unreadable(error))
-        except httptools.HttpParserError as error:
-            self._refuse(_unreadable(error))
-        except Refused as refused:
-            self._refuse(refused)
+            self._refuse(self._refusal_of(error.__context__ or error))
+        except (httptools.HttpParserError, Refused) as error:
+            self._refuse(self._refusal_of(error))
         if self._head_timer is None and not self._is_refused and (self._is_in_head or not self._is_under_way):
             self._expect_head()
 
@@ -181,8 +201,11 @@ class HttpConnection(HttpToolsProtocol):
             version == "1.0" or (b"transfer-encoding", b"chunked") not in self.headers
         ):
             raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
-        if not httptools.parse_url(self.url).path or self.parser.get_method() == b"CONNECT":
-            raise _bad("The address must be a path.")
+        path, method = httptools.parse_url(self.url).path, self.parser.get_method()
+        if not path or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
+            raise _bad(_NO_PATH)
+        if _DOTS.search(path):
+            raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
 
@@ -202,6 +225,18 @@ class HttpConnection(HttpToolsProtocol):
             self._refuse(Refused(HTTPStatus.REQUEST_TIMEOUT, detail))
         else:
             self.transport.close()
+
+    def _refusal_of(self, error: BaseException) -> Refused:
+        """What is wrong, in words of our own: those of the parser are for who knows its code."""
+        if isinstance(error, Refused):
+            return error
+        if isinstance(error, httptools.HttpParserInvalidMethodError) or self.parser.get_method() == _HTTP_2:
+            return _bad(_NO_METHOD)
+        if isinstance(error, httptools.HttpParserInvalidURLError):
+            return _bad(_NO_PATH)
+        if self._is_in_head:
+            return _bad(_NO_HEADERS if self.headers else _NO_HEAD)
+        return _bad(_NO_CHUNKS if self._is_under_way and self.cycle.more_body else _NOTHING_FOLLOWS)
 
     # -- answers --------------------------------------------------------------------------------------------------
 
@@ -269,7 +304,3 @@ class HttpConnection(HttpToolsProtocol):
 
 def _bad(detail: str) -> Refused:
     return Refused(HTTPStatus.BAD_REQUEST, detail)
-
-
-def _unreadable(error: Exception) -> Refused:
-    return _bad(f"The request cannot be read as HTTP: {error}.")

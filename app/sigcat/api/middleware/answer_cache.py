@@ -9,12 +9,14 @@ from typing import NamedTuple
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.negotiation import VARY_OF_304, liked_types
-from sigcat.api.requests.dependencies import is_known
+from sigcat.api.requests.preconditions import is_known
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import NotFound
 
 _LARGEST = 256 * 1024
-_ASKED = (b"accept", b"accept-encoding", b"if-none-match")
+_WANTED = b"if-match"
+"""Judged by the operation: it is rare."""
+_ASKED = (b"accept", b"accept-encoding", b"if-none-match", _WANTED)
 _SENT_WITH_304 = (b"etag", b"cache-control")
 
 Key = tuple[str, bytes, tuple[str, ...], bytes]
@@ -51,7 +53,7 @@ class AnswerCache:
         forms = liked_types(asked.get(b"accept", b"*/*").decode("latin-1"))
         key = (scope["path"], scope["query_string"], forms, asked.get(b"accept-encoding", b""))
         cached = self._cached.get(key)
-        if cached is not None and self._is_present(cached.hosted):
+        if cached is not None and _WANTED not in asked and self._is_present(cached.hosted):
             await self._send_cached(cached, key, asked.get(b"if-none-match"), scope, send)
             return
         await self._app(scope, receive, _CachingSend(self, key, scope, send))

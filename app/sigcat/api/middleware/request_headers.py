@@ -11,7 +11,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from sigcat.api.answers.negotiation import accepts_gzip
 
-_LISTS = (b"accept", b"accept-encoding", b"if-none-match")
+_LISTS = (b"accept", b"accept-encoding", b"if-match", b"if-none-match")
 _LEFT_OUT = (*_LISTS, b"host")
 
 

@@ -13,6 +13,7 @@ from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.answers.versions import state_of, version_of
 from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.held_bodies import HeldBodies, Hold
+from sigcat.api.requests.preconditions import is_known, refuse_unless_matched
 from sigcat.api.service_rules import ServiceRules
 from sigcat.api.settings import Settings
 from sigcat.api.work.queue import ClientQueue, WorkQueue
@@ -40,7 +41,6 @@ __all__ = [
     "catalogue_at",
     "functions_of",
     "hosted_at",
-    "is_known",
     "library_of",
     "mark_state",
     "rules_of",
@@ -164,22 +164,17 @@ async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
 
 
 def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
-    """Keep the headers for the answer. Raises a 304 if the client holds this state.
+    """Keep the headers for the answer. Raises a 304 if the client holds this state, a 412 if it wants another one.
 
     Where reading needs a token, no cache may keep an answer for others.
     """
     reach = "private" if settings_of(request).reading == "token" else "public"
     lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
     headers = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
+    refuse_unless_matched(request.headers.get("if-match"), headers["ETag"])
     if is_known(request.headers.get("if-none-match", ""), version):
         raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": VARY_OF_304})
     request.state.caching = headers
-
-
-def is_known(if_none_match: str, version: str) -> bool:
-    """Whether a client holds this state. The tag is weak: one state has several forms and encodings."""
-    known = [each.strip().removeprefix("W/") for each in if_none_match.split(",")]
-    return f'"{version}"' in known or "*" in known
 
 
 TheCatalogue = Annotated[Hosted, Depends(hosted_catalogue)]

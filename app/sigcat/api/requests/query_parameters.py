@@ -1,6 +1,6 @@
 """Query parameters that an operation does not have are refused, in the same way by all of them: none is ignored silently."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from fastapi import Request
@@ -29,10 +29,13 @@ async def refuse_unknown(request: Request) -> None:
 
 def refuse_unless_known(request: Request, also: Iterable[str] = ()) -> None:
     """Raises RequestValidationError for parameters that the route does not have, and that are not among these."""
-    if not request.scope["query_string"]:
-        return
-    known = {*parameter_names(request.scope["route"].dependant), *also}
-    unknown = dict.fromkeys(name for name in request.query_params if name not in known)
+    if request.scope["query_string"]:
+        refuse_others(request.query_params, {*parameter_names(request.scope["route"].dependant), *also})
+
+
+def refuse_others(given: Iterable[str], known: Collection[str]) -> None:
+    """Raises RequestValidationError for names of parameters that are not known."""
+    unknown = dict.fromkeys(name for name in given if name not in known)
     if unknown:
         raise RequestValidationError([_unknown(name, known) for name in unknown])
 
