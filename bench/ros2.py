@@ -7,6 +7,7 @@ from statistics import median
 from bench.measuring import command, interleaved
 from bench.rows import Bench, Missing, Row
 from scripts import ros2_environment, ros2_packages, run_ros2
+from sigcat.players.ros2_domain import own_domain
 
 TRIPS = 2000
 """At most 1,000 in a second, each after the answer to the one before."""
@@ -55,7 +56,7 @@ def _build(folder: Path) -> run_ros2.Workspace:
 def _measured(built: run_ros2.Workspace, folder: Path, node: str) -> tuple[float, str]:
     """The median in µs, and what the node tells of its adapter."""
     programs = built.prefix / "lib"
-    with run_ros2.domain() as number:
+    with own_domain() as number:
         variables = run_ros2.environment(built, number, folder)
         with run_ros2.started([(programs / node,)], variables, folder / "told.txt"):
             told = ros2_packages.run([programs / "by_hand/round_trip", TRIPS], variables)

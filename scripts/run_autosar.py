@@ -5,7 +5,6 @@ what they send against `sigcat simulate`.
 """
 
 import os
-import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,6 +12,8 @@ from pathlib import Path
 from scripts import recordings
 from scripts.recordings import DRIVE, EXAMPLES, WHOLE_DRIVE, Sent, bits, recorded
 from sigcat.comparison.running.processes import Process, launched, own_network
+from sigcat.players import cmake
+from sigcat.players.commands import write
 
 HERE = Path(__file__).parents[1]
 INTEGRATION = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
@@ -39,25 +40,13 @@ def generate_into(folder: Path, integration: Path = INTEGRATION) -> None:
     from sigcat.adapter.autosar_adaptive.application.generate import generate
     from sigcat.limits import DEFAULT_LIMITS
 
-    for file in generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None, bench=True):
-        path = folder / file.name
-        if not path.exists() or path.read_bytes() != file.data:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(file.data)
+    write(generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None, bench=True), folder)
 
 
 def build(folder: Path, flags: str = "", *options: str, code: Mapping[str, Path] = CODE) -> None:
     """Compile with CMake, few large translation units instead of many small ones."""
-    settings = [f"-D{name}={path}" for name, path in code.items()]
-    quick = ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=100", f"-DCMAKE_CXX_FLAGS={flags}"]
-    _run("cmake", "-S", str(folder), "-B", str(folder / "build"), *settings, *quick, *options)
-    _run("cmake", "--build", str(folder / "build"), "-j", str(os.cpu_count() or 1))
-
-
-def _run(*command: str) -> None:
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(f"{' '.join(command)}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    quick = {"CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100, "CMAKE_CXX_FLAGS": flags}
+    cmake.build(folder, folder / "build", {**code, **quick}, *options)
 
 
 def run(folder: Path, seconds: int) -> Sent:

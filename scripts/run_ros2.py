@@ -5,7 +5,6 @@ in C++ and then to those in Python, and holds what they send against `sigcat sim
 """
 
 import signal
-import socket
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -16,6 +15,8 @@ from typing import NamedTuple
 from scripts import recordings, ros2_environment, ros2_packages
 from scripts.recordings import DRIVE, EXAMPLES, WHOLE_DRIVE, Sent, bits
 from scripts.run_autosar import CODE
+from sigcat.players.commands import write
+from sigcat.players.ros2_domain import own_domain, variables_in_domain
 
 INTEGRATION = EXAMPLES / "ecocontrol/expected/ros2.json"
 NODES = ("core_acc_node", "eco_control_mpc_node")
@@ -23,8 +24,6 @@ PACKAGES = {"C++": "eco_control", "Python": "eco_control_py"}
 LOCK_STEP = ("--ros-args", "-p", "lock_step:=true")
 PATIENCE = 30
 """Seconds in which a process has to end."""
-_FIRST_PORT = 22119
-_DOMAINS = range(1, 100)
 
 
 class Workspace(NamedTuple):
@@ -58,11 +57,7 @@ def generate_into(folder: Path, integration: Path = INTEGRATION) -> None:
     from sigcat.adapter.ros2.generate import generate
     from sigcat.limits import DEFAULT_LIMITS
 
-    for file in generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None):
-        path = folder / file.name
-        if not path.exists() or path.read_bytes() != file.data:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(file.data)
+    write(generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None), folder)
 
 
 def build(folder: Path, *others: Path, flags: str = "", code: Mapping[str, Path] = CODE) -> Workspace:
@@ -78,28 +73,11 @@ def build(folder: Path, *others: Path, flags: str = "", code: Mapping[str, Path]
     return Workspace(prefix, others)
 
 
-@contextmanager
-def domain() -> Iterator[int]:
-    """A domain of DDS that no other test of this machine has."""
-    with socket.socket() as held:
-        for number in _DOMAINS:
-            try:
-                held.bind(("127.0.0.1", _FIRST_PORT + number))
-            except OSError:
-                continue
-            yield number
-            return
-    raise RuntimeError("every domain of this machine is taken")
-
-
 def environment(workspace: Workspace, number: int, home: Path) -> Mapping[str, str]:
     """That of processes of a domain, which keep their files in a folder and stay on this machine."""
     return {
         **ros2_environment.variables(workspace.prefix, *workspace.others),
-        "ROS_DOMAIN_ID": str(number),
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_HOME": str(home),
-        "ROS_LOG_DIR": str(home / "log"),
+        **variables_in_domain(number, home),
     }
 
 
@@ -134,7 +112,7 @@ def play(workspace: Workspace, package: str, folder: Path, seconds: int) -> Sent
     recording = folder / "recorded.csv"
     executables = [workspace.prefix / "lib" / package / node for node in NODES]
     player = [ros2_environment.PYTHON, ros2_environment.HERE / "scripts/ros2_player.py"]
-    with domain() as number:
+    with own_domain() as number:
         variables = environment(workspace, number, folder)
         with started([(each, *LOCK_STEP) for each in executables], variables, folder / "nodes.txt"):
             ros2_packages.run([*player, INTEGRATION, DRIVE, recording, seconds], variables)

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from scripts import ros2_environment, ros2_packages, run_ros2
 from scripts.run_autosar import CODE
+from sigcat.players.ros2_domain import own_domain
 from tests.adapter.ros2.generated import ecocontrol, write
 from tests.adapter.ros2.other_end import Peer, peer
 from tests.needs import sampled
@@ -97,7 +98,7 @@ def running(language: str, folder: Path, *nodes: str, arguments: tuple[str, ...]
     """Nodes in processes of their own, and a peer at the other end of their topics and services."""
     built = workspace()
     executables = [built.prefix / "lib" / LANGUAGES[language] / NODES[node] for node in nodes]
-    with run_ros2.domain() as number:
+    with own_domain() as number:
         variables = run_ros2.environment(built, number, folder)
         commands = [(executable, "--ros-args", *arguments) for executable in executables]
         with run_ros2.started(commands, variables, folder / "nodes.txt"), peer(variables) as other:
@@ -108,5 +109,5 @@ def ended(language: str, folder: Path, node: str, *arguments: str) -> tuple[int,
     """How a node ends that does not run for long, and what it says."""
     built = workspace()
     executable = built.prefix / "lib" / LANGUAGES[language] / NODES[node]
-    with run_ros2.domain() as number:
+    with own_domain() as number:
         return run_ros2.ended([executable, "--ros-args", *arguments], run_ros2.environment(built, number, folder))

@@ -3,6 +3,7 @@
 import pytest
 
 from scripts import run_ros2
+from sigcat.players.ros2_domain import own_domain
 from tests.adapter.ros2.built import LANGUAGES, running, subset, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CLEANUP, CONFIGURE, DEACTIVATE, peer
 from tests.needs import ros2
@@ -19,7 +20,7 @@ def test_twenty_nodes_live_in_one_process(tmp_path):
     wanted = [*(f"eco_control::EcoControlMpcNode={space}" for space in SPACES), "eco_control::CoreAccNode=/car0"]
     command = [subset() / "lib/rclcpp_components/load_components", "eco_control", *wanted]
     nodes = [*(f"{space}/{MPC}" for space in SPACES), "/car0/core_acc"]
-    with run_ros2.domain() as number:
+    with own_domain() as number:
         variables = run_ros2.environment(built, number, tmp_path)
         with run_ros2.started([command], variables, tmp_path / "told.txt"), peer(variables) as other:
             for node in nodes:
@@ -39,7 +40,7 @@ def test_a_function_with_global_variables_is_there_once_in_a_process(tmp_path):
     built = workspace()
     command = [subset() / "lib/rclcpp_components/load_components", "eco_control"]
     twice = ["eco_control::CoreAccNode=/car0", "eco_control::CoreAccNode=/car1"]
-    with run_ros2.domain() as number:
+    with own_domain() as number:
         status, told = run_ros2.ended([*command, *twice], run_ros2.environment(built, number, tmp_path))
     assert status != 0
     assert "a process can have one node of it" in told

@@ -2,10 +2,8 @@
 
 import json
 import shutil
-import socket
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,7 +17,8 @@ from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
-from sigcat.players.commands import BuildFails, write
+from sigcat.players.commands import write
+from sigcat.players.ros2_domain import own_domain, variables_in_domain
 from sigcat.players.ros2_environment import Ros2, find_ros2, installed
 from sigcat.players.ros2_packages import UNITED, build_cmake, build_python
 from sigcat.players.ros2_player_source import player_files
@@ -28,8 +27,6 @@ CPP, PYTHON = "ros2-cpp", "ros2-py"
 _PLAYER = "install/lib/player/player"
 _WORDS = {"lock step": "lock", "free run": "free"}
 _LOCK_STEP = ("--ros-args", "-p", "lock_step:=true")
-_FIRST_PORT = 22119
-_DOMAINS = range(1, 100)
 
 
 def _missing(environment: Mapping[str, str]) -> str | None:
@@ -111,8 +108,12 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
     kills = [f"{_node(document, each.function)['Executable']}@{each.function}@{each.time_ns}" for each in drive.kills]
     player = folder / _PLAYER
     command = (str(player), _WORDS[drive.mode], str(drive.trace.absolute()), str(recorded), str(drive.end_ns), *kills)
-    with _domain() as number:
-        environment = _environment(ros2, folder, number, run)
+    with own_domain() as number:
+        environment = {
+            **_variables(ros2, folder),
+            **variables_in_domain(number, run),
+            marks.FOLDER: str(run / marks.NAME),
+        }
         processes = [_process(node, files(node, folder), environment, drive) for node in _nodes(document)]
         outcome = launched(processes, Process("player", command, environment, (player,)), run)
     marked = marks.read_marks(subject.prepared.connections, run / marks.NAME, 0)
@@ -148,31 +149,9 @@ def _node(document: Mapping[str, Any], function: str) -> Mapping[str, Any]:
     return next(each for each in _nodes(document) if each["FunctionName"] == function)
 
 
-@contextmanager
-def _domain() -> Iterator[int]:
-    """A domain of DDS that nobody else on this machine has."""
-    with socket.socket() as held:
-        for number in _DOMAINS:
-            try:
-                held.bind(("127.0.0.1", _FIRST_PORT + number))
-            except OSError:
-                continue
-            yield number
-            return
-    raise BuildFails("every domain of DDS on this machine is taken")
-
-
-def _environment(ros2: Ros2, folder: Path, number: int, home: Path) -> Mapping[str, str]:
-    """Of processes of a domain, which keep their files in a folder and stay on this machine."""
+def _variables(ros2: Ros2, folder: Path) -> Mapping[str, str]:
     subset = [folder / "subset/install"] if ros2.rclcpp else []
-    return {
-        **ros2.variables(folder / "install", *subset),
-        "ROS_DOMAIN_ID": str(number),
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        "ROS_HOME": str(home),
-        "ROS_LOG_DIR": str(home / "log"),
-        marks.FOLDER: str(home / marks.NAME),
-    }
+    return ros2.variables(folder / "install", *subset)
 
 
 ROS2_CPP = Runner(CPP, "ROS 2, C++", _missing, partial(_build, language=CPP), partial(_play, language=CPP))
