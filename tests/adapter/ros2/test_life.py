@@ -72,3 +72,30 @@ def test_what_is_kept_is_written_when_a_process_is_told_to_end(language, tmp_pat
         with running(language, tmp_path, NODE) as peer:
             peer.bring(NODE, CONFIGURE, ACTIVATE)
         assert cycles(tmp_path) == number
+
+
+@pytest.mark.parametrize(
+    "text", ["", "sigcat 2\n", "sigcat 1", "sigcat 1\nignition_cycle: 70", "sigcat 1\nignition_cycle: 1e2\n"]
+)
+def test_a_file_that_is_not_whole_is_left_aside(language, text, tmp_path):
+    """One that ends within its last number too: the rest of it may be missing."""
+    file = tmp_path / f"eco_control/{NODE}.txt"
+    file.parent.mkdir()
+    file.write_text(text)
+    with running(language, tmp_path, NODE) as peer:
+        peer.bring(NODE, CONFIGURE, CLEANUP)
+    assert file.with_name(f"{file.name}.broken").read_text() == text
+    assert cycles(tmp_path) == 1
+
+
+def test_a_disk_that_is_full_leaves_what_was_stored_and_is_told(language, tmp_path):
+    file = tmp_path / f"eco_control/{NODE}.txt"
+    file.parent.mkdir()
+    file.write_text("sigcat 1\nignition_cycle: 7\n")
+    new = file.with_name(f"{file.name}.new")
+    new.symlink_to("/dev/full")
+    with running(language, tmp_path, NODE) as peer:
+        peer.bring(NODE, CONFIGURE, CLEANUP)
+    assert file.read_text() == "sigcat 1\nignition_cycle: 7\n"
+    assert not new.is_symlink()
+    assert "No space left on device" in (tmp_path / "nodes.txt").read_text()

@@ -89,6 +89,16 @@ def test_a_node_that_is_ended_while_it_is_active_terminates_its_function(ask, ru
     assert kept(tmp_path)[1] == "ignition_cycle: 1"
 
 
+def test_whoever_interrupts_a_node_again_does_not_keep_it_from_terminating_its_function(ask, running, tmp_path):
+    assert ask("change", "core_acc", "configure")
+    assert ask("change", "core_acc", "activate")
+    while running.is_alive():
+        running.process.send_signal(signal.SIGINT)
+        time.sleep(0.001)
+    assert kept(tmp_path)[1] == "ignition_cycle: 1"
+    assert "Traceback" not in running.said.read_text()
+
+
 def test_shutting_an_active_node_down_terminates_its_function(ask, running, tmp_path):
     assert ask("change", "core_acc", "configure")
     assert ask("change", "core_acc", "activate")

@@ -8,6 +8,7 @@ calls; whatever ends it, terminates the function once. Subscriptions only hand v
 from contextlib import suppress
 import os
 from pathlib import Path
+from signal import SIGINT, signal
 import sys
 from threading import Lock, Thread
 from time import monotonic_ns
@@ -445,6 +446,9 @@ class FunctionNode(LifecycleNode):
 
 def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> None:
     """Run a node until it is interrupted."""
+    # An interrupt ends the context, as SIGTERM does. Raised as an exception as well, it would
+    # come anywhere: in the middle of an executor of events it aborts the process.
+    signal(SIGINT, lambda number, frame: None)
     try:
         rclpy.init(args=args)
         node = make()
@@ -454,7 +458,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
         sys.exit(1)
     try:
         spin_node(node, offers_methods=node.offers_methods)
-    except (KeyboardInterrupt, ExternalShutdownException):
+    except ExternalShutdownException:
         pass
     except Exception:
         if node.context.ok():  # otherwise it is the end of the context, which is noticed anywhere

@@ -6,6 +6,7 @@ It is written whole or not at all: beside the file first, and then in its place.
 
 import os
 from pathlib import Path
+from reprlib import repr as shortened
 from struct import pack
 from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
 
@@ -71,7 +72,7 @@ def _lines(text: str) -> Iterator[Tuple[str, str]]:
     for row in rows[:-1]:
         key, sign, value = row.partition(': ')
         if not sign or not key or key in seen:
-            raise BrokenFile(f'{row!r} is no line of it')
+            raise BrokenFile(f'{shortened(row)} is no line of it')
         seen.add(key)
         yield key, value
 
@@ -125,11 +126,11 @@ def _number(text: str, datatype: str) -> Any:
             return float(text)
         number = int(text)
     except (KeyError, ValueError):
-        raise BrokenFile(f'{text!r} is no {datatype}') from None
+        raise BrokenFile(f'{shortened(text)} is no {datatype}') from None
     bits = int(datatype.strip('uint_t'))
     low, high = (0, 2 ** bits) if datatype[0] == 'u' else (-2 ** (bits - 1), 2 ** (bits - 1))
     if not low <= number < high:
-        raise BrokenFile(f'{text} is no {datatype}')
+        raise BrokenFile(f'{shortened(text)} is no {datatype}')
     return number
 
 
@@ -137,10 +138,14 @@ def write(path: Path, core: Core) -> None:
     """Write what the core keeps. Raises OSError if that is not possible."""
     path.parent.mkdir(parents=True, exist_ok=True)
     new = path.with_name(f'{path.name}.new')
-    with new.open('wb') as file:
-        file.write(_text(core).encode())
-        file.flush()
-        os.fsync(file.fileno())
+    try:
+        with new.open('wb') as file:
+            file.write(_text(core).encode())
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError:
+        new.unlink(missing_ok=True)
+        raise
     new.replace(path)
     folder = os.open(path.parent, os.O_RDONLY)
     try:

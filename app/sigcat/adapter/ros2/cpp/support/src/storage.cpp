@@ -31,10 +31,10 @@ std::string shortest(NumberT value)
   return std::string(text, end.ptr);
 }
 
-template<typename IntegerT>
-bool read_integer(const std::string & text, IntegerT & value)
+template<typename NumberT>
+bool read_number(const std::string & text, NumberT & value)
 {
-  IntegerT found = 0;
+  NumberT found{};
   const char * const last = text.data() + text.size();
   const auto end = std::from_chars(text.data(), last, found);
   const bool is_whole = end.ec == std::errc() && end.ptr == last;
@@ -42,33 +42,30 @@ bool read_integer(const std::string & text, IntegerT & value)
   return is_whole;
 }
 
-template<typename FloatT>
-bool read_float(const std::string & text, FloatT (* parsed)(const char *, char **), FloatT & value)
-{
-  char * end = nullptr;
-  const FloatT found = parsed(text.c_str(), &end);
-  const bool is_whole = !text.empty() && *end == '\0';
-  value = is_whole ? found : value;
-  return is_whole;
-}
-
-/// Writes a file so that it stays, whatever happens next.
-bool write_file(const std::filesystem::path & path, const std::string & text)
+/// Writes a file so that it stays, whatever happens next. 0, or the error that it cannot.
+int write_file(const std::filesystem::path & path, const std::string & text)
 {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) {
-    return false;
+    return errno;
   }
+  int error = 0;
   std::size_t written = 0;
-  while (written < text.size()) {
+  while (error == 0 && written < text.size()) {
     const ssize_t count = write(file, text.data() + written, text.size() - written);
-    if (count < 0 && errno != EINTR) {
-      break;
+    if (count >= 0) {
+      written += static_cast<std::size_t>(count);
+    } else if (errno != EINTR) {
+      error = errno;
     }
-    written += count > 0 ? static_cast<std::size_t>(count) : 0U;
   }
-  const bool is_synced = fsync(file) == 0;
-  return close(file) == 0 && is_synced && written == text.size();
+  if (error == 0 && fsync(file) != 0) {
+    error = errno;
+  }
+  if (close(file) != 0 && error == 0) {
+    error = errno;
+  }
+  return error;
 }
 
 void sync_folder(const std::filesystem::path & path)
@@ -109,24 +106,16 @@ bool read_text(const std::string & text, bool & value)
   return text == "true" || text == "false";
 }
 
-bool read_text(const std::string & text, float & value)
-{
-  return read_float<float>(text, std::strtof, value);
-}
-
-bool read_text(const std::string & text, double & value)
-{
-  return read_float<double>(text, std::strtod, value);
-}
-
-bool read_text(const std::string & text, int8_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, int16_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, int32_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, int64_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, uint8_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, uint16_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, uint32_t & value) {return read_integer(text, value);}
-bool read_text(const std::string & text, uint64_t & value) {return read_integer(text, value);}
+bool read_text(const std::string & text, float & value) {return read_number(text, value);}
+bool read_text(const std::string & text, double & value) {return read_number(text, value);}
+bool read_text(const std::string & text, int8_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, int16_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, int32_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, int64_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, uint8_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, uint16_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, uint32_t & value) {return read_number(text, value);}
+bool read_text(const std::string & text, uint64_t & value) {return read_number(text, value);}
 
 Storage::Storage(std::filesystem::path file, rclcpp::Logger logger)
 : file_(std::move(file)), logger_(std::move(logger))
@@ -147,9 +136,9 @@ void Storage::load()
     }
     return;
   }
-  is_good_ = static_cast<bool>(std::getline(input, line)) && line == kFirstLine;
+  is_good_ = std::getline(input, line) && !input.eof() && line == kFirstLine;
   while (is_good_ && std::getline(input, line)) {
-    is_good_ = parse(line);
+    is_good_ = !input.eof() && parse(line);  // each line has an end
   }
 }
 
@@ -185,8 +174,10 @@ void Storage::save()
   next += ".new";
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
-  if (!write_file(next, text)) {
-    RCLCPP_ERROR(logger_, "%s cannot be written: %s", next.c_str(), std::strerror(errno));
+  const int problem = write_file(next, text);
+  if (problem != 0) {
+    RCLCPP_ERROR(logger_, "%s cannot be written: %s", next.c_str(), std::strerror(problem));
+    std::filesystem::remove(next, error);
     return;
   }
   std::filesystem::rename(next, file_, error);
