@@ -26,27 +26,32 @@
 
 CoreAcc_Adapter CoreAcc_Adapter_Instance;
 
-/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+/*
+ * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
+ * its name the message: some libraries have an assertion of their own there, which says nothing.
+ */
 #if defined(__cplusplus)
-#define CORE_ACC_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define CORE_ACC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
 #define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
 #else
-#if defined(__GNUC__)
-#define CORE_ACC_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define CORE_ACC_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
 #elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define CORE_ACC_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#define CORE_ACC_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
 #else
-#define CORE_ACC_ADAPTER_CHECK(holds, message) extern char CoreAcc_Adapter_Checked[(holds) ? 1 : -1]
+#define CORE_ACC_ADAPTER_NAMED(name, line) CoreAcc_Adapter_##name##_in_line_##line
+#define CORE_ACC_ADAPTER_IN_LINE(name, line) CORE_ACC_ADAPTER_NAMED(name, line)
+#define CORE_ACC_ADAPTER_CHECK(holds, name, message) typedef char CORE_ACC_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
 #endif
 #define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
 
 #define CORE_ACC_ADAPTER_HOLDS(variable, type) \
     CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define CORE_ACC_ADAPTER_FITS(variable, type) \
     CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_wider_than_declared, #variable " must be " #type)
 
 /* Variables of CoreAcc are as large as declared: a build fails where one is not. */
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);

@@ -24,17 +24,22 @@
 #error "EcoControlMpc: -ffast-math changes results"
 #endif
 
-/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+/*
+ * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
+ * its name the message: some libraries have an assertion of their own there, which says nothing.
+ */
 #if defined(__cplusplus)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
 #define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
 #else
-#if defined(__GNUC__)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
 #elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
 #else
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, message) extern char EcoControlMpc_Adapter_Checked[(holds) ? 1 : -1]
+#define ECO_CONTROL_MPC_ADAPTER_NAMED(name, line) EcoControlMpc_Adapter_##name##_in_line_##line
+#define ECO_CONTROL_MPC_ADAPTER_IN_LINE(name, line) ECO_CONTROL_MPC_ADAPTER_NAMED(name, line)
+#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) typedef char ECO_CONTROL_MPC_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
 #endif
 #define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
@@ -42,13 +47,13 @@
 #define ECO_CONTROL_MPC_ADAPTER_SELF ((EcoControlMpc_Adapter *)0)
 #define ECO_CONTROL_MPC_ADAPTER_HOLDS(variable, type) \
     ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define ECO_CONTROL_MPC_ADAPTER_FITS(variable, type) \
     ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_wider_than_declared, #variable " must be " #type)
 #define ECO_CONTROL_MPC_ADAPTER_HAS(variable, count) \
     ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((size_t)(count) * sizeof((variable)[0])), \
-        #variable " must have " #count " elements")
+        variable_must_have_as_many_elements_as_declared, #variable " must have " #count " elements")
 
 /* Variables of EcoControlMpc are as large as declared: a build fails where one is not. */
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EgoSpd, float);

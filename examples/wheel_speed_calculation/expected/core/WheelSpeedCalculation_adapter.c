@@ -26,27 +26,32 @@
 
 WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
 
-/* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+/*
+ * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
+ * its name the message: some libraries have an assertion of their own there, which says nothing.
+ */
 #if defined(__cplusplus)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) static_assert(holds, message)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
 #define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
 #else
-#if defined(__GNUC__)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) __extension__ _Static_assert(holds, message)
+#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
 #elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) _Static_assert(holds, message)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
 #else
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, message) extern char WheelSpeedCalculation_Adapter_Checked[(holds) ? 1 : -1]
+#define WHEEL_SPEED_CALCULATION_ADAPTER_NAMED(name, line) WheelSpeedCalculation_Adapter_##name##_in_line_##line
+#define WHEEL_SPEED_CALCULATION_ADAPTER_IN_LINE(name, line) WHEEL_SPEED_CALCULATION_ADAPTER_NAMED(name, line)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) typedef char WHEEL_SPEED_CALCULATION_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
 #endif
 #define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
 
 #define WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(variable, type) \
     WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define WHEEL_SPEED_CALCULATION_ADAPTER_FITS(variable, type) \
     WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
-        #variable " must be " #type)
+        variable_must_not_be_wider_than_declared, #variable " must be " #type)
 
 /* Variables of WheelSpeedCalculation are as large as declared: a build fails where one is not. */
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFL, float);

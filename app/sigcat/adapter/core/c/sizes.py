@@ -22,23 +22,29 @@ def sizes(scope: Scope) -> list[Lines]:
 
 def _assertion(scope: Scope) -> Lines:
     check, size = scope.constant("CHECK"), scope.constant("SIZE_OF")
+    named, in_line = scope.constant("NAMED"), scope.constant("IN_LINE")
     if scope.is_cpp:
         return lines(f"""
-            #define {check}(holds, message) static_assert(holds, message)
+            #define {check}(holds, name, message) static_assert(holds, message)
             #define {size}(variable) sizeof(decltype(variable))
         """)
     return lines(f"""
-        /* The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error. */
+        /*
+         * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
+         * its name the message: some libraries have an assertion of their own there, which says nothing.
+         */
         #if defined(__cplusplus)
-        #define {check}(holds, message) static_assert(holds, message)
+        #define {check}(holds, name, message) static_assert(holds, message)
         #define {size}(variable) sizeof(decltype(variable))
         #else
-        #if defined(__GNUC__)
-        #define {check}(holds, message) __extension__ _Static_assert(holds, message)
+        #if defined(__GNUC__) && !defined(__STRICT_ANSI__)
+        #define {check}(holds, name, message) __extension__ _Static_assert(holds, message)
         #elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-        #define {check}(holds, message) _Static_assert(holds, message)
+        #define {check}(holds, name, message) _Static_assert(holds, message)
         #else
-        #define {check}(holds, message) extern char {scope.prefix}_Checked[(holds) ? 1 : -1]
+        #define {named}(name, line) {scope.prefix}_##name##_in_line_##line
+        #define {in_line}(name, line) {named}(name, line)
+        #define {check}(holds, name, message) typedef char {in_line}(name, __LINE__)[(holds) ? 1 : -1]
         #endif
         #define {size}(variable) sizeof(((void)0, variable))
         #endif
@@ -46,12 +52,12 @@ def _assertion(scope: Scope) -> Lines:
 
 
 _MACROS = {
-    "HOLDS": ("variable, type", "{size}(variable) >= sizeof(type)", '#variable " must be " #type'),
-    "FITS": ("variable, type", "{size}(variable) <= sizeof(type)", '#variable " must be " #type'),
-    "HAS": ("variable, count", "sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))", '#variable " must have " #count " elements"'),
-    "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))", '#variable " must have at least " #count " elements"'),
+    "HOLDS": ("variable, type", "{size}(variable) >= sizeof(type)", "variable_must_not_be_narrower_than_declared", '#variable " must be " #type'),
+    "FITS": ("variable, type", "{size}(variable) <= sizeof(type)", "variable_must_not_be_wider_than_declared", '#variable " must be " #type'),
+    "HAS": ("variable, count", "sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_as_many_elements_as_declared", '#variable " must have " #count " elements"'),
+    "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_at_least_as_many_elements_as_declared", '#variable " must have at least " #count " elements"'),
 }  # fmt: skip
-"""Arguments, condition and message of each check."""
+"""Arguments, condition, name and message of each check."""
 
 
 def _macros(scope: Scope, text: str) -> Lines:
@@ -59,11 +65,11 @@ def _macros(scope: Scope, text: str) -> Lines:
     check, size = scope.constant("CHECK"), scope.constant("SIZE_OF")
     nobody = "static_cast<{0} *>(nullptr)" if scope.is_cpp else "(({0} *)0)"
     rows = [f"#define {scope.constant('SELF')} {nobody.format(scope.prefix)}"] if "SELF" in text else []
-    for name, (arguments, holds, message) in _MACROS.items():
+    for name, (arguments, holds, declared, message) in _MACROS.items():
         macro = scope.constant(name)
         if f"{macro}(" in text:
             rows.append(
-                f"#define {macro}({arguments}) \\\n    {check}({holds.format(size=size)}, \\\n        {message})"
+                f"#define {macro}({arguments}) \\\n    {check}({holds.format(size=size)}, \\\n        {declared}, {message})"
             )
     return lines("\n".join(rows))
 
