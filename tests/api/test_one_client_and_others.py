@@ -146,7 +146,18 @@ def test_a_head_of_an_export_runs_none(sound: Ask, fresh: Ask, monkeypatch: pyte
     assert (answer.status_code, answer.content) == (200, b"")
     assert answer.headers["content-type"].startswith("text/csv")
     assert answer.headers["etag"]
+    assert "content-length" not in answer.headers, "it would be that of the export"
     assert fresh("/api/v1/catalogues/broken/export/csv", "HEAD").status_code == 422
+
+
+@pytest.mark.parametrize("asked", ["nodes/Vehicle.Speed", "units", "tree", "export/csv", "export/json"])
+def test_what_a_head_is_answered_with_is_given_to_nobody_who_wants_the_body(
+    sound: Ask, fresh: Ask, monkeypatch: pytest.MonkeyPatch, asked: str
+) -> None:
+    ask = sound if asked.startswith("export") else fresh
+    address = f"/api/v1/catalogues/{'sound' if ask is sound else 'small'}/{asked}"
+    assert ask(address, "HEAD").content == b""
+    assert ask(address).content
 
 
 _SERVE = """

@@ -111,6 +111,8 @@ class _CachingSend:
         size = len(body.get("body", b"")) + 1000
         if hosted is None or body.get("more_body") or size > _LARGEST or "caching" not in state:
             return
+        if state.get("is_head"):  # it may have been made without its body
+            return
         version = state["caching"]["ETag"].removeprefix('W/"').rstrip('"')
         route = getattr(self._scope.get("route"), "path", "")
         self._answers.add(self._key, CachedAnswer(hosted, version, route, start, dict(body), size))

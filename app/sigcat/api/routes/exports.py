@@ -92,7 +92,7 @@ async def _export(
     """The files of an export. JSON is sent while it is written."""
     if request.state.is_head:
         refuse_unfit(catalogue, exporter)
-        return Response(media_type=exporter.media_type, headers=caching_headers(request))
+        return _head(request, exporter.media_type)
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
         refuse_unfit(catalogue, exporter)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
@@ -101,6 +101,13 @@ async def _export(
     export = await queue.run_once(key, _exported, catalogue, exporter.name, options, *bounds)
     count = {"Sigcat-Warnings": str(export.warnings)}
     return _sent(request, _blocks(export.data), export.name, export.media_type, count)
+
+
+def _head(request: Request, media_type: str) -> Response:
+    """What HEAD is answered with. Its length is that of the export, which is not known (RFC 9110, 8.6)."""
+    head = Response(media_type=media_type, headers=caching_headers(request))
+    del head.headers["content-length"]
+    return head
 
 
 class _OneFile(NamedTuple):
