@@ -171,6 +171,11 @@ class SwcPlan:
         """Of the component type."""
         return self.component.name
 
+    @property
+    def requests(self) -> tuple[MethodEnd, ...]:
+        """Methods of others that the function uses."""
+        return tuple(each for each in self.methods if not each.method.is_offered)
+
     def runnable(self, role: str, of: str | None = None) -> Runnable | None:
         """The runnable of a role, of a call or a method."""
         return next(

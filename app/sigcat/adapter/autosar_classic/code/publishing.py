@@ -9,7 +9,7 @@ from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 def functions(swc: SwcPlan) -> list[Lines]:
     """One for what the core may say at any time, one for the outputs of each call, for each request and each verdict."""
     return [
-        *(_request(each, swc) for each in swc.methods if not each.method.is_offered),
+        *(_request(each, swc) for each in swc.requests),
         *(_send(step.name, swc) for step in swc.core.steps if _outputs(step.name, swc)),
         *(_tell(each, swc) for each in swc.told),
         _publish(swc),
@@ -78,7 +78,7 @@ def requests(call: str, swc: SwcPlan) -> list[Lines]:
 
 
 def _used(call: str, swc: SwcPlan) -> list[MethodEnd]:
-    return [each for each in swc.methods if not each.method.is_offered and each.method.call == call]
+    return [each for each in swc.requests if each.method.call == call]
 
 
 def _publish(swc: SwcPlan) -> Lines:

@@ -15,7 +15,7 @@ def functions(swc: SwcPlan) -> list[Lines]:
         *(_take(end, swc) for end in swc.received if (end.key, False) in used),
         *(_take_copy(end, each, swc) for each in swc.component.runnables for end in swc.ends(each, "ImplicitRead")),
         *([_take_mode(swc.mode_in, swc)] if swc.mode_in and has_mode(swc) else []),
-        *(_take_answer(each, swc) for each in swc.methods if not each.method.is_offered),
+        *(_take_answer(each, swc) for each in swc.requests),
         *([_find_due(swc)] if swc.core.steps else []),
     ]
 

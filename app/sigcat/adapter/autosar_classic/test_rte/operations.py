@@ -16,28 +16,22 @@ _SERVICES = {
 }  # fmt: skip
 
 
-def used(swc: SwcPlan) -> list[MethodEnd]:
-    """Methods of others that a component calls."""
-    return [each for each in swc.methods if not each.method.is_offered]
-
-
 def answer_type(end: MethodEnd, swc: SwcPlan) -> str:
     return own("Answer", end.name, swc)
 
 
-def answers(swc: SwcPlan, rte: TestRte) -> list[Lines]:
+def answers(swc: SwcPlan) -> list[Lines]:
     """What is answered from now on, and whether an answer waits to be taken."""
-    del rte
     return [
         lines(f"static struct {{ {answer_type(each, swc)} value; boolean is_there; boolean is_ready; Std_ReturnType status; }} "
-              f"{_place(each, swc)};") for each in used(swc)
+              f"{_place(each, swc)};") for each in swc.requests
     ]  # fmt: skip
 
 
 def answer_types(swc: SwcPlan) -> list[Lines]:
     """Results of a method as one value; of a method without results whether it is done."""
     found = []
-    for end in used(swc):
+    for end in swc.requests:
         members = [Line(f"    {each.type.name} {each.place};") for each in end.results] or [Line("    boolean is_ok;")]
         found.append((Line("typedef struct {"), *members, Line(f"}} {answer_type(end, swc)};")))
     return found
@@ -51,16 +45,15 @@ def deliver_answer(end: MethodEnd, swc: SwcPlan) -> str:
     return own("DeliverAnswer", end.name, swc)
 
 
-def deliveries(swc: SwcPlan, rte: TestRte) -> list[Lines]:
+def deliveries(swc: SwcPlan) -> list[Lines]:
     """What a trace says is answered from then on."""
-    del rte
     return [
         function(f"void {deliver_answer(each, swc)}(const void *value)", [lines(
             f"(void)memcpy(&{_place(each, swc)}.value, value, sizeof({_place(each, swc)}.value));\n"
             f"{_place(each, swc)}.is_there = TRUE;\n"
             f"{_place(each, swc)}.status = {_status(each, swc)};"
         )])
-        for each in used(swc)
+        for each in swc.requests
     ]  # fmt: skip
 
 
@@ -70,7 +63,7 @@ def _status(end: MethodEnd, swc: SwcPlan) -> str:
 
 def body(call: Call, swc: SwcPlan, rte: TestRte) -> list[Lines]:
     """What a call does."""
-    for end in used(swc):
+    for end in swc.requests:
         if (end.port, end.operation) == (call.port, call.element):
             return _result(end, call, swc) if call.kind == "Result" else _request(end, call, swc, rte)
     return _service(call, swc)

@@ -30,9 +30,7 @@ def data_header(rte: TestRte) -> Lines:
         types += operations.answer_types(swc)
         prototypes += [f"void {deliver(end, swc)}(const void *value);" for end in swc.received]
         prototypes += [f"void {switch_to(port, swc)}(const void *value);" for port in required_modes(swc)]
-        prototypes += [
-            f"void {operations.deliver_answer(end, swc)}(const void *value);" for end in operations.used(swc)
-        ]
+        prototypes += [f"void {operations.deliver_answer(end, swc)}(const void *value);" for end in swc.requests]
         prototypes += [f"void {run(each, swc)}(void);" for each in swc.component.runnables if each.role != "Method"]
         prototypes += [f"extern const TestRte_Shape TestRte_Shape_{each.name};" for each in _shapes(swc, rte)]
         prototypes += [
@@ -60,7 +58,7 @@ def _shapes(swc: SwcPlan, rte: TestRte) -> Iterator[Shape]:
     if swc.mode_out:
         port = next(each for each in swc.component.ports if each.name == swc.mode_out.port)
         yield Shape(f"{swc.name}_{swc.mode_out.name}", *_mode_type(port, rte))
-    for method in operations.used(swc):
+    for method in swc.requests:
         members = tuple((each.place, each.type) for each in method.results)
         type_ = (
             RteType(operations.answer_type(method, swc), members=members) if members else RteType("boolean", "boolean")
@@ -111,7 +109,7 @@ def _inputs(rte: TestRte) -> Iterator[_Input]:
         for port in required_modes(swc):
             if rte.provider(swc, port.name) is None and port.service != _ECU and swc.mode_in:
                 yield _Input(swc.mode_in.columns, shape_name(f"{port.name}_mode", swc), switch_to(port, swc))
-        for method in operations.used(swc):
+        for method in swc.requests:
             if rte.provider(swc, method.port) is None:
                 name = shape_name(f"{method.name}_answer", swc)
                 yield _Input(method.columns, name, operations.deliver_answer(method, swc))

@@ -122,7 +122,7 @@ def _write_all(scope: Scope) -> Lines:
         modes.written(scope),
         *(errors.status_written(error, scope) for error in plan.errors),
         *(errors.reaction_written(reaction, scope) for reaction in plan.reactions),
-        *(methods.status_written(method, scope) for method in plan.methods if not method.is_offered),
+        *(methods.status_written(method, scope) for method in plan.requests),
         *requests,
     ]
     head = f"static void {scope.prefix}_WriteInitialValues({scope.self_argument})"

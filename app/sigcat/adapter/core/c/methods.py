@@ -21,16 +21,6 @@ STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
 """What became of a request, as its status variable has it."""
 
 
-def offered(scope: Scope) -> list[Method]:
-    """Methods that others call."""
-    return [method for method in scope.plan.methods if method.is_offered]
-
-
-def used(scope: Scope) -> list[Method]:
-    """Methods that the function calls."""
-    return [method for method in scope.plan.methods if not method.is_offered]
-
-
 def arguments_type(method: Method, scope: Scope) -> str:
     """Struct of the arguments."""
     return f"{scope.prefix}_{method.named.name}_Arguments"
@@ -158,7 +148,7 @@ def _answer(method: Method, scope: Scope) -> Lines:
 
 
 def _of_call(call: Call, scope: Scope) -> list[Method]:
-    return [method for method in used(scope) if method.call == call.name]
+    return [method for method in scope.plan.requests if method.call == call.name]
 
 
 def takes_arrays(call: Call, scope: Scope) -> bool:

@@ -1,7 +1,7 @@
 """What runs the calls of a node: when they are due, under supervision; in lock-step, when it is told the time."""
 
 from sigcat.adapter.core.plan import Call
-from sigcat.adapter.ros2.cpp.layout import comment, function, indented, scope, text
+from sigcat.adapter.ros2.cpp.layout import comment, function, scope, text
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, run_name, scope_of, times_name
 from sigcat.adapter.ros2.cpp.node_header import has_deadline
 from sigcat.adapter.ros2.plan import NodePlan
@@ -122,21 +122,19 @@ def _supervise(node: NodePlan) -> str:
 
 
 def _step(node: NodePlan) -> str:
-    running = [
-        'response.success = false;\nresponse.message = "the node is not active";',
-    ]
-    body = f"""response.success = topics_.wait_for_received(request.received, std::chrono::seconds(10));
+    body = """response.success = topics_.wait_for_received(request.received, std::chrono::seconds(10));
 const std::lock_guard<std::mutex> call(call_mutex_);
-if (!response.success) {{
+if (!response.success) {
   response.message = "not as many messages have come; the node needs threads to receive meanwhile";
-}} else if (!is_running_) {{
-{indented(running[0])}
-}} else if (!request.only_wait) {{
-  while (run_due_call()) {{
-  }}
+} else if (!is_running_) {
+  response.success = false;
+  response.message = "the node is not active";
+} else if (!request.only_wait) {
+  while (run_due_call()) {
+  }
   supervise();
   step_clock_->set(request.time);
-}}
+}
 response.received = topics_.received();
 response.sent = topics_.sent();"""
     return function(f"void {node.type}::step(\n  const srv::Step::Request & request, srv::Step::Response & response)", [body],
