@@ -7,6 +7,8 @@ import subprocess
 
 import pytest
 
+from sigcat.adapter.autosar_classic.code.plan import RteType
+from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
 from sigcat.adapter.toolchain import toolchain
 from sigcat.comparison.running.runner import Drive, Kill
 from sigcat.comparison.running.simulation import SIMULATION
@@ -430,3 +432,10 @@ def _without_brake(line):
     if time != "time" and 20 <= float(time) < 22:
         cells[2] = ""
     return ",".join([time, *cells])
+
+
+def test_one_number_of_a_document_is_that_of_every_element_and_member():
+    number = RteType("uint8", "uint8")
+    pair = RteType("Pair", members=(("A", number), ("B", number)))
+    assert initializer(7, RteType("Pairs", element=pair, length=2)) == "{{7U, 7U}, {7U, 7U}}"
+    assert initializer([{"A": 1, "B": 2}], RteType("Pairs", element=pair, length=1)) == "{{1U, 2U}}"

@@ -88,13 +88,13 @@ def _shape(shape: Shape) -> Lines:
 
 
 def initializer(value: object, type_: RteType) -> str:
-    """A constant of C for a value of the document; of an array that one number stands for, all of its elements."""
+    """A constant of C for a value of the document; one number stands for every element and every member."""
     if type_.element is not None:
         items = value if isinstance(value, list | tuple) else [value] * type_.length
         return "{" + ", ".join(initializer(each, type_.element) for each in items) + "}"
     if type_.members:
-        given = value if isinstance(value, Mapping) else {}
-        return "{" + ", ".join(initializer(given.get(name, 0), inner) for name, inner in type_.members) + "}"
+        given = value if isinstance(value, Mapping) else dict.fromkeys((name for name, _ in type_.members), value)
+        return "{" + ", ".join(initializer(given[name], inner) for name, inner in type_.members) + "}"
     return _literal(value, type_.base)
 
 
