@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 from unittest.mock import MagicMock, patch
@@ -20,6 +21,9 @@ AMENT_FLAKE8 = (
     "--import-order-style=google", "--max-line-length=99",
 )  # fmt: skip
 """The settings of ament_flake8."""
+
+
+CASES = Path(__file__).parents[2] / "runs/cases"
 
 
 def launch_file(made):
@@ -203,6 +207,21 @@ def test_the_picture_has_the_nodes_and_who_feeds_them():
     ]  # fmt: skip
     assert '  outside1 -- "vehicle/chassis/brake/cyl_p" --> core_acc_node' in picture
     assert any(line.startswith('  eco_control_mpc_node -- "eco_control_mpc/cycle500_ms<br>') for line in picture)
+
+
+def arrows(page):
+    return [line for line in page.partition("```mermaid\n")[2].partition("```")[0].splitlines() if ".->" in line]
+
+
+def test_the_picture_has_who_asks_and_who_answers():
+    calls = CASES / "methods_of_another_function"
+    pair = files(integration(*sorted(calls.glob("*.yaml"))))["README.md"]
+    assert arrows(pair) == ['  client_node -. "fetch_limit<br>reset" .-> server_node']
+    asks, answers = arrows(full()["README.md"])
+    outside = asks.rpartition(" ")[2]
+    assert asks == f'  full_node -. "ask" .-> {outside}'
+    assert answers == f'  {outside} -. "do" .-> full_node'
+    assert f'  {outside}["outside of the set"]' in full()["README.md"]
 
 
 def test_the_table_of_topics_has_types_ends_quality_and_units():

@@ -9,13 +9,14 @@ OUTSIDE = "outside of the set"
 
 
 def picture(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
-    """The picture: nodes, who is outside, and the topics between them. `providers` are those who are outside, by topic."""
+    """The picture: nodes, who is outside, and topics and services between them. `providers` are who is outside, by topic."""
     outside = {name: f"outside{number}" for number, name in enumerate(_outsiders(workspace, providers), 1)}
     lines = [
         "flowchart LR",
         *(f'  {node.stem}(["{node.name}"])' for node in workspace.nodes),
         *(f'  {key}["{_label(name)}"]' for name, key in outside.items()),
         *_arrows(workspace, providers, outside),
+        *(_request(asks, services, answers, outside) for (asks, answers), services in _services(workspace).items()),
     ]
     return "\n".join(lines) + "\n"
 
@@ -25,7 +26,8 @@ def _outsiders(workspace: WorkspacePlan, providers: Mapping[str, str]) -> tuple[
     known, heard = publishers_of(workspace), subscribers_of(workspace)
     sources = [providers.get(topic, OUTSIDE) for topic in heard if topic not in known]
     is_told = any(end.topic not in heard for node in workspace.nodes for end in node.publishers if not end.is_status)
-    return tuple(dict.fromkeys([*sources, *([OUTSIDE] if is_told else [])]))
+    is_asked = any(None in ends for ends in _services(workspace))
+    return tuple(dict.fromkeys([*sources, *([OUTSIDE] if is_told or is_asked else [])]))
 
 
 def _arrows(workspace: WorkspacePlan, providers: Mapping[str, str], outside: Mapping[str, str]) -> Iterator[str]:
@@ -53,3 +55,22 @@ def _arrow(source: str, topics: list[str] | tuple[str, ...], target: str) -> str
 def _label(text: str) -> str:
     words = " ".join("".join(each if each.isprintable() else " " for each in text).split())
     return "".join(each if each.isalnum() or each in " .,;:_-/" else f"#{ord(each)};" for each in words)
+
+
+def _services(workspace: WorkspacePlan) -> Mapping[tuple[str | None, str | None], list[str]]:
+    """Services between who asks and who answers; None is who is outside."""
+    asking = [(node.stem, each.topic) for node in workspace.nodes for each in node.used]
+    answering = [(node.stem, each.topic) for node in workspace.nodes for each in node.offered]
+    found: dict[tuple[str | None, str | None], list[str]] = {}
+    for stem, topic in asking:
+        targets: list[str | None] = [other for other, offered in answering if offered == topic]
+        for target in targets or [None]:
+            found.setdefault((stem, target), []).append(topic)
+    for stem, topic in answering:
+        if topic not in {used for _, used in asking}:
+            found.setdefault((None, stem), []).append(topic)
+    return found
+
+
+def _request(asks: str | None, services: list[str], answers: str | None, outside: Mapping[str, str]) -> str:
+    return f'  {asks or outside[OUTSIDE]} -. "{"<br>".join(services)}" .-> {answers or outside[OUTSIDE]}'

@@ -201,7 +201,9 @@ Real-time policies (`scheduling_policy: fifo`) need the right to them, as `rtpri
 """
 
 
-_PICTURE = "Errors, safety reactions and modes that no node of the set hears are left out.\n"
+_PICTURE = """Dashed arrows are services, from who asks to who answers. Errors, safety reactions and modes that no node of the set hears
+are left out.
+"""
 _TOPICS = """Names are relative to the namespace of the nodes. Deadlines that are missed, publishers that are gone, offers that do not fit and
 messages that are lost are counted on `/diagnostics`; errors come from the cores alone.
 """
