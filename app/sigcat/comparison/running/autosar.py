@@ -2,31 +2,30 @@
 
 import os
 import shutil
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
-from sigcat.comparison.running import marks
+from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.end_to_end import read_end_to_end
-from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
 from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS
-from sigcat.players import cmake
-from sigcat.players.commands import write
 from sigcat.runs.connections import Connections
 
 NAME = "autosar-adaptive"
 _PORT = "40000"
 """At which the player waits for the components, in lock step."""
-_BENCH = ("bench/", "generated/", "player/")
-"""What stands for a vendor's platform."""
-_NOTE = "AUTOSAR adaptive: sigcat's bench runtime instead of a vendor's platform"
+_BENCH = bench.Bench(
+    NAME,
+    ("bench/", "generated/", "player/"),
+    "AUTOSAR adaptive: sigcat's bench runtime instead of a vendor's platform",
+    {"CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100},
+)
 
 
 def _missing(environment: Mapping[str, str]) -> str | None:
@@ -42,20 +41,7 @@ def _missing(environment: Mapping[str, str]) -> str | None:
 
 def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
     del tools  # CMake finds its own, by the same variables
-    made = generated(subject, NAME, bench=True)
-    write(made.files, folder)
-    (folder / "integration.json").write_bytes(made.integration)
-    begin = time.monotonic()
-    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
-    flags = f"-include {header}"
-    settings = {
-        **subject.code_settings,
-        "CMAKE_C_FLAGS": flags, "CMAKE_CXX_FLAGS": flags,
-        "CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100,
-    }  # fmt: skip
-    cmake.build(folder, folder / "build", settings)
-    own = tuple(folder / file.name for file in made.files if not file.name.startswith(_BENCH))
-    return Built(NAME, folder, own, made.seconds, time.monotonic() - begin, (_NOTE,))
+    return bench.build(_BENCH, subject, folder)
 
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:

@@ -2,24 +2,22 @@
 
 import os
 import shutil
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
-from sigcat.comparison.running import marks
-from sigcat.comparison.running.generated import generated
+from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
-from sigcat.players import cmake
-from sigcat.players.commands import write
 
 NAME = "autosar-classic"
-_BENCH = ("test_rte/", "contract/")
-"""What stands for a vendor's RTE."""
-_NOTE = "AUTOSAR Classic: sigcat's test RTE instead of a vendor's, on one core"
+_BENCH = bench.Bench(
+    NAME,
+    ("test_rte/", "contract/"),
+    "AUTOSAR Classic: sigcat's test RTE instead of a vendor's, on one core",
+)
 _WORDS = {"lock step": "lock", "free run": "free"}
 
 
@@ -32,18 +30,7 @@ def _missing(environment: Mapping[str, str]) -> str | None:
 
 def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
     del tools  # CMake finds its own, by the same variables
-    made = generated(subject, NAME, bench=True)
-    write(made.files, folder)
-    (folder / "integration.json").write_bytes(made.integration)
-    begin = time.monotonic()
-    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
-    settings = {
-        **subject.code_settings,
-        "CMAKE_C_FLAGS": f"-include {header}", "CMAKE_CXX_FLAGS": f"-include {header}",
-    }  # fmt: skip
-    cmake.build(folder, folder / "build", settings)
-    own = tuple(folder / file.name for file in made.files if not file.name.startswith(_BENCH))
-    return Built(NAME, folder, own, made.seconds, time.monotonic() - begin, (_NOTE,))
+    return bench.build(_BENCH, subject, folder)
 
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:

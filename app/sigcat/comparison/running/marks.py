@@ -120,6 +120,12 @@ def write_header(members: Iterable[Member], folder: Path) -> Path:
     return path
 
 
+def cmake_settings(members: Iterable[Member], folder: Path) -> Mapping[str, str]:
+    """With which a project of CMake is measured."""
+    included = f"-include {write_header(members, folder)}"
+    return {"CMAKE_C_FLAGS": included, "CMAKE_CXX_FLAGS": included}
+
+
 def _macros(member: Member) -> str:
     bits = [
         f"((self)->out.{each.named.name} == {each.active}U ? {1 << bit}U : 0U)"

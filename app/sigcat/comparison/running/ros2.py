@@ -48,16 +48,12 @@ def _build(subject: Subject, folder: Path, tools: Toolchain, *, language: str) -
     (folder / "integration.json").write_bytes(made.integration)
     begin = time.monotonic()
     subset = [_built_subset(ros2.rclcpp, folder / "subset", ros2)] if ros2.rclcpp else []
-    header = marks.write_header(subject.prepared.connections.members, folder / "marks")
+    measured = marks.cmake_settings(subject.prepared.connections.members, folder / "marks")
     prefix = folder / "install"
     for package in _packages(folder / "src"):
         if (package / "src").exists():
-            own = {
-                **subject.code_settings,
-                "CMAKE_C_FLAGS": f"-include {header}",
-                "CMAKE_CXX_FLAGS": f"-include {header}",
-            }
-            build_cmake(package, folder, prefix, ros2, *subset, settings={**own, "CMAKE_UNITY_BUILD": "ON"})
+            own = {**subject.code_settings, **measured, "CMAKE_UNITY_BUILD": "ON"}
+            build_cmake(package, folder, prefix, ros2, *subset, settings=own)
         elif (package / "CMakeLists.txt").exists():
             build_cmake(package, folder, prefix, ros2, *subset, settings={"CMAKE_PROJECT_INCLUDE": UNITED})
         elif language == PYTHON:

@@ -1,0 +1,37 @@
+"""A platform of AUTOSAR, with what stands for a vendor's part of it: one project of CMake."""
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.comparison.recording import Built
+from sigcat.comparison.running import marks
+from sigcat.comparison.running.generated import generated
+from sigcat.comparison.running.runner import Subject
+from sigcat.players import cmake
+from sigcat.players.commands import write
+
+
+class Bench(NamedTuple):
+    """What is built for a platform."""
+
+    platform: str
+    folders: tuple[str, ...]
+    """What stands for a vendor's part: nobody counts its lines."""
+    note: str
+    """What a reader has to know of it."""
+    settings: Mapping[str, object] = {}
+    """Of CMake, beside those of every platform."""
+
+
+def build(bench: Bench, subject: Subject, folder: Path) -> Built:
+    """Generate and compile. Raises InputRefused, or BuildFails with what the compiler says."""
+    made = generated(subject, bench.platform, bench=True)
+    write(made.files, folder)
+    (folder / "integration.json").write_bytes(made.integration)
+    begin = time.monotonic()
+    measured = marks.cmake_settings(subject.prepared.connections.members, folder / "marks")
+    cmake.build(folder, folder / "build", {**subject.code_settings, **measured, **bench.settings})
+    own = tuple(folder / file.name for file in made.files if not file.name.startswith(bench.folders))
+    return Built(bench.platform, folder, own, made.seconds, time.monotonic() - begin, (bench.note,))
