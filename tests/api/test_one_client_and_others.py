@@ -5,16 +5,20 @@ import contextlib
 import socket
 import subprocess
 import sys
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx
 import pytest
 
+from sigcat.api.answers import negotiation
 from sigcat.api.answers.negotiation import accepts_gzip, liked_types
 from sigcat.api.application import create_app
+from sigcat.api.routes import contract
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.web.site import create_site
@@ -158,6 +162,37 @@ def test_what_a_head_is_answered_with_is_given_to_nobody_who_wants_the_body(
     address = f"/api/v1/catalogues/{'sound' if ask is sound else 'small'}/{asked}"
     assert ask(address, "HEAD").content == b""
     assert ask(address).content
+
+
+LONG = [
+    *((f"/api/v1/{path}", form) for form in (YAML, CSV) for path in (
+        "rules", "catalogues", "catalogues/small/nodes?limit=9", "catalogues/small/search?q=v", "catalogues/small/units",
+        "catalogues/small/quantities",
+    )),
+    ("/api/v1/rules", JSON), ("/openapi.json", JSON),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("address", "form"), LONG)
+def test_what_takes_long_to_write_holds_up_nobody(
+    fresh: Ask, monkeypatch: pytest.MonkeyPatch, address: str, form: str
+) -> None:
+    """It is written in a thread: forty clients that asked for all rules as YAML had all others wait for seconds."""
+    written_by = []
+
+    def noting(write: Callable[..., object], *arguments: object) -> object:
+        written_by.append(threading.current_thread())
+        return write(*arguments)
+
+    for module, name in (
+        (negotiation, "yaml_text"),
+        (negotiation, "csv_text"),
+        (negotiation, "json_bytes"),
+        (contract, "json_bytes"),
+    ):
+        monkeypatch.setattr(module, name, partial(noting, getattr(module, name)))
+    assert fresh(address, headers={"Accept": form}).status_code == 200
+    assert [thread.name.startswith("AnyIO worker thread") for thread in written_by] == [True]
 
 
 _SERVE = """

@@ -11,6 +11,7 @@ from typing import Any
 
 import yaml
 from fastapi import Request
+from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import Response, StreamingResponse
 from pydantic import BaseModel
 from pydantic_core import to_json
@@ -40,6 +41,13 @@ def answer(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | No
     if media_type == CSV and rows is not None:
         return Response(csv_text(list(rows)), media_type=CSV, headers=headers)
     return Response(written(model, media_type), media_type=media_type, headers=headers)
+
+
+async def answer_aside(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
+    """The same; what takes long to write, which is all but JSON, in a thread: other requests go on meanwhile."""
+    if request.headers.get("accept", "*/*") in ("*/*", JSON):
+        return answer(request, model, rows)
+    return await run_in_threadpool(answer, request, model, rows)
 
 
 def is_table(request: Request) -> bool:

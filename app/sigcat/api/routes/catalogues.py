@@ -8,7 +8,7 @@ from fastapi.responses import Response
 from pydantic import BaseModel, ConfigDict, Field
 
 from sigcat.api.answers import schemas, serializers
-from sigcat.api.answers.negotiation import answer, csv_stream, is_table, offered, rows
+from sigcat.api.answers.negotiation import answer, answer_aside, csv_stream, is_table, offered, rows
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
@@ -99,7 +99,7 @@ class RowQuery(SearchQuery):
 async def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
     listed = [serializers.catalogue_summary(hosted) for hosted in library]
-    return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
+    return await answer_aside(request, schemas.CatalogueList(catalogues=listed), rows(listed))
 
 
 @router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
@@ -152,7 +152,7 @@ async def search_nodes(
         did_you_mean=list(result.did_you_mean),
         next_cursor=cursor,
     )
-    return answer(request, page, rows(hits))
+    return await answer_aside(request, page, rows(hits))
 
 
 @router.get(
@@ -171,7 +171,7 @@ async def list_nodes(
         return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
     result, cursor = found(hosted, settings, query)
     listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
-    return answer(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
+    return await answer_aside(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
 
 
 @router.get(
@@ -180,7 +180,7 @@ async def list_nodes(
 async def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
     units = [serializers.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
-    return answer(request, schemas.UnitList(units=units), rows(units))
+    return await answer_aside(request, schemas.UnitList(units=units), rows(units))
 
 
 @router.get(
@@ -192,7 +192,7 @@ async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
     known = hosted.catalogue.vocabulary.quantities.values()
     quantities = [serializers.quantity_schema(quantity) for quantity in known]
-    return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
+    return await answer_aside(request, schemas.QuantityList(quantities=quantities), rows(quantities))
 
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:

@@ -3,20 +3,22 @@
 from typing import Any
 
 from fastapi import APIRouter, Request
-from fastapi.responses import JSONResponse, Response
+from fastapi.responses import Response
 from starlette.routing import BaseRoute, Match
 from starlette.types import Receive, Scope, Send
+
+from sigcat.api.answers.negotiation import JSON, json_bytes
 
 router = APIRouter()
 
 
 @router.get("/openapi.json", include_in_schema=False)
-async def get_openapi_document(request: Request) -> Response:
+def get_openapi_document(request: Request) -> Response:
     """The OpenAPI document; below a path, with the address of the service there."""
     document: dict[str, Any] = request.app.openapi()
     below = request.scope.get("root_path", "").rstrip("/")
     servers = [{"url": below}] if below else []
-    return JSONResponse({**document, "servers": [*servers, *document["servers"]]})
+    return Response(json_bytes({**document, "servers": [*servers, *document["servers"]]}), media_type=JSON)
 
 
 class WholeService(BaseRoute):

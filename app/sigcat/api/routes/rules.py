@@ -18,13 +18,13 @@ RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"], m
 
 
 @router.get("", response_model=schemas.RuleList, responses=offered("table") | problem_documentation(406))
-async def list_rules(request: Request, rules: TheRules) -> Response:
+def list_rules(request: Request, rules: TheRules) -> Response:
     """Every rule, in the order of the codes."""
     listed = [rule_summary(rule) for rule in rules.rules]
     return answer(request, schemas.RuleList(rules=listed), rows(listed))
 
 
 @router.get("/{rule_id}", response_model=schemas.Rule, responses=offered() | problem_documentation(404, 406, 422))
-async def get_rule(request: Request, rule_id: RuleId, rules: TheRules) -> Response:
+def get_rule(request: Request, rule_id: RuleId, rules: TheRules) -> Response:
     """A rule: why it is there, what it checks, good and bad examples."""
     return answer(request, rule_detail(rules.get(rule_id)))
