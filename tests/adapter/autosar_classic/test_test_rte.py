@@ -32,6 +32,7 @@ from tests.adapter.core.judges import SANITIZERS, sanitizers
 
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake, which builds the test RTE")
 ROWS = {
+    "calls_that_take_time": ("function.yaml",),
     "bursts_that_fill_queues": ("sender.yaml", "taker.yaml"),
     "events_that_are_debounced": ("function.yaml",),
     "every_datatype_with_all_its_digits": ("function.yaml",),

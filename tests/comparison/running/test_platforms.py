@@ -6,6 +6,9 @@ import pytest
 
 from sigcat.adapter.toolchain import toolchain
 from sigcat.comparison.behaviour import in_lock_step
+from sigcat.comparison.faults.drives import read_texts, write_texts
+from sigcat.comparison.faults.scenario import Slow
+from sigcat.comparison.faults.spoiling import spoil
 from sigcat.comparison.recording import Recording, Sent
 from sigcat.comparison.running.runner import Drive, Kill
 from sigcat.comparison.running.table import RUNNERS
@@ -103,6 +106,27 @@ def test_others_go_on_as_in_the_simulation_when_a_function_is_killed(play, name)
     expected, found = expected_and_found(play, name, drive)
     assert in_lock_step(expected, found).is_equal
     assert any(text == "FAILED" for _, text in found["CoreAcc_ProposalTimeout_ErrorSts"])
+
+
+SLOW = (
+    Slow("EcoControlMpc_Step", 8 * SECOND, 9 * SECOND, 700_000_000),
+    Slow("CoreAcc_Step", 11 * SECOND, 12 * SECOND, 70_000_000),  # longer than its cycle: releases are missed
+    Slow("CoreAcc_Step", 13 * SECOND, 14 * SECOND, 13_100_001),  # ends between releases
+    Slow("CoreAcc_Step", 16 * SECOND, 18 * SECOND, 333_000_000),
+    Slow("EcoControlMpc_Step", 16 * SECOND, 19 * SECOND, 1_050_000_000),  # longer than its deadline
+)
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_calls_take_as_long_as_the_drive_says(play, name, tmp_path):
+    """They begin, end, miss releases and exceed deadlines in the same step as in the simulation."""
+    drive = Drive(tmp_path / "slow.csv", 22 * SECOND)
+    write_texts(spoil(read_texts(DRIVE), (), SLOW), drive.trace)
+    expected, found = expected_and_found(play, name, drive)
+    assert in_lock_step(expected, found).is_equal
+    assert any(text == "FAILED" for _, text in found["EcoControlMpc_DeadlineError_ErrorSts"])
+    begun = [call.time_ns for call in play("simulate", drive).calls if call.call == "CoreAcc_Step"]
+    assert len([time for time in begun if 11 * SECOND <= time < 12 * SECOND]) < 20
 
 
 @pytest.mark.parametrize("name", OTHERS)

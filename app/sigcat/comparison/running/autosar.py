@@ -12,6 +12,7 @@ from sigcat.comparison.running.end_to_end import read_end_to_end
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
 from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
+from sigcat.comparison.running.slow_calls import durations
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS
@@ -48,7 +49,8 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     run = fresh_run(built, drive)
     model = _model(built.folder)
     lock_step = {"BENCH_PLAYER": _PORT} if drive.mode == "lock step" else {}
-    environment = {**os.environ, **lock_step, marks.FOLDER: str(run / marks.NAME)}
+    slow = durations(drive, subject.prepared)
+    environment = {**os.environ, **lock_step, **slow, marks.FOLDER: str(run / marks.NAME)}
     programs = built.folder / "build"
     processes = [
         Process(name, (str(programs / name / name),), environment, (programs / name / name,))

@@ -11,12 +11,14 @@ from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.processes import Process, launched
 from sigcat.comparison.running.recorded import fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.comparison.running.slow_calls import durations
 
 NAME = "autosar-classic"
 _BENCH = bench.Bench(
     NAME,
     ("test_rte/", "contract/"),
     "AUTOSAR Classic: sigcat's test RTE instead of a vendor's, on one core",
+    passes_time=True,
 )
 _WORDS = {"lock step": "lock", "free run": "free"}
 
@@ -39,7 +41,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
     files = (str(drive.trace.absolute()), str(sent), str(run / "told.csv"))
     command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
-    environment = {**os.environ, marks.FOLDER: str(run / marks.NAME)}
+    environment = {**os.environ, **durations(drive, subject.prepared), marks.FOLDER: str(run / marks.NAME)}
     patience = drive.step_limit_s if drive.mode == "lock step" else drive.end_ns / 1e9 + drive.step_limit_s
     outcome = launched((), Process("test_rte", command, environment, (program,)), run, patience=patience)
     prepared = subject.prepared

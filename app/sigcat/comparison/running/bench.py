@@ -9,6 +9,7 @@ from sigcat.comparison.recording import Built
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.runner import Subject
+from sigcat.comparison.running.slow_calls import with_slow_calls
 from sigcat.players import cmake
 from sigcat.players.commands import write
 
@@ -23,15 +24,18 @@ class Bench(NamedTuple):
     """What a reader has to know of it."""
     settings: Mapping[str, object] = {}
     """Of CMake, beside those of every platform."""
+    passes_time: bool = False
+    """Whether it runs others while a call takes time."""
 
 
 def build(bench: Bench, subject: Subject, folder: Path) -> Built:
     """Generate and compile. Raises InputRefused, or BuildFails with what the compiler says."""
     made = generated(subject, bench.platform, bench=True)
-    write(made.files, folder)
+    members = subject.prepared.connections.members
+    write(with_slow_calls(made.files, members, passes_time=bench.passes_time), folder)
     (folder / "integration.json").write_bytes(made.integration)
     begin = time.monotonic()
-    measured = marks.cmake_settings(subject.prepared.connections.members, folder / "marks")
+    measured = marks.cmake_settings(members, folder / "marks")
     cmake.build(folder, folder / "build", {**subject.code_settings, **measured, **bench.settings})
     own = tuple(folder / file.name for file in made.files if not file.name.startswith(bench.folders))
     return Built(bench.platform, folder, own, made.seconds, time.monotonic() - begin, (bench.note,))

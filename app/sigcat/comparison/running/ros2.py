@@ -15,8 +15,9 @@ from sigcat.comparison.running import marks
 from sigcat.comparison.running.end_to_end import read_end_to_end
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
-from sigcat.comparison.running.recorded import fresh_run, read_recorded
+from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
+from sigcat.comparison.running.slow_calls import durations, with_slow_calls
 from sigcat.players.commands import write
 from sigcat.players.ros2_domain import own_domain, variables_in_domain
 from sigcat.players.ros2_environment import Ros2, find_ros2, installed
@@ -44,7 +45,7 @@ def _build(subject: Subject, folder: Path, tools: Toolchain, *, language: str) -
     """Both languages share a folder: nodes in Python load the core that the package in C++ has."""
     del tools  # CMake finds its own, by the same variables
     ros2, made = installed(), generated(subject, "ros2")
-    write(made.files, folder / "src")
+    write(with_slow_calls(made.files, subject.prepared.connections.members), folder / "src")
     (folder / "integration.json").write_bytes(made.integration)
     begin = time.monotonic()
     subset = [_built_subset(ros2.rclcpp, folder / "subset", ros2)] if ros2.rclcpp else []
@@ -108,6 +109,7 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
         environment = {
             **_variables(ros2, folder),
             **variables_in_domain(number, run),
+            **_durations(drive, subject),
             marks.FOLDER: str(run / marks.NAME),
         }
         processes = [_process(node, files(node, folder), environment, drive) for node in _nodes(document)]
@@ -119,6 +121,10 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
         built.platform, drive.mode, built, sent, marked.calls, outcome.loads,
         last_words=outcome.last_words, play_s=outcome.seconds, end_to_end=ages,
     )  # fmt: skip
+
+
+def _durations(drive: Drive, subject: Subject) -> Mapping[str, str]:
+    return durations(drive, subject.prepared, begin_of(drive.trace, subject.prepared))
 
 
 def _files(node: Mapping[str, Any], folder: Path, *, language: str) -> tuple[Path, ...]:

@@ -42,5 +42,11 @@ STEP = Service(
         MessageField(name="message", datatype="string", description="Why not."),
         MessageField(name="received", datatype="uint64", description="Messages that it has taken in all."),
         MessageField(name="sent", datatype="uint64", description="Messages that it has published in all."),
+        MessageField(
+            name="next",
+            datatype="uint64",
+            description="Its time when it runs next, as far as it knows now; what is past, or 0, says nothing.",
+            units="ns",
+        ),
     ),
 )

@@ -81,11 +81,11 @@ public:
         for (std::uint64_t time = Next(begin); time <= rows_.End();) {
             KillUntil(time);
             SendUntil(time, true, static_cast<std::int64_t>(time - begin));
+            const bool is_due = NextRun(time - begin) == time - begin || player::HasEvents();
+            while (is_due && (steps_.Step(time - begin) || IsWantedAgain(time))) {
+            }
             const std::uint64_t next = Next(time + 1);  // reads on: afterwards the end may be known
             const std::uint64_t after = std::min(next, rows_.End());
-            const bool is_due = NextRelease(time - begin) == time - begin || player::HasEvents();
-            while (is_due && steps_.Step(time - begin)) {
-            }
             steps_.Advance(after - begin);
             if (after == time) {
                 break;
@@ -111,9 +111,21 @@ public:
     }
 
 private:
+    /// Whether a node has more to do at this time, once: it waits for what it has sent to be taken.
+    bool IsWantedAgain(std::uint64_t time) {
+        const bool is_wanted = asked_again_ != time && steps_.AreTold() && steps_.NextFrom(time - begin_) == time - begin_;
+        asked_again_ = is_wanted ? time : asked_again_;
+        return is_wanted;
+    }
+
+    /// When a node runs next: it says so, unless a person wrote it.
+    std::uint64_t NextRun(std::uint64_t from) const {
+        return steps_.AreTold() ? steps_.NextFrom(from) : NextRelease(from);
+    }
+
     std::uint64_t Next(std::uint64_t from) const {
-        const std::uint64_t release = NextRelease(from - begin_);
-        std::uint64_t next = std::min(rows_.Time(), release == kNever ? kNever : begin_ + release);
+        const std::uint64_t run = NextRun(from - begin_);
+        std::uint64_t next = std::min(rows_.Time(), run == kNever ? kNever : begin_ + run);
         for (const auto& kill : kills_) {
             next = kill.time >= from ? std::min(next, kill.time) : next;
         }
@@ -154,6 +166,7 @@ private:
     player::Record& record_;
     std::vector<Kill> kills_;
     std::uint64_t begin_{0};
+    std::uint64_t asked_again_{kNever};
     std::uint64_t count_{0};
 };
 

@@ -53,6 +53,18 @@ void Steps::Advance(std::uint64_t time) {
     AskAll(time, false);
 }
 
+std::uint64_t Steps::NextFrom(std::uint64_t time) const {
+    std::uint64_t next = kNever;
+    for (const auto& node : nodes_) {
+        next = node.next >= time ? std::min(next, node.next) : next;
+    }
+    return next;
+}
+
+bool Steps::AreTold() const {
+    return std::all_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.next != 0; });
+}
+
 void Steps::Wait() {
     AskAll(0, true);
 }
@@ -75,11 +87,12 @@ Steps::Answered Steps::Ask(Node& node, std::uint64_t time, bool only_wait) {
     return node.step->async_send_request(request);
 }
 
-void Steps::Await(const Node& node, Answered asked) {
+void Steps::Await(Node& node, Answered asked) {
     const auto answer = Answer(asked.future, node.name);
     if (!answer->success) {
         throw std::runtime_error{node.name + ": " + answer->message};
     }
+    node.next = answer->next == 0 ? node.next : answer->next;  // who only waited says nothing
     if (!record_.AwaitHeard(node.number, answer->sent)) {
         throw std::runtime_error{"A message of " + node.name + " was lost."};
     }

@@ -29,6 +29,12 @@ public:
     /// All nodes go on to `time`, to which nothing is due.
     void Advance(std::uint64_t time);
 
+    /// The earliest time from this one on at which a node has said that it runs.
+    std::uint64_t NextFrom(std::uint64_t time) const;
+
+    /// Whether every node has said when it runs.
+    bool AreTold() const;
+
     /// All nodes have taken what was sent to them.
     void Wait();
 
@@ -41,13 +47,14 @@ private:
         std::string name;
         rclcpp::Client<StepService>::SharedPtr step;
         rclcpp::Client<lifecycle_msgs::srv::ChangeState>::SharedPtr change;
+        std::uint64_t next{0};
     };
 
     using Answered = decltype(std::declval<rclcpp::Client<StepService>&>().async_send_request(nullptr));
 
     void AskAll(std::uint64_t time, bool only_wait);
     Answered Ask(Node& node, std::uint64_t time, bool only_wait);
-    void Await(const Node& node, Answered asked);
+    void Await(Node& node, Answered asked);
 
     Record& record_;
     std::vector<Node> nodes_;

@@ -168,22 +168,33 @@ static void receive_values(void)
 
 /* -- calls ------------------------------------------------------------------------------------------------------- */
 
-static void end_call(uint32_t function)
+static void supervise_function(uint32_t function)
+{
+    sigcat_functions[function]->supervise(now);
+    sigcat_functions[function]->send();
+    tell_row(SIGCAT_NONE);
+}
+
+/* Whether something is sent. */
+static bool end_call(uint32_t function)
 {
     running *call = &running_calls[function];
     sigcat_functions[function]->get_output(call->call, now);
     sigcat_functions[function]->send();
     call->is_busy = false;
+    const bool sends = has_sent;
     tell_row(sigcat_functions[function]->first + call->call);
+    return sends;
 }
 
-static void end_calls(void)
+/* A call that took time: others take what it sends before the next one of the function begins. Whether they have to. */
+static bool end_slow_call(uint32_t function)
 {
-    for (uint32_t i = 0; i < sigcat_function_count; i++) {
-        if (running_calls[i].is_busy && running_calls[i].ends <= now) {
-            end_call(i);
-        }
+    const bool sends = end_call(function);
+    if (sends) {
+        supervise_function(function);
     }
+    return sends;
 }
 
 static void run_call(uint32_t function, uint32_t call)
@@ -202,7 +213,7 @@ static void run_call(uint32_t function, uint32_t call)
     running_calls[function].is_busy = true;
     running_calls[function].ends = now + durations[number];
     if (durations[number] == 0) {
-        end_call(function);
+        (void)end_call(function);
     } else {
         tell_row(SIGCAT_NONE);
     }
@@ -213,6 +224,10 @@ static bool run_calls_once(void)
 {
     bool any = false;
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
+        if (running_calls[i].is_busy && running_calls[i].ends <= now && end_slow_call(i)) {
+            any = true;
+            continue;
+        }
         if (!running_calls[i].is_busy && !running_calls[i].is_gone) {
             const uint32_t call = sigcat_functions[i]->next_call(now);
             if (call != SIGCAT_NONE) {
@@ -237,9 +252,7 @@ static void supervise(void)
 {
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         if (!running_calls[i].is_gone) {
-            sigcat_functions[i]->supervise(now);
-            sigcat_functions[i]->send();
-            tell_row(SIGCAT_NONE);
+            supervise_function(i);
         }
     }
 }
@@ -287,7 +300,6 @@ static void begin(uint32_t ignition_cycle)
 static bool run_until(uint64_t end)
 {
     while (now <= end) {
-        end_calls();
         receive_values();
         if (!run_calls()) {
             return false;

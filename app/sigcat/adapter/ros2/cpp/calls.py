@@ -122,19 +122,21 @@ def _supervise(node: NodePlan) -> str:
 
 
 def _step(node: NodePlan) -> str:
-    body = """response.success = topics_.wait_for_received(request.received, std::chrono::seconds(10));
+    body = f"""response.success = topics_.wait_for_received(request.received, std::chrono::seconds(10));
 const std::lock_guard<std::mutex> call(call_mutex_);
-if (!response.success) {
+if (!response.success) {{
   response.message = "not as many messages have come; the node needs threads to receive meanwhile";
-} else if (!is_running_) {
+}} else if (!is_running_) {{
   response.success = false;
   response.message = "the node is not active";
-} else if (!request.only_wait) {
-  while (run_due_call()) {
-  }
+}} else if (!request.only_wait) {{
+  while (run_due_call()) {{
+  }}
   supervise();
   step_clock_->set(request.time);
-}
+  {LOCK}
+  response.next = {core_function(node, "NextTime")}({CORE});
+}}
 response.received = topics_.received();
 response.sent = topics_.sent();"""
     return function(f"void {node.type}::step(\n  const srv::Step::Request & request, srv::Step::Response & response)", [body],

@@ -154,43 +154,84 @@ static uint64 end_components(const uint64 *ends, uint64 t)
     return next;
 }
 
-static void play(const request *asked)
-{
+static struct {
+    request asked;
     struct timespec start;
-    (void)clock_gettime(CLOCK_MONOTONIC, &start);
-    const uint64 begin = Os_Now();
-    const uint64 end = begin + asked->length;
-    uint64 t = earlier(Trace_Time(), Os_NextTime());
-    while (t <= end) {
-        if (asked->is_free != FALSE) {
-            wait_until(&start, t - begin);
-        }
-        const uint64 next_end = end_components(asked->ends, t);
-        Os_SetTime(t);
-        Trace_DeliverUntil(t);
-        Os_Run();
-        t = earlier(earlier(Trace_Time(), Os_NextTime()), next_end);
+    uint64 begin;
+    uint64 end;
+    uint64 next_end; /* when a component ends next */
+} played;
+
+static uint64 next_time(void)
+{
+    return earlier(earlier(Trace_Time(), Os_NextTime()), played.next_end);
+}
+
+static void set_time(uint64 t)
+{
+    if (played.asked.is_free != FALSE) {
+        wait_until(&played.start, t - played.begin);
     }
-    Os_SetTime(end);
+    played.next_end = end_components(played.asked.ends, t);
+    Os_SetTime(t);
+    Trace_DeliverUntil(t);
+}
+
+static void play_before(uint64 until)
+{
+    for (uint64 t = next_time(); t < until; t = next_time()) {
+        set_time(t);
+        Os_Run();
+    }
+}
+
+static void finish(void)
+{
+    Os_SetTime(played.end);
+    TestRte_ShutDown();
+    Os_Run();
+    (void)Rte_Stop();
+    NvM_WriteAll(played.asked.folder);
+    TestRte_CloseRecords();
+    Trace_Close();
+    free(played.asked.ends);
+    exit(EXIT_SUCCESS);
+}
+
+static void play(void)
+{
+    (void)clock_gettime(CLOCK_MONOTONIC, &played.start);
+    played.begin = Os_Now();
+    played.end = played.begin + played.asked.length;
+    played.next_end = UINT64_MAX;
+    play_before(played.end + 1U);
+    finish();
+}
+
+/* A run may end while a runnable takes time: it does not come to its end then. */
+static void pass_until(uint64 until)
+{
+    play_before((until <= played.end) ? until : (played.end + 1U));
+    if (until > played.end) {
+        finish();
+    }
+    set_time(until);
+}
+
+void TestRte_PassTime(uint64 time)
+{
+    Os_Wait(pass_until, Os_Now() + time);
 }
 
 /* -- the process --------------------------------------------------------------------------------------------------- */
 
 int main(int count, char **arguments)
 {
-    const request asked = asked_for(count, arguments);
-    Trace_Open(asked.trace);
-    TestRte_OpenRecords(asked.sent, asked.told);
-    NvM_ReadAll(asked.folder);
+    played.asked = asked_for(count, arguments);
+    Trace_Open(played.asked.trace);
+    TestRte_OpenRecords(played.asked.sent, played.asked.told);
+    NvM_ReadAll(played.asked.folder);
     Os_Begin((Trace_Time() != UINT64_MAX) ? Trace_Time() : 0U);
     TestRte_StartUp();
-    play(&asked);
-    TestRte_ShutDown();
-    Os_Run();
-    (void)Rte_Stop();
-    NvM_WriteAll(asked.folder);
-    TestRte_CloseRecords();
-    Trace_Close();
-    free(asked.ends);
-    return EXIT_SUCCESS;
+    play();
 }

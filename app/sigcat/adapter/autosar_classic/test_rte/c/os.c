@@ -10,6 +10,9 @@ static boolean *is_activated;
 static uint64 *due; /* of each event */
 static boolean *has_ended; /* of each component */
 static uint32 *depth; /* of the exclusive area of each component */
+static boolean *runs_again; /* each event of a component that waits: what it does meanwhile starts no call */
+static uint32 running; /* the event that runs */
+static boolean *waits; /* each event: its runnable has begun, and takes time */
 
 static void *zeros(size_t count, size_t size)
 {
@@ -47,6 +50,8 @@ void Os_Start(void)
     due = zeros(TestRte_EventCount, sizeof(*due));
     has_ended = zeros(TestRte_ComponentCount, sizeof(*has_ended));
     depth = zeros(TestRte_ComponentCount, sizeof(*depth));
+    runs_again = zeros(TestRte_EventCount, sizeof(*runs_again));
+    waits = zeros(TestRte_EventCount, sizeof(*waits));
     for (uint32 i = 0U; i < TestRte_EventCount; i++) {
         due[i] = NEVER;
         is_activated[i] = TestRte_Events[i].is_init;
@@ -79,18 +84,75 @@ void Os_Activate(uint32 event)
     is_activated[event] = TRUE;
 }
 
-void Os_Run(void)
+/* A runnable never runs twice at a time, whichever of its events comes. */
+static boolean is_held(uint32 event)
+{
+    for (uint32 i = 0U; i < TestRte_EventCount; i++) {
+        if (waits[i] != FALSE && TestRte_Events[i].run == TestRte_Events[event].run) {
+            return TRUE;
+        }
+    }
+    return FALSE;
+}
+
+static boolean is_waiting(uint32 component)
+{
+    for (uint32 i = 0U; i < TestRte_EventCount; i++) {
+        if (waits[i] != FALSE && TestRte_Events[i].component == component) {
+            return TRUE;
+        }
+    }
+    return FALSE;
+}
+
+static void run(uint32 event)
+{
+    const TestRte_Event *const one = &TestRte_Events[event];
+    const uint32 before = running;
+    if (has_ended[one->component] == FALSE) {
+        runs_again[event] = is_waiting(one->component);
+        running = event;
+        one->run();
+        running = before;
+    }
+}
+
+static void run_first(uint32 count)
 {
     uint32 i = 0U;
-    while (i < TestRte_EventCount) {
-        const TestRte_Event *const event = &TestRte_Events[i];
-        i++;
-        if (is_activated[i - 1U] != FALSE) {
-            is_activated[i - 1U] = FALSE;
+    while (i < count) {
+        if (is_activated[i] != FALSE && is_held(i) == FALSE) {
+            is_activated[i] = FALSE;
+            run(i);
             i = 0U; /* what it activates may run before what comes next */
-            if (has_ended[event->component] == FALSE) {
-                event->run();
-            }
+        } else {
+            i++;
+        }
+    }
+}
+
+void Os_Run(void)
+{
+    run_first(TestRte_EventCount);
+}
+
+void Os_RunBefore(void)
+{
+    run_first(running);
+}
+
+void Os_Wait(void (*wait)(uint64 until), uint64 until)
+{
+    const uint32 event = running;
+    waits[event] = TRUE;
+    wait(until);
+    running = event;
+    Os_RunBefore();
+    waits[event] = FALSE;
+    for (uint32 i = 0U; i < TestRte_EventCount; i++) {
+        if (TestRte_Events[i].component == TestRte_Events[event].component && runs_again[i] != FALSE) {
+            runs_again[i] = FALSE;
+            is_activated[i] = TRUE;
         }
     }
 }

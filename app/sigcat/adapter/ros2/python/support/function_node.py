@@ -382,6 +382,8 @@ class FunctionNode(LifecycleNode):
         elif not request.only_wait:
             self._run_due_calls()
             self._core_clock.set_time(request.time)
+            with self.core_lock:
+                response.next = self._core.next_time()
         response.received, response.sent = self._topics.received, self._topics.sent
         return response
 

@@ -1,6 +1,6 @@
 /*
  * What the test RTE is made of. Tables are generated from the integration, everything else is the same for all.
- * One core: a runnable runs to its end. Time is what main gives.
+ * One core: a runnable runs to its end, unless it says that it takes time. Time is what main gives.
  */
 #ifndef TEST_RTE_H
 #define TEST_RTE_H
@@ -96,6 +96,9 @@ void Os_StartTiming(void); /* timing events count from now on */
 void Os_SetTime(uint64 t); /* timing events that are due by then are activated */
 void Os_Activate(uint32 event);
 void Os_Run(void); /* until nothing is activated */
+void Os_RunBefore(void); /* what comes before the runnable that runs */
+void Os_Wait(void (*wait)(uint64 until), uint64 until); /* lets the runnable that runs wait, while others run */
+void TestRte_PassTime(uint64 time); /* the runnable that runs takes so long */
 void Os_EndComponent(uint32 component); /* nothing of it runs any more */
 boolean Os_HasEnded(uint32 component);
 void Os_EnterArea(uint32 component);
