@@ -10,6 +10,9 @@ import pytest
 from sigcat.adapter.autosar_classic.code.plan import RteType
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
 from sigcat.adapter.toolchain import toolchain
+from sigcat.comparison.faults.drives import read_texts, write_texts
+from sigcat.comparison.faults.scenario import Slow
+from sigcat.comparison.faults.spoiling import spoil
 from sigcat.comparison.running.runner import Drive, Kill
 from sigcat.comparison.running.simulation import SIMULATION
 from tests.adapter.autosar_classic.generated import (
@@ -32,7 +35,6 @@ from tests.adapter.core.judges import SANITIZERS, sanitizers
 
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="CMake, which builds the test RTE")
 ROWS = {
-    "calls_that_take_time": ("function.yaml",),
     "bursts_that_fill_queues": ("sender.yaml", "taker.yaml"),
     "events_that_are_debounced": ("function.yaml",),
     "every_datatype_with_all_its_digits": ("function.yaml",),
@@ -62,6 +64,31 @@ def test_every_bit_is_that_of_the_simulation(name, tmp_path):
     simulated, sent = _both(paths, Drive(CASES / name / "trace.csv", _length(CASES / name / "trace.csv")), tmp_path)
     assert any(simulated.values())
     assert sent == simulated
+
+
+def test_calls_take_as_long_as_the_drive_says(tmp_path):
+    """Others run meanwhile; what is due at the end runs in the order of tasks."""
+    slow = (
+        Slow("EcoControlMpc_Step", 8 * SECOND, 9 * SECOND, 300_000_000),
+        Slow("CoreAcc_Step", 11 * SECOND, 12 * SECOND, 70_000_000),  # longer than its cycle: releases are missed
+        Slow("CoreAcc_Step", 13 * SECOND, 14 * SECOND, 13_100_001),  # ends between ticks
+    )
+    drive = Drive(tmp_path / "slow.csv", 16 * SECOND)
+    write_texts(spoil(read_texts(DRIVE), (), slow), drive.trace)
+    simulated, sent = _both(ECOCONTROL, drive, tmp_path)
+    assert sent == simulated
+    times = [time for time, _ in sent["Vehicle.ADAS.EcoControl.Status"]]
+    assert [time for time in times if time % (10 * SECOND // 1000) == 3_100_001]
+
+
+def test_a_run_may_end_while_a_call_takes_time(tmp_path):
+    """It is terminated, and the call does not come to its end."""
+    drive = Drive(tmp_path / "slow.csv", 8 * SECOND)
+    whole = (Slow("CoreAcc_Step", 7 * SECOND, 8 * SECOND, 5 * SECOND),)
+    write_texts(spoil(read_texts(DRIVE), (), whole), drive.trace)
+    simulated, sent = _both(ECOCONTROL, drive, tmp_path)
+    assert sent == simulated
+    assert max(time for time, _ in sent["Vehicle.ADAS.EcoControl.AccelerationRequest"]) < 7 * SECOND
 
 
 def test_a_provider_sends_to_the_queue_that_a_receiver_declares(tmp_path):

@@ -79,7 +79,13 @@ def test_a_name_stands_for_one_scenario():
 
 def test_the_example_has_at_least_twenty():
     columns = read_texts(Path("examples/ecocontrol/drive.csv")).columns
-    found = read_scenarios(EXAMPLE.read_bytes(), str(EXAMPLE), columns, [], ["CoreAcc", "EcoControlMpc"])
+    found = read_scenarios(
+        EXAMPLE.read_bytes(),
+        str(EXAMPLE),
+        columns,
+        ["CoreAcc_Step", "EcoControlMpc_Step"],
+        ["CoreAcc", "EcoControlMpc"],
+    )
     assert len(found) >= 20
 
 
