@@ -36,6 +36,24 @@ def test_other_settings_configure_it_anew(project):
     assert "A:UNINITIALIZED=2" in (project / "build/CMakeCache.txt").read_text()
 
 
+def test_settings_that_failed_do_not_stay_in_the_folder(project):
+    with pytest.raises(BuildFails):
+        build(project, project / "build", {"CMAKE_C_COMPILER": "/no/compiler"})
+    build(project, project / "build", {"A": 1})
+    assert "/no/compiler" not in (project / "build/CMakeCache.txt").read_text()
+
+
+def test_a_folder_whose_configuring_was_cut_off_is_configured_anew(project):
+    cache = project / "build/CMakeCache.txt"
+    (project / "CMakeLists.txt").write_text("message(FATAL_ERROR cut)\n")
+    with pytest.raises(BuildFails):
+        build(project, project / "build", {"A": 2})
+    cache.unlink()  # as if it had ended before it wrote that
+    (project / "CMakeLists.txt").write_text(PROJECT)
+    build(project, project / "build", {"A": 1})
+    assert "A:UNINITIALIZED=1" in cache.read_text()
+
+
 def test_a_copy_of_a_folder_is_built_where_it_is(project, tmp_path_factory):
     copy = tmp_path_factory.mktemp("copy") / "project"
     shutil.copytree(project, copy)

@@ -24,6 +24,7 @@ def build(
     )
     known = folder / _SAID
     if not known.exists() or known.read_text("utf-8") != said:
+        known.unlink(missing_ok=True)  # if configuring fails, the folder has neither these settings nor those before
         (folder / "CMakeCache.txt").unlink(missing_ok=True)  # it names the folder that was: this one may be a copy
         ran(["cmake", *options, "-S", source, "-B", folder, *cache], environment)
         known.write_text(said, "utf-8")
