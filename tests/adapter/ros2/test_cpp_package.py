@@ -154,6 +154,17 @@ def test_cmake_says_where_it_looked_for_the_code():
     assert "set_target_properties(core_acc_core PROPERTIES UNITY_BUILD OFF)" in text
 
 
+def test_a_function_with_two_nodes_is_refused_since_its_core_is_one_object():
+    document = json.loads(generated.ECOCONTROL.read_bytes())
+    nodes = document["NodePackageList"][0]["Nodes"]
+    nodes[1]["FunctionName"] = nodes[0]["FunctionName"]
+    with pytest.raises(InputRefused) as refused:
+        generated.files(json.dumps(document).encode())
+    (finding,) = refused.value.findings
+    assert (finding.rule, finding.pointer) == ("N219", "/NodePackageList/0/Nodes/1/FunctionName")
+    assert "must have one component to become a node" in finding.message
+
+
 def test_a_queue_that_shares_its_message_is_refused():
     """It sends as many messages as it has values; what stands beside it would be sent as often."""
     document = generated.integration(FULL / "function.yaml", deployment={"ros2": {"topics": "function"}})
