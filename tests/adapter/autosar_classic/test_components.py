@@ -2,16 +2,27 @@
 
 import json
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.autosar_classic.code.literals import number as constant
 from sigcat.adapter.autosar_classic.generate import generate
 from sigcat.adapter.toolchain import EXACT, toolchain
 from sigcat.errors import InputRefused
 from sigcat.limits import DEFAULT_LIMITS
-from tests.adapter.autosar_classic.generated import APPLICATIONS, CASES, ECOCONTROL, EXAMPLES, document, files, written
+from tests.adapter.autosar_classic.generated import (
+    APPLICATIONS,
+    CASES,
+    ECOCONTROL,
+    EXAMPLES,
+    document,
+    files,
+    files_of,
+    written,
+)
 from tests.adapter.core.judges import STRICT, compilers
 from tests.adapter.core.test_strict import CPPCHECK, LOOK, PAGE, deviation
 from tests.judges import judged_by
@@ -27,10 +38,12 @@ SETS = {
         CASES / "methods_of_another_function" / f"{name}.yaml" for name in ("server", "client")
     ),
     "queues that lose": tuple(CASES / "bursts_that_fill_queues" / f"{name}.yaml" for name in ("sender", "taker")),
+    "windows that begin with a mode": (CASES / "windows_that_begin_with_a_mode/function.yaml",),
     "debounced": (CASES / "events_that_are_debounced/function.yaml",),
     "triggered by events": (APPLICATIONS / "small/event_triggered_only.yaml",),
     "no inputs": (APPLICATIONS / "small/no_inputs.yaml",),
     "no outputs": (APPLICATIONS / "small/no_outputs.yaml",),
+    "all datatypes": (CASES / "every_datatype_with_all_its_digits/function.yaml",),
     "nothing at all": (APPLICATIONS / "small/nothing_at_all.yaml",),
 }
 
@@ -38,12 +51,17 @@ SETS = {
 @pytest.mark.parametrize("compiler", compilers())
 @pytest.mark.parametrize("name", SETS)
 def test_no_compiler_warns(name, compiler, tmp_path):
-    folder = written(tmp_path, SETS[name])
+    assert_no_warning(SETS[name], compiler, tmp_path)
+
+
+def assert_no_warning(paths, compiler, made):
+    """Neither the components nor the test RTE."""
+    folder = written(made, paths)
     includes = [f"-I{folder / each}" for each in ("contract", "core", "test_rte", "test_rte/include")]
-    includes += [f"-I{path.parent}" for path in SETS[name]]
+    includes += [f"-I{path.parent}" for path in paths]
     sources = [*folder.glob("swc/*.c"), *folder.glob("test_rte/*.c")]
     command = [*compilers()[compiler].c, "-std=c99", *STRICT, *EXACT, *includes, "-c", *map(str, sources)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=made)
     assert done.returncode == 0, done.stderr
 
 
@@ -198,3 +216,63 @@ def test_everything_that_is_called_is_declared_for_the_component():
             }
             assert called
             assert all(f"#define {each}(" in header for each in called - {f"Rte_{component}"})
+
+
+@pytest.mark.parametrize("compiler", compilers())
+def test_variables_of_the_code_may_be_called_as_something_in_the_rte_is(compiler, tmp_path):
+    """`value`, `data` and `mode` are arguments and members there."""
+    folder = shutil.copytree(CASES / "windows_that_begin_with_a_mode", tmp_path / "code")
+    for name in ("function.yaml", "windows.h", "windows.c"):
+        text = re.sub(r"(?<![.:/])\bpedal\b", "value", (folder / name).read_text())
+        (folder / name).write_text(re.sub(r"(?<![.:/])\bsum\b", "data", text))
+    path = folder / "function.yaml"
+    path.write_text(path.read_text().replace("variable: value", "variable: value, access: Immediate"))
+    assert_no_warning((path,), compiler, tmp_path / "made")
+
+
+def defined(text):
+    """Constants of a header."""
+    return dict(re.findall(r"^#define (\w+) (\(.*\))$", text, re.MULTILINE))
+
+
+def test_the_contract_phase_names_limits_modes_and_initial_values():
+    """AUTOSAR_SWS_RTE: application types header and application header."""
+    types = defined(files(ECOCONTROL)["contract/Rte_CoreAcc_Type.h"])
+    assert types["Chassis_Brake_CylP_LowerLimit"] == "(-30.0)"
+    assert types["ADAS_EcoControl_Status_UpperLimit"] == "(15U)"
+    assert types["CoreAcc_ALatMax_UpperLimit"] == "(8.0F)"  # a parameter
+    assert types["RTE_MODE_EcuM_Mode_SHUTDOWN"] == "((Rte_ModeType_EcuM_Mode)2U)"
+    own = defined(files(ECOCONTROL)["contract/Rte_CoreAcc.h"])
+    assert own["Rte_InitValue_Vehicle_Mass_Mass"] == "(2495.0F)"
+    assert own["Rte_InitValue_ADAS_EcoControl_IsEnabled_IsEnabled"] == "(FALSE)"
+
+
+def test_the_contract_phase_names_enumerations_of_arguments():
+    paths = tuple(CASES / "methods_of_another_function" / f"{name}.yaml" for name in ("server", "client"))
+    changed = json.loads(document(paths))
+    argument = next(
+        each
+        for interface in changed["ClientServerInterfaces"] if interface["Name"] == "FetchLimit"
+        for operation in interface["Operations"]
+        for each in operation["Arguments"] if each["Direction"] == "IN"
+    )  # fmt: skip
+    base = next(each["Name"] for each in changed["ImplementationTypes"] if each["Name"] == argument["Type"])
+    changed["CompuMethods"].append(
+        {"Name": "Gears", "Category": "TEXTTABLE", "Symbols": [{"Symbol": "PARK", "Value": 3}]}
+    )
+    gear = {"Name": "Gear", "Category": "TYPE_REFERENCE", "Base": base, "CompuMethod": "Gears", "LiteralPrefix": "G_"}
+    changed["ImplementationTypes"].append(gear)
+    argument["Type"] = "Gear"
+    made = files_of(json.dumps(changed).encode())
+    assert [defined(made[f"contract/Rte_{name}_Type.h"])["G_PARK"] for name in ("Server", "Client")] == ["(3U)"] * 2
+
+
+@pytest.mark.parametrize(
+    ("value", "base", "text"),
+    [
+        (-(2**31), "sint32", "(-2147483647 - 1)"), (-(2**63), "sint64", "(-9223372036854775807LL - 1LL)"),
+        (2**64 - 1, "uint64", "18446744073709551615ULL"), (-1, "sint8", "-1"), (1, "float32", "1.0F"), (1, "boolean", "TRUE"),
+    ],
+)  # fmt: skip
+def test_a_constant_is_one_of_its_type_in_c99(value, base, text):
+    assert constant(value, base) == text

@@ -21,7 +21,7 @@ def generate(model: ClassicIntegration, plan: ClassicPlan) -> Iterator[Generated
     for swc in plan.swcs:
         calls = Apis(swc, model, dict(plan.types)).all()
         yield _file(f"contract/Rte_{swc.name}_Type.h", rte_header.component_type_header(swc, model))
-        yield _file(f"contract/Rte_{swc.name}.h", rte_header.component_header(swc, calls))
+        yield _file(f"contract/Rte_{swc.name}.h", rte_header.component_header(swc, calls, model))
         yield _file(f"swc/{swc.name}.{swc.core.code.ending}", swc_source(swc))
 
 

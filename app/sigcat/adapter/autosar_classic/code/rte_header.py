@@ -2,14 +2,15 @@
 
 from collections.abc import Iterable
 
+from sigcat.adapter.autosar_classic.code import literals
 from sigcat.adapter.autosar_classic.code.api import Call
 from sigcat.adapter.autosar_classic.code.methods import end_of, head
 from sigcat.adapter.autosar_classic.code.names import section
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
+from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines, spaced
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
-    CompuMethod,
     ImplementationType,
     ModeGroup,
     Runnable,
@@ -77,36 +78,22 @@ def _type(each: ImplementationType) -> Lines:
 
 
 def component_type_header(swc: SwcPlan, model: ClassicIntegration) -> Lines:
-    """Rte_<component>_Type.h: names of numbers."""
+    """Rte_<component>_Type.h: names of numbers, and their limits."""
     macro = f"RTE_{swc.name.upper()}_TYPE_H"
-    used = {end.type for end in (*swc.received, *swc.sent)}
-    methods = {each.name: each for each in model.compu_methods}
-    names = {type_.name for type_ in used} | {type_.element.name for type_ in used if type_.element}
-    symbols = [
-        _symbols(methods[each.compu_method], each.literal_prefix or "") for each in model.implementation_types
-        if each.name in names and each.compu_method in methods
-    ]  # fmt: skip
-    groups = {end.group for end in (swc.mode_in, swc.mode_out) if end}
+    interfaces = {each.name: each.group for each in model.mode_switch_interfaces}
+    groups = {interfaces[port.interface] for port in swc.component.ports if port.kind == "ModeSwitch"}
     return joined([
-        _titled(f"Names of the numbers that {swc.name} receives and sends."),
+        _titled(f"Names of the numbers that {swc.name} exchanges with others."),
         _guarded(macro, [
             lines('#include "Rte_Type.h"'),
-            *symbols,
+            *literals.enumerations(swc, model),
+            *literals.limits(swc, model),
             *(_modes(each) for each in model.mode_groups if each.name in groups),
             joined(_error(*each) for each in _application_errors(swc)),
             lines("#define DEM_EVENT_STATUS_PASSED ((Dem_EventStatusType)0U)\n"
                   "#define DEM_EVENT_STATUS_FAILED ((Dem_EventStatusType)1U)") if swc.told else (),
         ]),
     ])  # fmt: skip
-
-
-def _symbols(method: CompuMethod, prefix: str) -> Lines:
-    numbers = {f"{prefix}{each.symbol}": each.value for each in method.symbols or ()}
-    rows = [
-        f"#ifndef {name}\n#define {name} ({number}{'U' if number >= 0 else ''})\n#endif"
-        for name, number in numbers.items()
-    ]
-    return lines(f"/* {method.name} */\n" + "\n".join(rows)) if rows else ()
 
 
 def _modes(group: ModeGroup) -> Lines:
@@ -126,9 +113,10 @@ def _error(name: str, number: int) -> Lines:
     return lines(f"#define {name} ((Std_ReturnType){number}U)")
 
 
-def component_header(swc: SwcPlan, calls: Iterable[Call]) -> Lines:
+def component_header(swc: SwcPlan, calls: Iterable[Call], model: ClassicIntegration) -> Lines:
     """Rte_<component>.h, the one header of the RTE that the source of a component includes."""
     known = list(calls)
+    initial = "\n".join(literals.initial_values(swc, model, rte_types(model)))
     headers = "\n".join(dict.fromkeys(f'#include "{each.header}"' for each in swc.component.memories if each.header))
     return joined([
         _titled(f"What the RTE has for {swc.name}."),
@@ -141,6 +129,7 @@ def component_header(swc: SwcPlan, calls: Iterable[Call]) -> Lines:
             """),
             lines(f'#include "Rte_{swc.name}_Type.h"'),
             lines(headers) if headers else (),
+            lines(initial) if initial else (),
             _opened(),
             joined(_memory_types(swc)),
             joined(lines(f"{each.head(swc.name)};") for each in known),

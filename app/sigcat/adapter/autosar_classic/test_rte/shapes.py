@@ -4,6 +4,7 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.autosar_classic.code.literals import number
 from sigcat.adapter.autosar_classic.code.plan import RteType
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines
 from sigcat.adapter.core.identifiers import string
@@ -95,13 +96,4 @@ def initializer(value: object, type_: RteType) -> str:
     if type_.members:
         given = value if isinstance(value, Mapping) else dict.fromkeys((name for name, _ in type_.members), value)
         return "{" + ", ".join(initializer(given[name], inner) for name, inner in type_.members) + "}"
-    return _literal(value, type_.base)
-
-
-def _literal(value: object, base: str) -> str:
-    if base == "boolean":
-        return "TRUE" if value else "FALSE"
-    number = value if isinstance(value, int | float) else 0
-    if base.startswith("float"):
-        return f"{float(number)!r}{'F' if base == 'float32' else ''}"
-    return f"{int(number)}{'U' if base.startswith('u') else ''}{'LL' if base.endswith('64') else ''}"
+    return number(value if isinstance(value, int | float) else 0, type_.base)

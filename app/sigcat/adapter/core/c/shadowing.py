@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import MARK
 from sigcat.adapter.core.plan import GLOBALS, Call, CorePlan
 
-_LOCAL = re.compile(r"\s+(?:const )?[A-Za-z_]\w* \*?([A-Za-z_]\w*)(?:\[[^]]*\])?(?: = .*)?;")
+_LOCAL = re.compile(r"\s+(?:static )?(?:const )?[A-Za-z_]\w* \*?([A-Za-z_]\w*)(?:\[[^]]*\])?(?: = .*)?;")
 _HEAD = re.compile(r"(?:static )?[A-Za-z_][\w ]* \*?\w+\((.*)\)")
 _ARGUMENT = re.compile(r"(\w+)(?:,|$)")
 _NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w*")

@@ -11,6 +11,27 @@
 
 #include "CoreAcc_adapter.h"
 
+#define Rte_InitValue_ADAS_CruiseControl_SpeedSet_SpeedSet (0.0F)
+#define Rte_InitValue_ADAS_EcoControl_AccelerationProposal_AccelerationProposal (-20.0F)
+#define Rte_InitValue_ADAS_EcoControl_AccelerationRequest_AccelerationRequest (0.0F)
+#define Rte_InitValue_ADAS_EcoControl_IsEnabled_IsEnabled (FALSE)
+#define Rte_InitValue_ADAS_EcoControl_Status_Status (0U)
+#define Rte_InitValue_ADAS_Map_DFS_MapDataSpdUnitTyp_MapDataSpdUnitTyp (0U)
+#define Rte_InitValue_ADAS_ObstacleDetection_Front_Center_Distance_Distance (0.0F)
+#define Rte_InitValue_AccReqInvalid_SftyCondSts_Status (0U)
+#define Rte_InitValue_AccReqInvalid_SftyCondSts_Out_Status (0U)
+#define Rte_InitValue_Acceleration_Longitudinal_Longitudinal (-20.0F)
+#define Rte_InitValue_Chassis_Brake_CylP_CylP (0.0)
+#define Rte_InitValue_Chassis_Steering_WhlAg_WhlAg (-16.0)
+#define Rte_InitValue_CoreAcc_AliveError_ErrorSts_Status (0U)
+#define Rte_InitValue_CoreAcc_BrakePressureTimeout_ErrorSts_Status (0U)
+#define Rte_InitValue_CoreAcc_ProposalTimeout_ErrorSts_Status (0U)
+#define Rte_InitValue_CoreAcc_SteeringAngleTimeout_ErrorSts_Status (0U)
+#define Rte_InitValue_EcoControlMpc_DeadlineError_ErrorSts_Status (0U)
+#define Rte_InitValue_EcoControlMpc_NoSolutionError_ErrorSts_Status (0U)
+#define Rte_InitValue_Vehicle_Mass_Mass (2495.0F)
+#define Rte_InitValue_Vehicle_Speed_Speed (0.0F)
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -12,6 +12,16 @@
 
 #include "EcoControlMpc_adapter.h"
 
+#define Rte_InitValue_ADAS_CruiseControl_SpeedSet_SpeedSet (0.0F)
+#define Rte_InitValue_ADAS_EcoControl_AccelerationProposal_AccelerationProposal (-20.0F)
+#define Rte_InitValue_ADAS_EcoControl_IsEnabled_IsEnabled (FALSE)
+#define Rte_InitValue_AccPropInvalid_SftyCondSts_Status (0U)
+#define Rte_InitValue_AccPropInvalid_SftyCondSts_Out_Status (0U)
+#define Rte_InitValue_EcoControlMpc_DeadlineError_ErrorSts_Status (0U)
+#define Rte_InitValue_EcoControlMpc_HorizonTimeout_ErrorSts_Status (0U)
+#define Rte_InitValue_EcoControlMpc_NoSolutionError_ErrorSts_Status (0U)
+#define Rte_InitValue_Vehicle_Speed_Speed (0.0F)
+
 #ifdef __cplusplus
 extern "C" {
 #endif
