@@ -195,7 +195,7 @@ def test_faults_hold_if_twenty_of_them_are_the_same_everywhere():
     assert target(told(played("ros2-cpp"), faults=faults[1:]), "faults").holds is None
     other = fault("other", played("simulate"), played("ros2-cpp", sent=changed(REQUEST, 1, "9")))
     held = target(told(played("ros2-cpp"), faults=(*faults, other)), "faults")
-    assert (held.holds, held.measured, held.note) == (False, "20 of 21, 1 platforms", "ROS2-CPP: 1 otherwise")
+    assert (held.holds, held.measured, held.note) == (False, "20 of 21, 1 platform", "ROS2-CPP: 1 otherwise")
 
 
 def test_what_comes_at_other_times_is_counted_once_at_each_time_and_told_of_its_platform():

@@ -61,6 +61,25 @@ def test_lines_that_are_no_frames_are_told_and_the_others_are_read(run, tmp_path
     assert [line.split(":")[1] for line in told.splitlines() if "B002" in line] == ["2", "3", "5"]
 
 
+@pytest.mark.parametrize(
+    ("name", "line", "why"),
+    [
+        ("drive.log", "(0.1) can0 101##1CF07" + "00" * 23, "25 bytes are no length of a frame of CAN FD"),
+        ("drive.log", "(0.1) can0 100#64000100\0\0000000", "it has bytes that are no text"),
+        ("drive.asc", "0.1 CANFD 1 Rx 100 1 0 f 64 64 00 01 00", "it has 4 of 64 bytes"),
+        ("drive.asc", "0.1 CANFD 1 Rx 100 1 0 8 8 64 00 01 00 00 00 00 0", "it has 7 of 8 bytes"),
+        ("drive.asc", "0.1 1 100 Rx d 8 64 00 \0 01 00 00 00 00 00", "it has bytes that are no text"),
+    ],
+)
+def test_a_frame_that_was_cut_or_spoilt_is_told(run, tmp_path, name, line, why):
+    path = tmp_path / name
+    head = "date Mon Nov 23 10:00:00 2026\nbase hex timestamps absolute\n" if name.endswith("asc") else ""
+    path.write_text(f"{head}{line}\n")
+    rows, told = run(path, status=1)
+    assert rows == []
+    assert why in told
+
+
 def test_of_many_bad_lines_a_hundred_are_told(run, tmp_path):
     path = tmp_path / "drive.log"
     path.write_text("nonsense\n" * 300 + "(0.2) can0 100#C800010000000000\n")

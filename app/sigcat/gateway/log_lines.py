@@ -16,6 +16,12 @@ _HALF_BYTE = re.compile(rb"[^#]*#(?:#[0-9A-Fa-f])?(?:[0-9A-Fa-f]{2})*[0-9A-Fa-f]
 """A line of candump whose data ends in the middle of a byte, which its reader takes for a byte."""
 _OF_ASC = re.compile(rb".*\sd\s+([0-8])((?:\s+[0-9A-Fa-f]{1,3})*)\s*", re.DOTALL)
 """A classic frame of ASC that ends with its data."""
+_FD_OF_ASC = re.compile(
+    rb".*\sCANFD\s+\S+\s+\S+\s+[0-9A-Fa-f]+x?\s+(?:\S+\s+)?[01]\s+[01]\s+[0-9A-Fa-f]\s+(\d{1,2})(\s.*)?", re.DOTALL
+)
+"""A frame of CAN FD in ASC: the length of its data, then that and what follows it."""
+_FD_OF_CANDUMP = re.compile(rb"[^#]*##[0-9A-Fa-f]((?:[0-9A-Fa-f]{2})*)\s*(?:[RrTt]\s*)?")
+_FD_LENGTHS = (*range(9), 12, 16, 20, 24, 32, 48, 64)
 _DIGITS = 2
 _END_OF_HEADER = "no internal events logged\n"
 """A line that ends the header for the reader of ASC, which would take the first frame for a part of it."""
@@ -61,9 +67,12 @@ class LogLines:
 
     def _refuse_cut(self, line: bytes) -> None:
         """Raises CutLine for a line that was cut within its data: readers would take what there is for a value."""
+        if b"\0" in line:
+            raise CutLine("it has bytes that are no text")
         if not self._is_asc:
-            if _HALF_BYTE.fullmatch(line):
-                raise CutLine("its data ends in the middle of a byte")
+            _refuse_cut_of_candump(line)
+        elif self._is_past_header and (frame := _FD_OF_ASC.fullmatch(line)):
+            _refuse_short(int(frame[1]), (frame[2] or b"").split())
         elif self._is_past_header and (frame := _OF_ASC.fullmatch(line)):
             count, given = int(frame[1]), frame[2].split()
             is_half = bool(given) and len(given[-1]) < _DIGITS and not line.endswith(b"\n")
@@ -105,3 +114,18 @@ class LogLines:
         except InvalidOperation:
             return time + rest
         return str(self._time).encode() + rest
+
+
+def _refuse_cut_of_candump(line: bytes) -> None:
+    if _HALF_BYTE.fullmatch(line):
+        raise CutLine("its data ends in the middle of a byte")
+    frame = _FD_OF_CANDUMP.fullmatch(line)
+    if frame and len(frame[1]) // _DIGITS not in _FD_LENGTHS:
+        raise CutLine(f"{len(frame[1]) // _DIGITS} bytes are no length of a frame of CAN FD")
+
+
+def _refuse_short(count: int, given: list[bytes]) -> None:
+    """What follows the data is more than one number: a frame of which nothing follows was cut in its last byte, or after it."""
+    is_half = len(given) == count and bool(given) and len(given[-1]) < _DIGITS
+    if len(given) < count or is_half:
+        raise CutLine(f"it has {len(given) - is_half} of {count} bytes")

@@ -104,6 +104,8 @@ def test_a_number_becomes_one_of_the_datatype(datatype, physical, value):
 
 def test_where_a_formula_has_no_value_nothing_comes():
     assert made("dbc2vss", {"transform": {"math": "1/x"}}, number(0.0)) == "no result of `math`"
+    assert made("dbc2vss", {"transform": {"math": "1e400"}}, number(1.0)) == "no result of `math`"
+    assert made("dbc2vss", {"transform": {"math": "1e308*10*x"}}, number(1.0)) == "no result of `math`"
 
 
 @pytest.mark.parametrize(

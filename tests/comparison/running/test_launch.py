@@ -51,6 +51,14 @@ def test_the_others_are_told_to_end_when_the_player_has_ended(tmp_path):
     assert not is_running(started(begun))
 
 
+def test_what_a_function_prints_in_the_player_is_no_request(tmp_path):
+    """Much of it neither stops the player nor is lost, whatever bytes it has."""
+    prints = "printf 'a\\377\\n'; i=0; while [ $i -lt 40000 ]; do echo line; i=$((i+1)); done; echo last >&2"
+    outcome = launched([], process("player", prints), tmp_path / "run", patience=60)
+    assert outcome.last_words == ""
+    assert (tmp_path / "run/player.txt").read_bytes().count(b"line\n") == 40000
+
+
 def test_the_load_of_each_process_is_its_own(tmp_path):
     busy = "i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done"
     outcome = launched([], process("player", busy), tmp_path / "run")

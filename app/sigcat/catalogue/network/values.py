@@ -79,7 +79,7 @@ def _converted(given: NetworkValue, mapping: SignalMapping, datatype: str) -> An
     if mapping.formula is not None:
         number = float(given.physical)
         found = mapping.formula.value(number)
-        if found is None or (math.isnan(number) and not math.isnan(found)):  # NaN >= 1 is no answer
+        if found is None or _is_no_result(number, found):
             raise Unfit(NO_FORMULA_VALUE)
         return found
     if datatype == "string":
@@ -87,6 +87,13 @@ def _converted(given: NetworkValue, mapping: SignalMapping, datatype: str) -> An
             raise Unfit("numbers without a name where a text belongs")
         return given.name
     return given.physical if given.name is None else given.raw
+
+
+def _is_no_result(number: float, found: float) -> bool:
+    """NaN >= 1 is no answer, and 1e308 * 10 is no number."""
+    if math.isnan(number):
+        return not math.isnan(found)
+    return math.isfinite(number) and not math.isfinite(found)
 
 
 def in_datatype(value: Any, datatype: str) -> Value:

@@ -27,3 +27,8 @@ def seconds(time: float) -> str:
 def percent(share: float) -> str:
     """Of one."""
     return f"{share * 100:.2g} %" if abs(share) < 0.1 else f"{share * 100:.0f} %"
+
+
+def counted(number: int, name: str) -> str:
+    """`1 platform`, `2 platforms`."""
+    return f"{number:,} {name}{'' if number == 1 else 's'}"

@@ -2,7 +2,8 @@
 
 It is the first process of a network of its own, where there is one: what the processes send stays on the loopback
 interface. When a process dies, everything ends. When the launcher ends, however that comes, none of them goes on.
-What the player writes to standard output are requests: `kill NAME`, which is answered with a line.
+A line that the player writes to standard output may be a request: `kill NAME`, which is answered with a line. Every other one is a
+word of a function that runs in it, and stands with those that it writes to standard error.
 """
 
 import ctypes
@@ -89,34 +90,43 @@ class Launch:
         for each in processes:
             self._start(each)
         started = self._start(player, is_player=True)
-        listener = Thread(target=self._listen, args=(started,), daemon=True)
+        listener = Thread(target=self._listen, args=(started, player["name"]), daemon=True)
         listener.start()
         while player["name"] not in self.ended and not self.first_dead:
             self._wait(player["name"])
         self.ends = time.monotonic()
+        listener.join(PATIENCE if player["name"] in self.ended else 0)  # its last words
         self._end()
 
     def _start(self, each: Mapping[str, Any], *, is_player: bool = False) -> "subprocess.Popen[str]":
         name = each["name"]
         pipe = subprocess.PIPE if is_player else None
-        with (self.told / f"{name}.txt").open("wb") as told:
+        words = self._words(name)
+        words.unlink(missing_ok=True)
+        with words.open("ab") as told:
             process = subprocess.Popen(  # noqa: S603 - no shell
                 each["command"], env=each["environment"], stdin=pipe or subprocess.DEVNULL, stdout=pipe or told,
-                stderr=told, text=True, preexec_fn=die_with_parent,  # noqa: PLW1509 - before any thread
+                stderr=told, text=True, errors="replace", preexec_fn=die_with_parent,  # noqa: PLW1509 - before any thread
             )  # fmt: skip
         self.held.append(process)
         self.running[process.pid] = name
         return process
 
-    def _listen(self, player: "subprocess.Popen[str]") -> None:
+    def _words(self, name: str) -> Path:
+        return self.told / f"{name}.txt"
+
+    def _listen(self, player: "subprocess.Popen[str]", name: str) -> None:
         assert player.stdout is not None
         assert player.stdin is not None
-        for line in player.stdout:
-            what, _, name = line.strip().partition(" ")
-            if what == "kill":
-                self._kill(name)
-            player.stdin.write("done\n")
-            player.stdin.flush()
+        with self._words(name).open("a", buffering=1, encoding="utf-8") as told:
+            for line in player.stdout:
+                what, _, whom = line.strip().partition(" ")
+                if what != "kill":
+                    told.write(line)
+                    continue
+                self._kill(whom)
+                player.stdin.write("done\n")
+                player.stdin.flush()
 
     def _kill(self, name: str) -> None:
         self.meant.add(name)

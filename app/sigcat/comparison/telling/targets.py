@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat.comparison.load import Load, overhead
 from sigcat.comparison.report import model
-from sigcat.comparison.report.words import duration
+from sigcat.comparison.report.words import counted, duration
 
 ADAPTER_NS = 10_000
 CALLS = 100
@@ -65,7 +65,9 @@ def _equal(told: model.Report) -> model.Target:
     return model.Target(
         what="outputs equal on all platforms, in lock step",
         wanted="every bit of every step, in a drive of ten minutes",
-        measured=f"{wrong:,} of {values:,} values differ, {len(own)} platforms, {longest:g} s" if own else "",
+        measured=f"{wrong:,} of {values:,} values differ, {counted(len(own), 'platform')}, {longest:g} s"
+        if own
+        else "",
         holds=_is_equal(wrong, values, broken, longest) if own else None,
         note="; ".join(
             [f"{told.title_of(each.platform)}: {each.wrong:,} of {each.values:,} differ" for each in own if each.wrong]
@@ -91,7 +93,7 @@ def _faults(told: model.Report) -> model.Target:
     return model.Target(
         what="faults, the same everywhere",
         wanted=f"at least {FAULTS}; same step, same errors, same substitute values",
-        measured=f"{len(same)} of {len(told.faults)}, {len(played)} platforms" if told.faults else "",
+        measured=f"{len(same)} of {len(told.faults)}, {counted(len(played), 'platform')}" if told.faults else "",
         holds=_is_same(len(same), len(told.faults)) if played else None,
         note="; ".join(f"{told.title_of(name)}: {count} otherwise" for name, count in otherwise.items() if count),
     )
@@ -190,11 +192,12 @@ def _remark(told: model.Report) -> str:
 
 
 def _seconds(told: model.Report) -> model.Target:
-    is_whole = not any(each.left_out for each in told.platforms) and len(told.platforms) > 1
+    is_left = [each for each in told.platforms if each.left_out or each.last_words]
+    is_whole = not is_left and len(told.platforms) > 1
     return model.Target(
         what="the whole comparison, built and run",
         wanted="under 5 minutes on two cores",
         measured=f"{told.seconds:.0f} s" if told.seconds else "",
         holds=told.seconds < LONGEST_S if told.seconds and is_whole else None,
-        note=_remark(told) if is_whole else "not every platform was played to",
+        note=_remark(told) if is_whole else "not every platform was played to its end",
     )

@@ -47,6 +47,7 @@ void TestRte_OpenRecords(const char *sent, const char *told)
         errno = reason;
         fail(told);
     }
+    (void)setvbuf(sent_file, NULL, _IOLBF, BUFSIZ); /* what was sent before a component crashes is there */
 }
 
 static void write_tellings(void)
