@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.files import GeneratedFile
 from sigcat.comparison.effort import Counted
 from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
 from sigcat.comparison.report.html import html_page
@@ -69,6 +70,15 @@ def changed(name, place, value):
 
 
 # -- what must hold -----------------------------------------------------------------------------------------------
+
+
+def test_generated_lines_are_those_that_a_user_gets():
+    """What a comparison puts beside them, on disk, counts for nothing."""
+    files = (GeneratedFile("core/a.c", b"/* A. */\nint a;\nint b;\n"), GeneratedFile("README.md", b"A.\n"))
+    own = played("ros2-cpp")
+    own = own._replace(built=own.built._replace(generated=files))
+    (found,) = [each for each in told(own).effort if each.by == "sigcat"]
+    assert (found.platform, found.files, found.total) == ("ros2-cpp", 2, 4)
 
 
 def test_equal_outputs_of_ten_minutes_hold():

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from sigcat.adapter.files import GeneratedFile
+
 Mode = Literal["lock step", "free run"]
 Sent = tuple[int, str]
 """A time in ns, in that of the trace, and the text of a value as `sigcat simulate` writes it: the same bits, the same text."""
@@ -52,8 +54,8 @@ class Built(NamedTuple):
 
     platform: str
     folder: Path
-    generated: tuple[Path, ...]
-    """Files that sigcat wrote for this platform alone, and that run in production."""
+    generated: tuple[GeneratedFile, ...]
+    """What sigcat writes for this platform alone, and that runs in production: without what a comparison adds."""
     generate_s: float
     build_s: float
     notes: tuple[str, ...] = ()

@@ -37,5 +37,5 @@ def build(bench: Bench, subject: Subject, folder: Path) -> Built:
     begin = time.monotonic()
     measured = marks.cmake_settings(members, folder / "marks")
     cmake.build(folder, folder / "build", {**subject.code_settings, **measured, **bench.settings})
-    own = tuple(folder / file.name for file in made.files if not file.name.startswith(bench.folders))
+    own = tuple(file for file in made.files if not file.name.startswith(bench.folders))
     return Built(bench.platform, folder, own, made.seconds, time.monotonic() - begin, (bench.note,))

@@ -61,7 +61,7 @@ def _build(subject: Subject, folder: Path, tools: Toolchain, *, language: str) -
             build_python(package, folder, prefix, ros2, *subset)
     write(player_files(json.loads(made.integration)), folder / "player")
     build_cmake(folder / "player", folder, prefix, ros2, *subset)
-    own_files = tuple(folder / "src" / file.name for file in made.files if _is_of(language, file))
+    own_files = tuple(file for file in made.files if _is_of(language, file))
     notes = (ros2.note,) if ros2.note else ()
     return Built(language, folder, own_files, made.seconds, time.monotonic() - begin, notes)
 

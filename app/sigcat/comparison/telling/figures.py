@@ -102,6 +102,5 @@ def _lines(what: str, by: str, platform: str, counted: tuple[int, ...]) -> model
 
 
 def _texts(built: Built) -> Iterator[tuple[str, str]]:
-    for path in built.generated:
-        if path.is_file():
-            yield path.name, path.read_text(encoding="utf-8", errors="replace")
+    for file in built.generated:
+        yield file.name, file.data.decode("utf-8", "replace")

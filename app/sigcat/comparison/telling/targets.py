@@ -192,8 +192,8 @@ def _remark(told: model.Report) -> str:
 
 
 def _seconds(told: model.Report) -> model.Target:
-    is_left = [each for each in told.platforms if each.left_out or each.last_words]
-    is_whole = not is_left and len(told.platforms) > 1
+    unfinished = [each for each in told.platforms if each.left_out or each.last_words]
+    is_whole = not unfinished and len(told.platforms) > 1
     return model.Target(
         what="the whole comparison, built and run",
         wanted="under 5 minutes on two cores",
