@@ -15,7 +15,10 @@ PROGRAMS = Path(__file__).with_name("programs") / "ros2"
 
 
 def round_trip(bench: Bench) -> Row:
-    """From publishing a speed to hearing what a call of its own, in a thread of the node's, makes of it."""
+    """From publishing a speed to hearing what a call of its own, in a thread of the node's, makes of it.
+
+    The quality of service of both nodes is the same.
+    """
     if not ros2_environment.is_made():
         raise Missing("ROS 2: `make ros2`, which needs Python 3.11")
     built = _build(bench.folder)

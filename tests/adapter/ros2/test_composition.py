@@ -1,5 +1,8 @@
 """Many nodes in one process."""
 
+import time
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 
 from scripts import run_ros2
@@ -44,6 +47,30 @@ def test_a_function_with_global_variables_is_there_once_in_a_process(tmp_path):
         status, told = run_ros2.ended([*command, *twice], run_ros2.environment(built, number, tmp_path))
     assert status != 0
     assert "a process can have one node of it" in told
+
+
+def test_a_node_receives_while_the_one_thread_of_its_process_waits(tmp_path):
+    """A step in lock step waits for the message, which comes later."""
+    node = f"/car0/{MPC}"
+    command = [
+        subset() / "lib/rclcpp_components/load_components",
+        "eco_control",
+        "eco_control::EcoControlMpcNode=/car0",
+    ]
+    with own_domain() as number:
+        variables = run_ros2.environment(workspace(), number, tmp_path)
+        in_lock_step = [[*command, "--ros-args", "-p", "lock_step:=true"]]
+        with (
+            run_ros2.started(in_lock_step, variables, tmp_path / "told.txt"),
+            peer(variables) as asking,
+            peer(variables) as sending,
+            ThreadPoolExecutor() as threads,
+        ):
+            asking.bring(node, CONFIGURE, ACTIVATE)
+            answer = threads.submit(asking.step, node, 1, 0, "eco_control_interfaces")
+            time.sleep(0.5)  # a message that comes before the question would prove less
+            sending.switch_on(node)
+            assert answer.result()["success"], answer.result()["message"]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

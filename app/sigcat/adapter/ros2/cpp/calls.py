@@ -125,7 +125,7 @@ def _step(node: NodePlan) -> str:
     body = f"""response.success = topics_.wait_for_received(request.received, std::chrono::seconds(10));
 const std::lock_guard<std::mutex> call(call_mutex_);
 if (!response.success) {{
-  response.message = "not as many messages have come; the node needs threads to receive meanwhile";
+  response.message = "not as many messages have come";
 }} else if (!is_running_) {{
   response.success = false;
   response.message = "the node is not active";

@@ -139,6 +139,7 @@ def _used(each: MethodService, qos: str) -> str:
 
 def _disconnect(node: NodePlan) -> str:
     return function(f"void {node.type}::disconnect()", [
+        "receiver_.reset();",
         "diagnostics_timer_.reset();",
         scope("", [LOCK, "diagnostics_.reset();"]),
         "step_service_.reset();",

@@ -5,7 +5,7 @@ from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 
 
 def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
-    """The whole source. Three threads: one receives, one answers, one changes the state."""
+    """The whole source. Two threads beside the one that receives: one answers, one changes the state."""
     return f"""{copyright_line(workspace)}
 
 #include <cstdlib>
@@ -21,8 +21,8 @@ int main(int argc, char * argv[])
   try {{
     rclcpp::init(argc, argv);
     const auto node = std::make_shared<{workspace.name}::{node.type}>(rclcpp::NodeOptions());
-    // One thread receives, one answers, one changes the state.
-    rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
+    // One thread answers, one changes the state. The node receives in a thread of its own.
+    rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 2);
     executor.add_node(node->get_node_base_interface());
     executor.spin();
   }} catch (const std::exception & error) {{

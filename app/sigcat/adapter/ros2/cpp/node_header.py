@@ -46,7 +46,7 @@ def has_deadline(node: NodePlan) -> bool:
 def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     standard = ["memory", "mutex", "string", "thread", "vector"]
     messages = {each.message for each in node.publishers} | {each.service for each in (*node.offered, *node.used)}
-    own = ["clock", "diagnostics", "topics"]
+    own = ["clock", "diagnostics", "receiver", "topics"]
     own += [*(["storage"] if node.is_stored else []), *(["watch"] if has_deadline(node) else [])]
     headers = [header_of(each) for each in sorted({*messages, node.step_service})]
     headers += [f"{workspace.name}/{each}.hpp" for each in own]
@@ -142,6 +142,7 @@ def _connections(node: NodePlan) -> str:
             "rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr parameters_callback_;"
             if node.settable
             else "",
+            "std::unique_ptr<Receiver> receiver_;  // the last, so that it ends first",
         ]
     )
 

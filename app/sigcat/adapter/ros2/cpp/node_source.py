@@ -92,11 +92,15 @@ def _core(node: NodePlan) -> str:
 
 
 def _constructor(node: NodePlan) -> str:
-    group = "create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive)"
+    kind = "rclcpp::CallbackGroupType::MutuallyExclusive"
     return text([
         f"{node.type}::{node.type}(const rclcpp::NodeOptions & options)",
         f": LifecycleNode({string(node.name)}, options),",
-        indented(f"core_(std::make_unique<Core>()),\nreceiving_({group}),\nanswering_({group})"),
+        indented(text([
+            "core_(std::make_unique<Core>()),",
+            f"receiving_(create_callback_group({kind}, false)),",
+            f"answering_(create_callback_group({kind}))",
+        ])),
         "{\n  declare_parameters();\n}",
     ])  # fmt: skip
 
@@ -151,6 +155,7 @@ offer();
 diagnostics_ = rclcpp::create_publisher<diagnostic_msgs::msg::DiagnosticArray>(
   *this, "/diagnostics", rclcpp::QoS(rclcpp::KeepLast(1)));
 diagnostics_timer_ = create_wall_timer(std::chrono::seconds(1), [this] {{tell();}});
+receiver_ = std::make_unique<Receiver>(get_node_base_interface(), receiving_);
 return CallbackReturn::SUCCESS;"""
 
 

@@ -23,10 +23,11 @@ public:
 
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
-    const rclcpp::QoS quality = rclcpp::QoS(rclcpp::KeepLast(1)).best_effort();
-    publisher_ = create_publisher<ReflexHalf>("vehicle/reflex/half", quality);
+    const rclcpp::QoS last(rclcpp::KeepLast(1));
+    publisher_ = create_publisher<ReflexHalf>(
+      "vehicle/reflex/half", rclcpp::QoS(last).reliable().transient_local());
     subscription_ = create_subscription<ReflexSpeed>(
-      "vehicle/reflex/speed", quality, [this](const ReflexSpeed & message) {
+      "vehicle/reflex/speed", rclcpp::QoS(last).best_effort(), [this](const ReflexSpeed & message) {
         {
           const std::lock_guard<std::mutex> lock(mutex_);
           speed_ = message.speed;

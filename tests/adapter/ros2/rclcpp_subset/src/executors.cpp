@@ -32,6 +32,9 @@ Executor::~Executor()
   for (const auto & node : nodes_) {
     node->clear_listener();
   }
+  for (const auto & group : groups_) {
+    group->clear_listener();
+  }
   if (rcl_wait_set_fini(&wait_set_) != RCL_RET_OK) {
     rcl_reset_error();
   }
@@ -65,8 +68,12 @@ void Executor::remove_node(node_interfaces::NodeBaseInterface::SharedPtr node)
   interrupt_->trigger();
 }
 
-void Executor::add_callback_group(CallbackGroup::SharedPtr group)
+void Executor::add_callback_group(
+  CallbackGroup::SharedPtr group, node_interfaces::NodeBaseInterface::SharedPtr)
 {
+  if (!group->set_listener([this] {interrupt_->trigger();})) {
+    throw std::runtime_error("Callback group has already been added to an executor.");
+  }
   const std::lock_guard<std::mutex> lock(nodes_mutex_);
   groups_.push_back(std::move(group));
   interrupt_->trigger();
@@ -81,24 +88,34 @@ void Executor::begin_to_spin()
 
 void Executor::work()
 {
-  while (spins_ && context_->is_valid()) {
-    std::optional<Task> task = next();
-    if (task) {
-      task->run();
-      task->from.group->end();
-      task.reset();
-      if (waits_) {
-        interrupt_->trigger();  // the group is free
-      }
+  while (goes_on()) {
+    work_once();
+  }
+}
+
+void Executor::work_once()
+{
+  std::optional<Task> task = next();
+  if (task) {
+    task->run();
+    task->from.group->end();
+    task.reset();
+    if (waits_) {
+      interrupt_->trigger();  // the group is free
     }
   }
+}
+
+bool Executor::goes_on() const
+{
+  return spins_ && context_->is_valid();
 }
 
 std::optional<Executor::Task> Executor::next()
 {
   const std::lock_guard<std::mutex> lock(wait_mutex_);
   std::optional<Task> task = next_of_ready();
-  if (!task && spins_ && context_->is_valid()) {
+  if (!task && goes_on()) {
     wait();
     task = next_of_ready();
   }

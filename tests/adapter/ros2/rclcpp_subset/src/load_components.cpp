@@ -1,4 +1,4 @@
-/// Many nodes in one process: load_components PACKAGE CLASS=NAMESPACE... [--ros-args ...]
+/// Many nodes in one thread of one process: load_components PACKAGE CLASS=NAMESPACE... [--ros-args ...]
 
 #include <dlfcn.h>
 
@@ -45,7 +45,7 @@ int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
   load(argv[1]);
-  rclcpp::executors::MultiThreadedExecutor executor;
+  rclcpp::executors::SingleThreadedExecutor executor;
   std::vector<rclcpp_components::detail::Instance> made;
   for (int at = 2; at < argc && std::strcmp(argv[at], "--ros-args") != 0; ++at) {
     made.push_back(make(argv[at]));

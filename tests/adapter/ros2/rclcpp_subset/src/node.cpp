@@ -49,7 +49,7 @@ void TimeSource::use(bool is_simulated)
     *node_, "/clock", QoS(KeepLast(1)).best_effort(), set, SubscriptionOptions{group_, {}});
   group_->add(subscription_);
   executor_ = std::make_unique<executors::SingleThreadedExecutor>();
-  executor_->add_callback_group(group_);
+  executor_->add_callback_group(group_, node_);
   thread_ = std::thread([this] {executor_->spin();});
   while (!executor_->is_spinning()) {
     std::this_thread::yield();  // an earlier cancel would be lost

@@ -20,8 +20,27 @@ void CallbackGroup::add(const std::shared_ptr<detail::Waitable> & waitable)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waitables_.push_back(waitable);
+    if (listener_) {
+      listener_();
+    }
   }
   changed_();
+}
+
+bool CallbackGroup::set_listener(std::function<void()> listener)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (listener_) {
+    return false;
+  }
+  listener_ = std::move(listener);
+  return true;
+}
+
+void CallbackGroup::clear_listener()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  listener_ = nullptr;
 }
 
 CallbackGroup::Waitables CallbackGroup::waitables()

@@ -49,6 +49,10 @@ public:
   void add(const std::shared_ptr<detail::Waitable> & waitable);
   Waitables waitables();
 
+  /// Who is told when there is more to wait for, beside the executor of the node. False if another one has the group.
+  bool set_listener(std::function<void()> listener);
+  void clear_listener();
+
   /// Whether a callback may begin; it has begun, then.
   bool begin();
   void end();
@@ -58,6 +62,7 @@ private:
   const CallbackGroupType type_;
   const std::function<void()> changed_;
   std::mutex mutex_;
+  std::function<void()> listener_;
   std::vector<std::weak_ptr<detail::Waitable>> waitables_;
   std::atomic_bool busy_{false};
 };

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,6 +19,13 @@ namespace rclcpp
 
 struct ExecutorOptions
 {
+};
+
+enum class FutureReturnCode
+{
+  SUCCESS,
+  INTERRUPTED,
+  TIMEOUT,
 };
 
 class Executor
@@ -39,11 +47,33 @@ public:
   {
     remove_node(node->get_node_base_interface());
   }
-  void add_callback_group(CallbackGroup::SharedPtr group);
+  void add_callback_group(
+    CallbackGroup::SharedPtr group, node_interfaces::NodeBaseInterface::SharedPtr node);
+
+  /// Until the future is ready, the context is shut down or the executor is cancelled. Whether it is ready is asked before
+  /// each wait, which cancel() ends.
+  template<typename FutureT>
+  FutureReturnCode spin_until_future_complete(const FutureT & future)
+  {
+    const auto is_ready = [&future] {
+        return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+      };
+    if (is_ready()) {
+      return FutureReturnCode::SUCCESS;
+    }
+    begin_to_spin();
+    while (goes_on() && !is_ready()) {
+      work_once();
+    }
+    end_to_spin();
+    return is_ready() ? FutureReturnCode::SUCCESS : FutureReturnCode::INTERRUPTED;
+  }
 
 protected:
   /// Executes what is ready until it is cancelled or the context is shut down.
   void work();
+  void work_once();
+  bool goes_on() const;
   void begin_to_spin();
   void end_to_spin() {spins_ = false;}
 
