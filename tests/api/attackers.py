@@ -128,8 +128,8 @@ async def pipelined(target: Target) -> None:
     await _hold(target, 10, (head("GET", f"{TREE}/nodes/Vehicle.S7") + b"\r\n") * 5000)
 
 
-def _asking(requests: Callable[[], Iterator[bytes]]) -> Callable[[Target], Awaitable[None]]:
-    """An attack by requests, one after the other, each on a connection of its own."""
+def _asking(requests: Callable[[], Iterator[bytes]], clients: int = 1) -> Callable[[Target], Awaitable[None]]:
+    """An attack by requests, those of a client one after the other, each on a connection of its own."""
 
     async def attack(target: Target) -> None:
         async def ask() -> None:
@@ -142,9 +142,14 @@ def _asking(requests: Callable[[], Iterator[bytes]]) -> Callable[[Target], Await
                     writer.close()
                 await asyncio.sleep(_PAUSE)
 
-        _TASKS.append(asyncio.create_task(ask()))
+        _TASKS.extend(asyncio.create_task(ask()) for _ in range(clients))
 
     return attack
+
+
+def _long_answers() -> Iterator[bytes]:
+    for address in cycle(["/api/v1/rules", f"{TREE}/nodes?limit=200", f"{TREE}/units", TREE]):
+        yield head("GET", address, "Accept: application/yaml", "Connection: close") + b"\r\n"
 
 
 def _invented() -> Iterator[bytes]:
@@ -203,6 +208,7 @@ ATTACKS: Mapping[str, Callable[[Target], Awaitable[None]]] = {
     "thousands of requests at once": pipelined,
     "invented methods, paths, parameters": _asking(_invented),
     "thousands of repeated headers": _asking(_repeated_headers),
+    "40 clients of long YAML": _asking(_long_answers, clients=40),
     "HEAD on every export": _asking(_heads_of_exports),
     "what is no request": _asking(_no_requests),
     "clients that leave": leaving,

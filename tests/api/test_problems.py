@@ -153,6 +153,13 @@ def test_a_version_that_is_not_there_is_not_answered_with_another_one(ask: Ask, 
     assert ask(address, headers={"If-Match": "*"}).status_code == 200
 
 
+@pytest.mark.parametrize("condition", [{"If-None-Match": "*"}, {"If-None-Match": "{tag}"}, {"If-Match": '"1"'}])
+@pytest.mark.parametrize("address", [f"{SMALL}/nodes/Vehicle.Sped", f"{SMALL}/tree?path=Vehicle.Sped"])
+def test_no_condition_hides_that_a_node_does_not_exist(ask: Ask, address: str, condition: dict[str, str]) -> None:
+    tag = ask(SMALL).headers["etag"]
+    problem(ask, address, 404, headers={name: value.format(tag=tag) for name, value in condition.items()})
+
+
 def test_what_has_no_version_heeds_none(ask: Ask) -> None:
     assert ask("/api/v1/rules", headers={"If-Match": '"1"'}).status_code == 200
 

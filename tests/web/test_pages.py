@@ -62,6 +62,13 @@ def test_a_file_of_pages_is_sent_in_the_version_that_is_wanted(site: Ask) -> Non
     assert statuses == [200, 200, 412, 412]
 
 
+@pytest.mark.parametrize("asked", ["bytes=0-9", "bytes=999999999-", "bytes=x", "lines=1-2"])
+def test_a_file_of_pages_is_sent_whole(site: Ask, asked: str) -> None:
+    answer = site("/static/icon.svg", headers={"Range": asked})
+    assert (answer.status_code, answer.content) == (200, site("/static/icon.svg").content)
+    assert answer.headers["accept-ranges"] == "none"
+
+
 def test_without_javascript_branches_open_by_links(site: Ask) -> None:
     closed = site("/tree/small/Vehicle.Label").text
     (link,) = re.findall(r'href="([^"]+)" aria-label="Open Door"', closed)

@@ -8,7 +8,6 @@ from contextlib import asynccontextmanager, contextmanager
 from anyio.to_thread import current_default_thread_limiter
 from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
-from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.routing import APIRoute
 
 from sigcat import __version__
@@ -23,6 +22,7 @@ from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
 from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.middleware.packing import Packing
 from sigcat.api.middleware.request_headers import RequestHeaders
 from sigcat.api.middleware.request_log import RequestLog
 from sigcat.api.middleware.request_notes import RequestNotes
@@ -42,7 +42,7 @@ from sigcat.api.routes import (
     rules,
     viss,
 )
-from sigcat.api.routes.shortcuts import SHORTCUTS
+from sigcat.api.routes.shortcuts import NodeShortcut
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.queue import WorkQueue
@@ -96,7 +96,6 @@ def create_app(
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
-    app.router.routes.extend(SHORTCUTS)
     for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
         app.include_router(router, dependencies=[Depends(refuse_unknown)])
     app.include_router(exports.unknown_formats)
@@ -120,7 +119,8 @@ def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
 
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
-    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+    app.add_middleware(NodeShortcut)
+    app.add_middleware(Packing, minimum_size=1000, compresslevel=5)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
     app.add_middleware(RequestHeaders)
     if settings.reading == "token":

@@ -11,7 +11,6 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from sigcat.api.answers.negotiation import VARY_OF_304, liked_types
 from sigcat.api.requests.preconditions import is_known
 from sigcat.catalogue.hosting.library import Hosted, Library
-from sigcat.errors import NotFound
 
 _LARGEST = 256 * 1024
 _WANTED = b"if-match"
@@ -27,7 +26,7 @@ class CachedAnswer(NamedTuple):
     """An answer, and what it was made from."""
 
     hosted: Hosted
-    version: str
+    etag: str
     route: str
     start: Message
     body: Message
@@ -53,7 +52,8 @@ class AnswerCache:
         forms = liked_types(asked.get(b"accept", b"*/*").decode("latin-1"))
         key = (scope["path"], scope["query_string"], forms, asked.get(b"accept-encoding", b""))
         cached = self._cached.get(key)
-        if cached is not None and _WANTED not in asked and self._is_present(cached.hosted):
+        is_present = cached is not None and self._library.find(cached.hosted.source.id) is cached.hosted
+        if cached is not None and is_present and _WANTED not in asked:
             await self._send_cached(cached, key, asked.get(b"if-none-match"), scope, send)
             return
         await self._app(scope, receive, _CachingSend(self, key, scope, send))
@@ -61,7 +61,7 @@ class AnswerCache:
     async def _send_cached(self, cached: CachedAnswer, key: Key, known: bytes | None, scope: Scope, send: Send) -> None:
         self._cached.move_to_end(key)
         scope["state"]["route"] = cached.route
-        if known is not None and is_known(known.decode("latin-1"), cached.version):
+        if known is not None and is_known(known.decode("latin-1"), cached.etag):
             same = (pair for pair in cached.start["headers"] if pair[0] in _SENT_WITH_304)
             headers = [*same, (b"vary", VARY_OF_304.encode())]
             await send({"type": "http.response.start", "status": 304, "headers": headers})
@@ -69,12 +69,6 @@ class AnswerCache:
             return
         await send({**cached.start, "headers": list(cached.start["headers"])})
         await send(cached.body)
-
-    def _is_present(self, hosted: Hosted) -> bool:
-        try:
-            return self._library.get(hosted.source.id) is hosted
-        except NotFound:
-            return False
 
     def add(self, key: Key, cached: CachedAnswer) -> None:
         """Keep an answer, and forget the oldest ones beyond the bound."""
@@ -113,6 +107,6 @@ class _CachingSend:
             return
         if state.get("is_head"):  # it may have been made without its body
             return
-        version = state["caching"]["ETag"].removeprefix('W/"').rstrip('"')
-        route = getattr(self._scope.get("route"), "path", "")
-        self._answers.add(self._key, CachedAnswer(hosted, version, route, start, dict(body), size))
+        etag = state["caching"]["ETag"]
+        route = state.get("route") or getattr(self._scope.get("route"), "path", "")
+        self._answers.add(self._key, CachedAnswer(hosted, etag, route, start, dict(body), size))

@@ -27,6 +27,7 @@ from sigcat.limits import NAME_CHARACTERS
 __all__ = [
     "AnyCatalogue",
     "CatalogueId",
+    "CatalogueOfNode",
     "FileName",
     "NamedCatalogue",
     "PostedBody",
@@ -41,7 +42,9 @@ __all__ = [
     "catalogue_at",
     "functions_of",
     "hosted_at",
+    "judge_conditions",
     "library_of",
+    "mark_catalogue",
     "mark_state",
     "rules_of",
     "settings_of",
@@ -157,27 +160,41 @@ async def any_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
 
 async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
     """The hosted catalogue named in the address; 304 if the client holds the same state of it."""
-    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), queue_of(request))
-    mark_state(request, state_of(hosted), is_fixed=is_fixed)
-    request.state.hosted = hosted
+    hosted = await catalogue_of_node(catalogue, request)
+    judge_conditions(request)
     return hosted
 
 
-def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
-    """Keep the headers for the answer. Raises a 304 if the client holds this state, a 412 if it wants another one.
+async def catalogue_of_node(catalogue: CatalogueId, request: Request) -> Hosted:
+    """The same where a node is looked for: conditions are judged once it is found (RFC 9110, 13.2.1)."""
+    hosted, is_fixed = await catalogue_at(catalogue, library_of(request), queue_of(request))
+    mark_catalogue(request, hosted, is_fixed=is_fixed)
+    return hosted
 
-    Where reading needs a token, no cache may keep an answer for others.
-    """
+
+def mark_catalogue(request: Request, hosted: Hosted, *, is_fixed: bool) -> None:
+    """Keep the headers for an answer about a catalogue, and which it is."""
+    mark_state(request, state_of(hosted), is_fixed=is_fixed)
+    request.state.hosted = hosted
+
+
+def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
+    """Keep the headers for the answer. Where reading needs a token, no cache may keep an answer for others."""
     reach = "private" if settings_of(request).reading == "token" else "public"
     lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
-    headers = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
+    request.state.caching = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
+
+
+def judge_conditions(request: Request) -> None:
+    """Raises a 304 if the client holds the state that was marked, a 412 if it wants another one."""
+    headers: dict[str, str] = request.state.caching
     refuse_unless_matched(request.headers.get("if-match"), headers["ETag"])
-    if is_known(request.headers.get("if-none-match", ""), version):
+    if is_known(request.headers.get("if-none-match", ""), headers["ETag"]):
         raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": VARY_OF_304})
-    request.state.caching = headers
 
 
 TheCatalogue = Annotated[Hosted, Depends(hosted_catalogue)]
+CatalogueOfNode = Annotated[Hosted, Depends(catalogue_of_node)]
 AnyCatalogue = Annotated[Hosted, Depends(any_catalogue)]
 
 

@@ -17,7 +17,7 @@ def refuse_unless_matched(if_match: str | None, etag: str) -> None:
     raise HTTPException(HTTPStatus.PRECONDITION_FAILED, detail, headers={"ETag": etag})
 
 
-def is_known(if_none_match: str, version: str) -> bool:
+def is_known(if_none_match: str, etag: str) -> bool:
     """Whether a client holds this state. The tag is weak: one state has several forms and encodings."""
     known = [each.strip().removeprefix("W/") for each in if_none_match.split(",")]
-    return f'"{version}"' in known or "*" in known
+    return etag.removeprefix("W/") in known or "*" in known

@@ -11,7 +11,14 @@ from sigcat.api.answers import schemas, serializers
 from sigcat.api.answers.negotiation import answer, answer_aside, csv_stream, is_table, offered, rows
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.cursors import cursor_of, offset_of
-from sigcat.api.requests.dependencies import TheCatalogue, TheLibrary, TheSettings, rules_of
+from sigcat.api.requests.dependencies import (
+    CatalogueOfNode,
+    TheCatalogue,
+    TheLibrary,
+    TheSettings,
+    judge_conditions,
+    rules_of,
+)
 from sigcat.api.requests.long_reading import has_more, in_turn
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Hosted
@@ -109,15 +116,17 @@ def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
 
 
 @router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
-async def get_node(request: Request, hosted: TheCatalogue, path: NodePath) -> Response:
+async def get_node(request: Request, hosted: CatalogueOfNode, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
-    return node_answer(request, hosted, path)
+    node = find_node(hosted.catalogue, path)
+    judge_conditions(request)
+    return node_answer(request, hosted, node)
 
 
 @router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
 async def get_tree(
     request: Request,
-    hosted: TheCatalogue,
+    hosted: CatalogueOfNode,
     settings: TheSettings,
     path: Annotated[
         str | None,
@@ -127,6 +136,7 @@ async def get_tree(
 ) -> Response:
     """A node and what stands below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
+    judge_conditions(request)
     if has_more([node], depth, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
         raise UsageError(message)
@@ -255,9 +265,9 @@ def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Itera
             raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
 
 
-def node_answer(request: Request, hosted: Hosted, path: str) -> Response:
-    """The node at a path. Raises NotFound with the nearest paths."""
-    return answer(request, serializers.node_data(hosted.catalogue, find_node(hosted.catalogue, path)))
+def node_answer(request: Request, hosted: Hosted, node: Node) -> Response:
+    """Everything about a node."""
+    return answer(request, serializers.node_data(hosted.catalogue, node))
 
 
 def _tree_answer(request: Request, node: Node, depth: int) -> Response:

@@ -28,6 +28,7 @@ from sigcat.api.requests.dependencies import (
     TheSettings,
     TheWorkQueue,
     catalogue_at,
+    judge_conditions,
     mark_state,
     text_body,
 )
@@ -78,6 +79,7 @@ async def diff_catalogues(
     old, is_old_fixed = await catalogue_at(catalogue, library, queue)
     new, is_new_fixed = await catalogue_at(to, library, queue)
     mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
+    judge_conditions(request)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
     names = old.source.id, new.source.id
     report = await queue.run(_report, old.catalogue, new.catalogue, names, only, form)

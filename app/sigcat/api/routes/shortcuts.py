@@ -1,35 +1,61 @@
-"""Operations that are asked most, without FastAPI around them: it takes ten times as long as their answers.
+"""The operation that is asked most, without FastAPI around it: that takes several times as long as its answer.
 
-The operations stay where they are, and describe themselves in the OpenAPI document. A shortcut takes the plain requests for one of
-them, those without a query; any other goes on to the operation, which checks what it has to.
+The operation stays where it is, and describes itself in the OpenAPI document. The shortcut answers plain requests for nodes that
+exist; any other goes on to the operation, which checks what it has to.
 """
 
 from fastapi import Request
 from fastapi.responses import Response
-from starlette.routing import Match, Route
-from starlette.types import Scope
+from starlette.exceptions import HTTPException
+from starlette.types import ASGIApp, Receive, Scope, Send
 
-from sigcat.api.requests.dependencies import hosted_catalogue
+from sigcat.api.requests.dependencies import library_of, mark_catalogue
 from sigcat.api.routes.catalogues import node_answer, router
 
 _LONGEST = 200
 """Characters of an address whose parts need no check of their length."""
+_CONDITIONS = (b"if-match", b"if-none-match")
+_ROUTE = f"{router.prefix}/nodes/{{path}}"
+_CATALOGUES = router.prefix.partition("{")[0]
 
 
-class Shortcut(Route):
-    """A way around the dependencies of an operation."""
+class NodeShortcut:
+    """Answers what is plain, and passes on what is not."""
 
-    def matches(self, scope: Scope) -> tuple[Match, Scope]:
-        """Whether it is a plain request for the operation."""
-        if scope["method"] != "GET" or scope["query_string"] or len(scope["path"]) > _LONGEST:
-            return Match.NONE, {}
-        match, found = super().matches(scope)
-        return match, {**found, "route": self}  # as FastAPI says it: the log and the metrics name the route
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
 
-
-async def _get_node(request: Request) -> Response:
-    hosted = await hosted_catalogue(request.path_params["catalogue"], request)
-    return node_answer(request, hosted, request.path_params["path"])
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer, or pass the request on."""
+        response = _answer(scope) if scope["type"] == "http" and _is_plain(scope) else None
+        await (response or self._app)(scope, receive, send)
 
 
-SHORTCUTS = (Shortcut(f"{router.prefix}/nodes/{{path}}", _get_node),)
+def _is_plain(scope: Scope) -> bool:
+    """Whether nothing is asked but a form of the answer."""
+    return (
+        scope["method"] == "GET"
+        and not scope["query_string"]
+        and len(scope["path"]) <= _LONGEST
+        and all(name not in _CONDITIONS for name, _ in scope["headers"])
+    )
+
+
+def _answer(scope: Scope) -> Response | None:
+    """The node of an address, if a catalogue that is named as it is has it."""
+    path: str = scope["path"].removeprefix(scope.get("root_path", ""))
+    catalogue, is_node, name = path.removeprefix(_CATALOGUES).partition("/nodes/")
+    if not is_node or not path.startswith(_CATALOGUES):
+        return None
+    request = Request(scope)
+    hosted = library_of(request).find(catalogue)
+    node = hosted and hosted.catalogue.get(name)
+    if hosted is None or node is None:
+        return None
+    mark_catalogue(request, hosted, is_fixed=False)
+    try:
+        response = node_answer(request, hosted, node)
+    except HTTPException:  # of a form that there is not
+        return None
+    scope["state"]["route"] = _ROUTE  # for the log and the metrics
+    return response

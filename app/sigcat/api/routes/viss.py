@@ -16,7 +16,7 @@ from sigcat.api.answers import schemas
 from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import PROBLEM, problem_documentation
 from sigcat.api.answers.serializers import plain, plain_text
-from sigcat.api.requests.dependencies import TheCatalogue, TheSettings
+from sigcat.api.requests.dependencies import CatalogueOfNode, TheSettings, judge_conditions
 from sigcat.api.requests.long_reading import has_more, in_turn
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.limits import DEFAULT_LIMITS, PARAMETER_CHARACTERS
@@ -38,7 +38,7 @@ _EXAMPLE = '{"type":"static-metadata","parameter":""}'
 )
 async def get_viss_metadata(
     request: Request,
-    hosted: TheCatalogue,
+    hosted: CatalogueOfNode,
     settings: TheSettings,
     path: Annotated[
         str,
@@ -54,6 +54,7 @@ async def get_viss_metadata(
     node = hosted.catalogue.get(path.strip("/").replace("/", "."))
     if node is None:
         return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")
+    judge_conditions(request)
     if has_more([node], DEFAULT_LIMITS.path_names, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch."
         return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", message)

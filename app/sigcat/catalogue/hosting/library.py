@@ -71,9 +71,13 @@ class Library:
             return hosted
         raise NotFound("There is no catalogue.")
 
+    def find(self, catalogue_id: str) -> Hosted | None:
+        """The hosted catalogue with this id, if there is one."""
+        return self._hosted.get(catalogue_id)
+
     def get(self, catalogue_id: str) -> Hosted:
         """The hosted catalogue with this id. Raises NotFound with the nearest ids."""
-        hosted = self._hosted.get(catalogue_id)
+        hosted = self.find(catalogue_id)
         if hosted is None:
             raise NotFound(f"There is no catalogue {catalogue_id!r}.", nearest(catalogue_id, self._hosted))
         return hosted

@@ -1,0 +1,33 @@
+"""Answers packed with gzip, for those who allow it."""
+
+from fastapi.middleware.gzip import GZipMiddleware
+from starlette.datastructures import MutableHeaders
+from starlette.types import Message, Receive, Scope, Send
+
+_ALLOWED = (b"accept-encoding", b"gzip")
+"""As `RequestHeaders` says it."""
+
+
+class Packing(GZipMiddleware):
+    """Starlette's, which looks at each answer to everybody else, too: that takes longer than sending one that is kept."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass a request on."""
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+        elif _ALLOWED in scope["headers"]:
+            await super().__call__(scope, receive, send)
+        else:
+            await self.app(scope, receive, _varying(send))
+
+
+def _varying(send: Send) -> Send:
+    """Says that it might have been packed."""
+
+    async def varying_send(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            message.setdefault("headers", [])
+            MutableHeaders(raw=message["headers"]).add_vary_header("Accept-Encoding")
+        await send(message)
+
+    return varying_send
