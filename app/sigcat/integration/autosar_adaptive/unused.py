@@ -10,6 +10,7 @@ from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.protection import DATA_ID
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
+from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
 
 
@@ -17,8 +18,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     """A finding for each key of the deployment that names nothing of the set."""
     settings = context.settings
     signals = [side.item for side in sides if isinstance(side.item.interface, Signal | DataQueue)]
-    names = {f"{item.part.function_name}.{item.interface.name}" for item in signals}
-    _report_unknown(("paths",), context.application.paths, names, context)
+    report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING, context.application, context.findings)
     _report_unknown(
         ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
     )

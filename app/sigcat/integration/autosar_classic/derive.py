@@ -61,6 +61,7 @@ from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.not_carried import report_not_carried
 from sigcat.integration.report import Entry
+from sigcat.integration.unknown_paths import report_unknown_paths
 
 
 class Derived(NamedTuple):
@@ -90,6 +91,7 @@ def derive(
     integration = _document(_Made(elements, types, interfaces, behaviours, components), context)
     targets = field_targets(context, elements)
     report_asil(elements, integration.composition, context)
+    report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING_CLASSIC, app, context.findings)
     report_narrow_signals(elements, integration, context)
     report_calls(context)
     report_long_names(context)

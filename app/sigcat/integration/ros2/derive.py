@@ -24,6 +24,7 @@ from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of, data_of, node_parts, signal_uses
 from sigcat.integration.ros2.statuses import statuses_of
 from sigcat.integration.ros2.topics import communications, topics_of
+from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
 
 _VERSION = re.compile(r"\d+\.\d+\.\d+")
@@ -49,7 +50,7 @@ def derive(
     app = application(functions, deployment)
     merged = function_set(app.functions)
     wholes = tuple(each.function for each in merged.functions)
-    findings = FindingCollector(merged.functions)
+    findings = FindingCollector(merged.functions, deployment)
     packages = _packages(app, settings)
     book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)
@@ -67,6 +68,7 @@ def derive(
     )
     nodes = {part.name: node_of(part, context) for part in parts}
     _report(parts, findings)
+    report_unknown_paths(codes.QUALITY_OF_NOTHING, app, findings)
     model = Ros2Integration(
         meta=_meta(app),
         info=_info(app),
