@@ -27,7 +27,9 @@ def _varying(send: Send) -> Send:
     async def varying_send(message: Message) -> None:
         if message["type"] == "http.response.start":
             message.setdefault("headers", [])
-            MutableHeaders(raw=message["headers"]).add_vary_header("Accept-Encoding")
+            headers = MutableHeaders(raw=message["headers"])
+            if "Accept-Encoding" not in headers.get("vary", ""):
+                headers.add_vary_header("Accept-Encoding")
         await send(message)
 
     return varying_send
