@@ -188,6 +188,11 @@ def crash() -> None:
     ctypes.string_at(0)
 
 
+def fail_without_an_error() -> None:
+    """As CPython does where it has no memory for an exception."""
+    raise SystemError("<function> returned NULL without setting an exception")
+
+
 def digest_of(catalogue: Catalogue) -> str:
     return catalogue.digest
 
@@ -283,6 +288,11 @@ def test_work_that_takes_too_much_memory_is_ended(queue: WorkQueue) -> None:
         done(queue, bytes, 40 * MEBIBYTE)
     wait_until(lambda: not is_running(process), "the process ends")
     assert done(queue, len, b"next") == 4
+
+
+def test_too_little_memory_for_an_error_of_its_own_is_too_little_memory(queue: WorkQueue) -> None:
+    with pytest.raises(Busy, match="more than 32 MiB"):
+        done(queue, fail_without_an_error)
 
 
 def test_work_that_crashes_is_told_and_the_next_is_done(queue: WorkQueue) -> None:

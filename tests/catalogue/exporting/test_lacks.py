@@ -22,11 +22,12 @@ def raising(error, cause):
     ("cause", "status"),
     [
         (MemoryError(), worker.NO_MEMORY),
+        (SystemError("<function> returned NULL without setting an exception"), worker.NO_MEMORY),
         (OSError(errno.ENOMEM, "Cannot allocate memory"), worker.NO_MEMORY),
         (OSError(errno.ENOSPC, "No space left on device"), worker.NO_SPACE),
         (KeyError("unit"), worker.REFUSED),
     ],
-    ids=["memory", "memory of the system", "room", "neither"],
+    ids=["memory", "memory even for the error", "memory of the system", "room", "neither"],
 )
 def test_what_is_lacking_decides(error, cause, status, monkeypatch, tmp_path):
     monkeypatch.setattr(worker, "_export", raising(error, cause))

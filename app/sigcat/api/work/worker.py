@@ -117,7 +117,7 @@ def _outcome(work: io.BytesIO, warm: "_Memory", memory: int) -> Outcome:
         with _bounded_memory(warm.data + memory), bounded_proposals():
             function, arguments, options = unpickled(work, _kept)
             result = function(*arguments, **options)
-    except MemoryError as error:
+    except (MemoryError, SystemError) as error:  # the second where CPython had no memory left for the first
         return Outcome(error=MemoryError(*error.args), is_last=True)
     except (SigcatError, OSError) as error:
         return Outcome(error=error)

@@ -30,6 +30,8 @@ DONE, REFUSED, NO_SPACE, NO_MEMORY = 0, 1, 3, 4
 """Statuses. The log says why an export is refused."""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """Errors of a folder in which nothing more can be written."""
+_OUT_OF_MEMORY = (MemoryError, SystemError)
+"""CPython raises the second where it had no memory left for the first: a function failed, and no error was set."""
 _TRIES = 100
 """How often the folder is removed until it stays away."""
 _GRACE = 5.0
@@ -84,7 +86,7 @@ def _lack(error: BaseException | None) -> int | None:
     """The status if an error comes of too little memory, or of a folder in which nothing more can be written."""
     while error is not None:
         number = error.errno if isinstance(error, OSError) else None
-        if isinstance(error, MemoryError) or number == errno.ENOMEM:
+        if isinstance(error, _OUT_OF_MEMORY) or number == errno.ENOMEM:
             return NO_MEMORY
         if number in FULL:
             return NO_SPACE
