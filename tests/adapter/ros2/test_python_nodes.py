@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,7 @@ from tests.needs import c_compiler, ros2
 pytestmark = [ros2, c_compiler, pytest.mark.xdist_group("python_nodes")]
 
 CODE = {name: (node, EXAMPLES / node) for name, node in (("CoreAcc", "core_acc"), ("EcoControlMpc", "eco_control_mpc"))}
+ANSWER_NOT_TAKEN = Path(__file__).parent / "answer_not_taken_program.py"
 STEP = "eco_control_interfaces/srv/Step"
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4, "shutdown of unconfigured": 5}
 UNKNOWN = (0, 60, 99, 255, "create", "nonsense", "transition_success")
@@ -79,6 +81,16 @@ def test_each_good_initialization_is_terminated_once_and_stored(ask, node, tmp_p
         assert kept(tmp_path)[:2] == ["sigcat 1", f"ignition_cycle: {cycle}"]
     assert ask("change", "core_acc", "shutdown")
     assert kept(tmp_path)[1] == "ignition_cycle: 2"
+
+
+@pytest.mark.parametrize("has_threads", [False, True], ids=["executor of events", "executor with threads"])
+def test_an_answer_that_cannot_be_taken_ends_the_node_with_its_exception(has_threads, where, tmp_path):
+    """As in any other callback: the executor of events of rclpy 7.1.6 would die by SIGSEGV."""
+    command = (ros2_environment.PYTHON, ANSWER_NOT_TAKEN, str(has_threads))
+    ended = subprocess.run(
+        command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (ended.returncode, ended.stderr.splitlines()[-1]) == (1, "ValueError: nobody wants it")
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])

@@ -159,7 +159,7 @@ class Launch:
         while self.running:
             self._wait("")
         signal.alarm(0)
-        failed = [name for name in told if self.ended[name]["status"] > 0]
+        failed = [name for name in told if self.ended[name]["status"] not in (0, -signal.SIGTERM)]
         if failed and not self.first_dead:
             self.first_dead, self.when = failed[0], "when it was told to end"
 

@@ -17,9 +17,11 @@ LONGEST = 3600.0
 """Seconds for which events are waited for at once: without an end, some releases never wake."""
 
 
-def spin_node(node: Node, *, offers_methods: bool) -> None:
+def spin_node(node: Node, failure: Future, *, offers_methods: bool) -> None:
     """
-    Run the callbacks of a node until its context ends.
+    Run the callbacks of a node until its context ends, or until `failure` has an exception.
+
+    It is raised then, as is one of a callback that the executor calls itself.
 
     An executor of events is told what has come, and does not ask every entity each time: that
     takes a fraction of the processor. It has one thread. A node that offers methods has several:
@@ -28,13 +30,17 @@ def spin_node(node: Node, *, offers_methods: bool) -> None:
     if EventsExecutor is None or offers_methods:
         executor: Any = MultiThreadedExecutor(num_threads=4)
         executor.add_node(node)
-        executor.spin()
-        return
-    executor = EventsExecutor()
-    executor.add_node(node)
-    while node.context.ok():
-        with suppress(InvalidHandle):  # an event of a topic that is gone, as after cleaning up
-            executor.spin_until_future_complete(Future(), LONGEST)
+        failure.add_done_callback(lambda _: executor.wake())
+        while node.context.ok() and not failure.done():
+            executor.spin_once()
+    else:
+        executor = EventsExecutor()
+        executor.add_node(node)
+        while node.context.ok() and not failure.done():
+            with suppress(InvalidHandle):  # an event of a topic that is gone, as after cleaning up
+                executor.spin_until_future_complete(failure, LONGEST)
+    if failure.done():
+        failure.result()
 
 
 def has_threads(node: Node) -> bool:

@@ -26,6 +26,7 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.logging import get_logger
 from rclpy.qos import QoSProfile
+from rclpy.task import Future
 
 from . import diagnostics, storage
 from .clock import Clock, LockStepClock, SimulatedClock, SteadyClock
@@ -59,6 +60,7 @@ class FunctionNode(LifecycleNode):
         super().__init__(name, **options)
         self._core = core
         self.core_lock = Lock()
+        self.failure = Future()
         self._call_lock = Lock()
         self._publishing = Lock()
         self._is_initialized = False
@@ -366,8 +368,15 @@ class FunctionNode(LifecycleNode):
                 answered(response, self._core_clock.now())
             self._core_clock.wake()
 
+        def take(asked: Future) -> None:
+            try:
+                answer(asked.result())
+            except Exception as error:
+                # An exception of a task ends some releases' executor of events: ros2/rclpy#1641.
+                self.failure.set_exception(error)
+
         if client.service_is_ready():
-            client.call_async(request).add_done_callback(lambda each: answer(each.result()))
+            client.call_async(request).add_done_callback(take)
         else:
             answer(None)
 
@@ -459,7 +468,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
         rclpy.try_shutdown()
         sys.exit(1)
     try:
-        spin_node(node, offers_methods=node.offers_methods)
+        spin_node(node, node.failure, offers_methods=node.offers_methods)
     except ExternalShutdownException:
         pass
     except Exception:
