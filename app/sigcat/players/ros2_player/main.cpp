@@ -189,10 +189,10 @@ void AwaitConnections(const player::Ports& ports, std::chrono::steady_clock::tim
     std::this_thread::sleep_for(std::chrono::seconds{1} + (std::chrono::steady_clock::now() - begin));
 }
 
-/// The player as a node, spun by a thread while it lives.
+/// A node, spun by a thread meanwhile.
 class Spinning final {
 public:
-    Spinning() { executor_.add_node(node_); }
+    explicit Spinning(const std::shared_ptr<rclcpp::Node>& node) { executor_.add_node(node); }
     ~Spinning() {
         executor_.cancel();
         thread_.join();
@@ -200,10 +200,7 @@ public:
     Spinning(const Spinning&) = delete;
     Spinning& operator=(const Spinning&) = delete;
 
-    rclcpp::Node& Node() { return *node_; }
-
 private:
-    std::shared_ptr<rclcpp::Node> node_{std::make_shared<rclcpp::Node>("player")};
     rclcpp::executors::SingleThreadedExecutor executor_;
     std::thread thread_{[this] { executor_.spin(); }};
 };
@@ -225,21 +222,22 @@ std::uint64_t BeginOf(RowsT& rows) {
 
 /// How many values were sent. `begin` is what is known of the first row's time before anything is played.
 template <typename RowsT>
-std::uint64_t Run(const std::string& mode, RowsT& rows, player::Record& record, std::vector<Kill> kills, std::uint64_t begin) {
+std::uint64_t Run(const std::shared_ptr<rclcpp::Node>& node, const std::string& mode, RowsT& rows, player::Record& record,
+                  std::vector<Kill> kills, std::uint64_t begin) {
     const bool is_lock_step = mode == "lock";
     const bool has_life = is_lock_step || mode == "free";
-    Spinning player;
+    const Spinning spinning{node};
     const std::int64_t never = std::numeric_limits<std::int64_t>::max();
     record.Begin(is_lock_step ? 0 : never, begin);  // what was sent before counts as of the begin
-    player::Ports ports{player.Node(), record};
+    player::Ports ports{*node, record};
     player::Connect(ports);
-    player::Steps steps{player.Node(), record};
+    player::Steps steps{*node, record};
     const auto asked = std::chrono::steady_clock::now();
     if (has_life) {
         steps.Change(Transition::TRANSITION_CONFIGURE);
     }
     AwaitConnections(ports, asked);
-    const std::int64_t epoch = is_lock_step ? 0 : player.Node().now().nanoseconds();
+    const std::int64_t epoch = is_lock_step ? 0 : node->now().nanoseconds();
     record.Begin(epoch, begin);
     if (has_life) {
         steps.Change(Transition::TRANSITION_ACTIVATE);
@@ -263,12 +261,12 @@ std::uint64_t Run(const std::string& mode, RowsT& rows, player::Record& record, 
     return play.Count();
 }
 
-void Run(int count, char** arguments) {
+void Run(const std::shared_ptr<rclcpp::Node>& node, int count, char** arguments) {
     const bool is_read = std::string{arguments[2]} == "-";
     player::Record record{arguments[3], player::Nodes().size(), is_read};
     if (is_read) {
         player::RowStream rows{std::cin};
-        const std::uint64_t sent = Run(arguments[1], rows, record, {}, 0);
+        const std::uint64_t sent = Run(node, arguments[1], rows, record, {}, 0);
         record.Say("sent " + std::to_string(sent));
         return;
     }
@@ -282,7 +280,7 @@ void Run(int count, char** arguments) {
         record.TimeIn(std::string{arguments[3]} + ".times");
     }
     const std::uint64_t begin = is_lock_step ? BeginOf(rows) : 0;
-    static_cast<void>(Run(arguments[1], rows, record, std::move(kills), begin));
+    static_cast<void>(Run(node, arguments[1], rows, record, std::move(kills), begin));
 }
 
 }  // namespace
@@ -295,12 +293,16 @@ int main(int count, char** arguments) {
     }
     rclcpp::init(0, nullptr);
     int status = EXIT_SUCCESS;
+    std::shared_ptr<rclcpp::Node> node;
     try {
-        Run(count, arguments);
+        node = std::make_shared<rclcpp::Node>("player");
+        Run(node, count, arguments);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "player: %s\n", error.what());
         status = EXIT_FAILURE;
     }
     rclcpp::shutdown();
-    return status;
+    // The node is left as it is: Fast DDS 2.14 may wait for itself for ever if it is taken apart while others leave.
+    std::fflush(nullptr);
+    std::_Exit(status);
 }
