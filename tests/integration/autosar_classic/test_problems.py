@@ -90,6 +90,18 @@ def enumerated(document):
     return next(each["Name"] for each in document["ImplementationTypes"] if "CompuMethod" in each)
 
 
+def ranged(document):
+    """Name of an application type that has limits."""
+    return next(each["Name"] for each in document["ApplicationTypes"] if each.get("DataConstraint"))
+
+
+def value_called_as_a_limit(document):
+    """A value of an enumeration whose name in the code, behind its prefix, is that of a limit."""
+    kind = of(document["ImplementationTypes"], enumerated(document))
+    kind["LiteralPrefix"] = f"{ranged(document)}_"
+    of(document["CompuMethods"], kind["CompuMethod"])["Symbols"][0]["Symbol"] = "UpperLimit"
+
+
 def two_enumerations(document, prefix=""):
     """Two enumerations that a component exchanges, whose values have one name and two numbers."""
     for name, port in (("A", "Vehicle_Speed"), ("B", "Chassis_Brake_CylP")):
@@ -211,6 +223,10 @@ CHANGES = {
     "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "no keyword"),
     "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "identifier of C"),
     "one name for two enumerations of a component": (two_enumerations, "one number in the code of CoreAcc"),
+    "a datatype that is called as a limit": (
+        lambda d: copied(d["ImplementationTypes"], Name=f"{ranged(d)}_LowerLimit"), "the RTE calls a limit of",
+    ),
+    "a value that is called as a limit": (value_called_as_a_limit, "the RTE calls a limit of"),
     "a prefix that is a piece of C": (
         lambda d: of(d["ImplementationTypes"], enumerated(d)).update(LiteralPrefix="A B"), "identifier of C",
     ),

@@ -17,6 +17,7 @@ def literal_problems(model: ClassicIntegration) -> Iterator[Problem]:
         if each.literal_prefix is not None:
             yield from identifier(("ImplementationTypes", index, "LiteralPrefix"), each.literal_prefix)
     yield from _shared(model)
+    yield from _names_of_limits(model)
     for index, constraint in enumerate(model.constraints):
         if constraint.min is not None and constraint.max is not None and constraint.min > constraint.max:
             message = f"Min must be {constraint.max} or less, as Max is, not {constraint.min}."
@@ -41,6 +42,24 @@ def _shared(model: ClassicIntegration) -> Iterator[Problem]:
                     told.add((other, each.name))
                     message = f"{name} must be one number in the code of {component.name}: it is {number} of {other}, and {symbol.value} of {each.name}."
                     yield Problem(("ImplementationTypes", positions[each.name]), message, "Give it a `LiteralPrefix` of its own.")  # fmt: skip
+
+
+def _names_of_limits(model: ClassicIntegration) -> Iterator[Problem]:
+    """The RTE names the limits of a type after it, by macros: nothing else of the code may be called so."""
+    ranged = [each.name for each in model.application_types if each.constraint]
+    limits = {f"{name}_{side}Limit": name for name in ranged for side in ("Lower", "Upper")}
+    symbols = {each.name: each.symbols or () for each in model.compu_methods}
+    for index, each in enumerate(model.implementation_types):
+        at: Pointer = ("ImplementationTypes", index)
+        if each.name in limits:
+            message = (
+                f"{each.name} must not be the name of a datatype: the RTE calls a limit of {limits[each.name]} so."
+            )
+            yield Problem((*at, "Name"), message, "Rename the datatype.")
+        for symbol in symbols.get(each.compu_method or "", ()):
+            if owner := limits.get(f"{each.literal_prefix or ''}{symbol.symbol}"):
+                message = f"{symbol.symbol} must not be a value of {each.name}: the RTE calls a limit of {owner} so."
+                yield Problem(at, message, "Give it another `LiteralPrefix`.")
 
 
 def _literals(method: CompuMethod, at: Pointer) -> Iterator[Problem]:
