@@ -29,6 +29,10 @@ class BuildFails(Exception):
         return " ".join(lines[first : first + 2] if lines[first].endswith(":") else lines[first : first + 1])
 
 
+class Interrupted(Exception):
+    """All commands have been ended, as whoever started them was."""
+
+
 class Groups:
     """Groups of processes that run, in whichever thread they were started: an interrupt comes to one thread, and ends all of them."""
 
@@ -39,19 +43,23 @@ class Groups:
 
     @contextmanager
     def started(self, command: Sequence[str], **options: Any) -> "Iterator[subprocess.Popen[Any]]":
-        """A process that leads a group of its own, which ends with the context. Raises BuildFails once all have been ended."""
+        """A process that leads a group of its own, which ends with the context. Raises Interrupted when all are ended meanwhile."""
         with self._lock:
-            if self._is_ended:
-                raise BuildFails("It was interrupted.")
+            self._refuse_when_ended()
             process = subprocess.Popen(command, process_group=0, **options)  # noqa: S603 - no shell
             self._running.add(process.pid)
         try:
             yield process
+            self._refuse_when_ended()
         finally:
             with self._lock:
                 self._running.discard(process.pid)
                 _kill(process.pid)
             process.wait()
+
+    def _refuse_when_ended(self) -> None:
+        if self._is_ended:
+            raise Interrupted
 
     @contextmanager
     def ended(self) -> Iterator[None]:
@@ -75,7 +83,7 @@ def _kill(group: int) -> None:
 
 
 def ran(command: Sequence[object], environment: Mapping[str, str] | None = None, folder: Path | None = None) -> str:
-    """What a command says that builds. Raises BuildFails if it fails; its processes end with this one."""
+    """What a command says that builds. Raises BuildFails if it fails, or Interrupted; its processes end with this one."""
     words = [str(word) for word in command]
     with GROUPS.started(
         words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment,
