@@ -39,6 +39,8 @@ class Settings(NamedTuple):
     tells_memory: bool = False
     gone: Mapping[str, int] = {}
     """Functions that end without a word, by name, and when, in ns."""
+    prints: Path | None = None
+    """A file for what functions print; None: it goes where our errors go."""
 
 
 class Simulated(NamedTuple):
@@ -66,7 +68,9 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
         program = build(prepared.connections, prepared.numbers, folder, tools)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
-        command = Command(program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit)
+        command = Command(
+            program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit, settings.prints
+        )
         return _run(prepared, command, trace)._replace(memory=memory)
 
 

@@ -158,14 +158,14 @@ def test_what_is_missing_is_told_in_one_line(name, tmp_path, monkeypatch):
     assert "install" in told.lower()
 
 
-def dying(folder):
+def dying(folder, how):
     """EcoControl whose CoreAcc dies in its 20th step."""
     for name in ("core_acc", "eco_control_mpc"):
         shutil.copytree(EXAMPLES / name, folder / name)
     source = folder / "core_acc/CoreAcc.c"
     text = source.read_text()
     begin = text.index("{", text.index("void CoreAcc_step(void)\n")) + 1
-    dies = 'static int steps = 0; if (++steps == 20) { (void)fprintf(stderr, "the brakes are gone\\n"); abort(); }'
+    dies = f"static int steps = 0; if (++steps == 20) {{ {how} }}"
     source.write_text(f"#include <stdio.h>\n#include <stdlib.h>\n{text[:begin]}{dies}{text[begin:]}")
     members = [member._replace(folder=folder / member.folder.name) for member in subject().prepared.connections.members]
     prepared = subject().prepared
@@ -174,9 +174,22 @@ def dying(folder):
     )
 
 
-@pytest.mark.parametrize("name", OTHERS)
-def test_a_function_that_dies_ends_the_run_with_its_last_words(name, tmp_path):
-    runner, changed = RUNNERS[name], dying(tmp_path / "code")
+@pytest.mark.parametrize("name", PLATFORMS)
+def test_a_function_that_dies_ends_the_run_with_its_last_words(name, tmp_path, capfd):
+    says = 'for (int i = 0; i < 1000; i++) { (void)fprintf(stderr, "brakes?\\n"); } (void)fprintf(stderr, "the brakes are gone\\n");'
+    runner, changed = RUNNERS[name], dying(tmp_path / "code", f"{says} abort();")
     recording = runner.play(runner.build(changed, tmp_path / "built", toolchain()), changed, Drive(DRIVE, 60 * SECOND))
     assert "SIGABRT" in recording.last_words or "the brakes are gone" in recording.last_words
     assert len(recording.sent["Vehicle.ADAS.EcoControl.Status"]) == 19
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [("simulate", "CoreAcc_Step"), ("autosar-classic", "CoreAcc.Step_50ms did not return, at 5950000000 ns")],
+)
+def test_where_all_run_in_one_process_it_is_told_which_call_died(name, call, tmp_path):
+    runner, changed = RUNNERS[name], dying(tmp_path / "code", "*(volatile int *)0 = 1;")
+    recording = runner.play(runner.build(changed, tmp_path / "built", toolchain()), changed, Drive(DRIVE, 60 * SECOND))
+    assert "SIGSEGV" in recording.last_words
+    assert call in recording.last_words

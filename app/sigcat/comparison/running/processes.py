@@ -66,10 +66,10 @@ def launched(
     )
     status = _run_to_end([*network, sys.executable, str(_LAUNCHER), str(spec)], folder, patience)
     if status is None:
-        words = _last_lines(folder / f"{player.name}.txt")
+        words = last_lines(folder / f"{player.name}.txt")
         return Outcome((), f"{player.name} hangs: nothing was recorded for {patience:g} s. {words}".strip(), 0.0)
     if not outcome.exists():
-        words = _last_lines(folder / _TOLD)
+        words = last_lines(folder / _TOLD)
         return Outcome((), f"The launcher ended with status {status}. {words}".strip(), 0.0)
     return _outcome(json.loads(outcome.read_text("utf-8")), (*processes, player), folder)
 
@@ -111,7 +111,7 @@ def _outcome(told: Mapping[str, object], processes: Sequence[Process], folder: P
 def _died(name: str, when: str, ended: Mapping[str, Mapping[str, int]], folder: Path) -> str:
     status = ended[name]["status"]
     how = f"status {status}" if status >= 0 else _signal_name(-status)
-    words = _last_lines(folder / f"{name}.txt")
+    words = last_lines(folder / f"{name}.txt")
     return f"{name} ended with {how} {when}{f': {words}' if words else ', without a word'}"
 
 
@@ -122,7 +122,8 @@ def _signal_name(number: int) -> str:
         return f"signal {number}"
 
 
-def _last_lines(path: Path) -> str:
+def last_lines(path: Path) -> str:
+    """What a process said last, if it said anything."""
     lines = path.read_text("utf-8", "replace").splitlines() if path.exists() else []
     return "\n".join([line for line in lines if line.strip()][-_LAST_LINES:])
 

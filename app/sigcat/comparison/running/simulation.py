@@ -10,6 +10,7 @@ from pathlib import Path
 from sigcat.adapter.toolchain import Toolchain, toolchain
 from sigcat.comparison.recording import Built, Recording, Sent
 from sigcat.comparison.running import marks
+from sigcat.comparison.running.processes import last_lines
 from sigcat.comparison.running.recorded import begin_of, fresh_run, write_recorded
 from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.errors import InputRefused, UsageError
@@ -41,10 +42,10 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     trace = open_trace(drive.trace, prepared.known_in_drive)
     begin = time.monotonic()
     gone = {each.function: each.time_ns for each in drive.kills}
-    settings = Settings(
-        max(drive.end_ns - begin_of(drive.trace, prepared), 0), step_limit=drive.step_limit_s, gone=gone
-    )
     run = fresh_run(built, drive)
+    prints = run / f"{NAME}.txt"
+    duration = max(drive.end_ns - begin_of(drive.trace, prepared), 0)
+    settings = Settings(duration, step_limit=drive.step_limit_s, gone=gone, prints=prints)
     with _measuring(run / marks.NAME):
         simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, run))
     marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
@@ -56,14 +57,14 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
         built,
         sent,
         marked.calls,
-        last_words=_last_words(simulated.stop),
+        last_words=_last_words(simulated.stop, prints),
         play_s=time.monotonic() - begin,
     )
 
 
-def _last_words(stop: InputRefused | None) -> str:
-    """Whether a call crashed or hangs, then what it had received."""
-    return " ".join([*(each.message for each in stop.findings), str(stop)]) if stop else ""
+def _last_words(stop: InputRefused | None, prints: Path) -> str:
+    """Whether a call crashed or hangs, what it had received, and what functions had printed last."""
+    return " ".join([*(each.message for each in stop.findings), str(stop), last_lines(prints)]).strip() if stop else ""
 
 
 def _with_marks(tools: Toolchain, prepared: Prepared, folder: Path) -> Toolchain:

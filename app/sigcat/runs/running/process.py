@@ -6,7 +6,8 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from pathlib import Path
 from typing import IO
 
 _PIECE = 1 << 16
@@ -24,9 +25,9 @@ class Ended(Exception):
         self.status = status
 
 
-def told(command: Sequence[str], limit: float) -> Iterator[bytes]:
-    """What the process writes, piece by piece. Raises Hangs, or Ended if its status is not 0."""
-    with _started(command) as process:
+def told(command: Sequence[str], limit: float, errors: Path | None = None) -> Iterator[bytes]:
+    """What the process writes, piece by piece; its errors go to a file, or where ours go. Raises Hangs, or Ended if its status is not 0."""
+    with _opened(errors) as file, _started(command, file) as process:
         assert process.stdout is not None
         watch = _Watch(process, limit)
         try:
@@ -39,15 +40,24 @@ def told(command: Sequence[str], limit: float) -> Iterator[bytes]:
             raise Ended(status)
 
 
+def _opened(path: Path | None) -> "AbstractContextManager[IO[bytes] | None]":
+    return nullcontext() if path is None else path.open("wb")
+
+
 @contextmanager
-def _started(command: Sequence[str]) -> "Iterator[subprocess.Popen[bytes]]":
+def _started(command: Sequence[str], errors: IO[bytes] | None) -> "Iterator[subprocess.Popen[bytes]]":
     """A process that ends with the context, and with it those that it began; also if a signal ends this one while it starts."""
     before = _held_back(_ENDING)
     process: subprocess.Popen[bytes] | None = None
     try:
         # it inherits what waits: it is ended by force, and by this process alone
         process = subprocess.Popen(  # noqa: S603
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, bufsize=0, process_group=_OWN_GROUP
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=errors,
+            bufsize=0,
+            process_group=_OWN_GROUP,
         )
         _let_through(before)
         yield process

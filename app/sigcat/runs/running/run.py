@@ -23,6 +23,8 @@ class Command(NamedTuple):
     ignition_cycle: int
     step_limit: float
     """Seconds that a call may take."""
+    prints: Path | None = None
+    """A file for what functions print; None: it goes where our errors go."""
 
     @property
     def arguments(self) -> tuple[str, ...]:
@@ -49,7 +51,7 @@ def run(command: Command, exits: Sequence[Packing], kept: Sequence[Packing]) -> 
     time = command.start
     is_finished = False
     try:
-        for event in events(told(command.arguments, command.step_limit), exits, kept):
+        for event in events(told(command.arguments, command.step_limit, command.prints), exits, kept):
             if isinstance(event, Begins):
                 begun, time = event, event.time
             elif isinstance(event, Returns):

@@ -12,10 +12,12 @@
 #endif
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "Rte_Main.h"
 #include "test_rte.h"
@@ -223,11 +225,55 @@ void TestRte_PassTime(uint64 time)
     Os_Wait(pass_until, Os_Now() + time);
 }
 
+/* -- a crash ------------------------------------------------------------------------------------------------------- */
+
+static const int deadly[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
+
+static void say(const char *text)
+{
+    const ssize_t written = write(STDERR_FILENO, text, strlen(text));
+    (void)written; /* there is nobody left to tell */
+}
+
+/* A runnable that crashes says nothing itself. */
+static void tell_crash(int number)
+{
+    const TestRte_Event *const event = Os_Running();
+    char digits[21] = {0};
+    size_t first = sizeof(digits) - 1U;
+    uint64 rest = Os_Now();
+    do {
+        first--;
+        digits[first] = (char)('0' + (int)(rest % 10U));
+        rest /= 10U;
+    } while (rest > 0U);
+    if (event != NULL) {
+        say(event->name);
+        say(" did not return, at ");
+    } else {
+        say("No runnable was running, at ");
+    }
+    say(&digits[first]);
+    say(" ns\n");
+    (void)raise(number); /* it ends the process when this returns */
+}
+
+static void tell_crashes(void)
+{
+    struct sigaction action = {0};
+    action.sa_handler = tell_crash;
+    action.sa_flags = (int)SA_RESETHAND;
+    for (size_t i = 0U; i < sizeof(deadly) / sizeof(deadly[0]); i++) {
+        (void)sigaction(deadly[i], &action, NULL);
+    }
+}
+
 /* -- the process --------------------------------------------------------------------------------------------------- */
 
 int main(int count, char **arguments)
 {
     played.asked = asked_for(count, arguments);
+    tell_crashes();
     Trace_Open(played.asked.trace);
     TestRte_OpenRecords(played.asked.sent, played.asked.told);
     NvM_ReadAll(played.asked.folder);

@@ -11,7 +11,7 @@ static uint64 *due; /* of each event */
 static boolean *has_ended; /* of each component */
 static uint32 *depth; /* of the exclusive area of each component */
 static boolean *runs_again; /* each event of a component that waits: what it does meanwhile starts no call */
-static uint32 running; /* the event that runs */
+static uint32 running = UINT32_MAX; /* the event that runs */
 static boolean *waits; /* each event: its runnable has begun, and takes time */
 
 static void *zeros(size_t count, size_t size)
@@ -155,6 +155,11 @@ void Os_Wait(void (*wait)(uint64 until), uint64 until)
             is_activated[i] = TRUE;
         }
     }
+}
+
+const TestRte_Event *Os_Running(void)
+{
+    return (running < TestRte_EventCount) ? &TestRte_Events[running] : NULL;
 }
 
 void Os_EndComponent(uint32 component)

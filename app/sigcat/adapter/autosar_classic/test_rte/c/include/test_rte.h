@@ -99,6 +99,7 @@ void Os_Run(void); /* until nothing is activated */
 void Os_RunBefore(void); /* what comes before the runnable that runs */
 void Os_Wait(void (*wait)(uint64 until), uint64 until); /* lets the runnable that runs wait, while others run */
 void TestRte_PassTime(uint64 time); /* the runnable that runs takes so long */
+const TestRte_Event *Os_Running(void); /* NULL: no runnable does */
 void Os_EndComponent(uint32 component); /* nothing of it runs any more */
 boolean Os_HasEnded(uint32 component);
 void Os_EnterArea(uint32 component);
