@@ -124,6 +124,24 @@ def test_what_a_platform_has_no_message_for_is_told_and_not_compared():
     assert f"no message for {REACTION}" in html_page(report)
 
 
+ALONE, LEFT_OUT = material(), Played("autosar-adaptive", "Adaptive", left_out="get it")
+UNMEASURED = {
+    "the simulation alone": ALONE,
+    "a platform that is left out": material(LEFT_OUT),
+    "without faults or figures of its calls": material(
+        played("ros2-cpp")._replace(lock_step=played("ros2-cpp").lock_step._replace(calls=(), processes=()))
+    ),
+    "a short drive with few calls": material(played("ros2-cpp"))._replace(end_ns=10**9),
+}
+
+
+@pytest.mark.parametrize("compared", UNMEASURED.values(), ids=UNMEASURED)
+def test_what_is_not_measured_says_why(compared):
+    unmeasured = [each for each in report_of(compared).targets if each.holds is None]
+    assert unmeasured
+    assert [each.what for each in unmeasured if not each.note] == []
+
+
 @pytest.mark.parametrize(("adapter", "holds"), [(10_000, True), (11_100, False)])
 def test_an_adapter_is_judged_beyond_the_loop_without_transport(adapter, holds):
     report = told(played("ros2-cpp", adapter=adapter))

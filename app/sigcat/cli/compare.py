@@ -109,7 +109,8 @@ def compare(arguments: argparse.Namespace) -> int:
     else:
         for target in report.targets:
             word = {True: "holds", False: "does not hold", None: "not measured"}[target.holds]
-            print(f"{target.what}: {word}. {target.measured}".rstrip(". "), file=sys.stderr)
+            told = "; ".join(each for each in (target.measured, target.note * (not target.holds)) if each)
+            print(f"{target.what}: {word}. {told}".rstrip(". "), file=sys.stderr)
     if not report.behaviour and set(_platforms(arguments.platforms)) != {report.reference}:
         _tell("Nothing was compared: no platform but the simulation was played to.")
         return 2

@@ -73,6 +73,7 @@ def _equal(told: model.Report) -> model.Target:
             [f"{told.title_of(each.platform)}: {each.wrong:,} of {each.values:,} differ" for each in own if each.wrong]
             + [f"{', '.join(broken)} did not come to the end"] * bool(broken)
             + [f"the drive has {longest:g} s"] * (bool(own) and round(longest) < WHOLE_DRIVE_S)
+            + ["no platform but the simulation was played to"] * (not own)
         ),
     )
 
@@ -90,13 +91,23 @@ def _faults(told: model.Report) -> model.Target:
     same = [each for each in told.faults if each.outcomes and all(outcome.is_same for outcome in each.outcomes)]
     played = dict.fromkeys(outcome.platform for outcome in outcomes)
     otherwise = {name: sum(not each.is_same for each in outcomes if each.platform == name) for name in played}
+    notes = [f"{told.title_of(name)}: {count} otherwise" for name, count in otherwise.items() if count]
     return model.Target(
         what="faults, the same everywhere",
         wanted=f"at least {FAULTS}; same step, same errors, same substitute values",
         measured=f"{len(same)} of {len(told.faults)}, {counted(len(played), 'platform')}" if told.faults else "",
         holds=_is_same(len(same), len(told.faults)) if played else None,
-        note="; ".join(f"{told.title_of(name)}: {count} otherwise" for name, count in otherwise.items() if count),
+        note="; ".join((*notes, *_too_few_faults(len(told.faults), len(played)))),
     )
+
+
+def _too_few_faults(faults: int, platforms: int) -> Iterator[str]:
+    if not faults:
+        yield "no fault was injected"
+    elif faults < FAULTS:
+        yield f"{counted(faults, 'fault')}, of the {FAULTS} that are wanted"
+    if faults and not platforms:
+        yield "no platform but the simulation was played to"
 
 
 def _is_same(same: int, faults: int) -> bool | None:
@@ -122,12 +133,13 @@ def _adapter(told: model.Report, platform: str) -> model.Target:
     ]
     judged = [each for each in over if each.call == often]
     few = [f"{each.calls:,} calls in {each.mode} are too few for a p99" for each in judged if each.calls < CALLS]
+    none = [] if judged else ["no call was measured on it and in the simulation"]
     return model.Target(
         what=f"adapter of {told.title_of(platform)}, beyond an in-process loop",
         wanted="p50 and p99 at most 10 µs",
         measured="; ".join(map(_beyond, judged)),
         holds=_is_short(judged),
-        note="; ".join((*few, *map(_beyond, (each for each in over if each.call != often)))),
+        note="; ".join((*none, *few, *map(_beyond, (each for each in over if each.call != often)))),
     )
 
 
@@ -158,6 +170,7 @@ def _overhead(told: model.Report, platform: str) -> model.Target:
         wanted="at most 10 % more processor time and memory",
         measured="; ".join(texts),
         holds=all(max(each.cpu, each.memory) <= OVERHEAD for _, each in more) if more else None,
+        note="" if more else "they were not played, or what they took was not measured",
     )
 
 
