@@ -6,6 +6,16 @@ from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, run_name, s
 from sigcat.adapter.ros2.cpp.node_header import has_deadline
 from sigcat.adapter.ros2.plan import NodePlan
 
+_WATCH = """watch_ = std::make_unique<Watch>(
+  [this] {guarded(get_logger(), "The calls are not supervised", [this] {supervise();});});"""
+_CALLS = f"""calls_ = std::thread(
+  [this] {{
+    if (!guarded(get_logger(), "The calls have ended", [this] {{run_calls();}})) {{
+      {LOCK}
+      scheduling_problem_ = "the calls have ended: see the log";
+    }}
+  }});"""
+
 
 def call_functions(node: NodePlan) -> list[str]:
     """Definitions of the member functions."""
@@ -32,8 +42,8 @@ if (!scheduling_problem_.empty()) {{
         "clock_->resume();",
         scope("if (step_clock_ != nullptr)", [
             "const std::lock_guard<std::mutex> call(call_mutex_);\nstart();\nis_running_ = true;\nreturn;"]),
-        "watch_ = std::make_unique<Watch>([this] {supervise();});" if has_deadline(node) else "",
-        "calls_ = std::thread([this] {run_calls();});",
+        _WATCH if has_deadline(node) else "",
+        _CALLS,
         scheduled,
     ])  # fmt: skip
 

@@ -13,13 +13,13 @@ def tell_function(node: NodePlan) -> str:
         "decltype(diagnostics_) publisher;",
         "decltype(core_->adapter.error) error{};\ndecltype(core_->adapter.stored) stored{};" if node.monitors else "",
         *(f"CallReport {report_name(node, step)};" for step in node.steps),
-        "std::string scheduling_problem;" if node.priority is not None else "",
+        "std::string scheduling_problem;",
         scope("", [
             LOCK,
             "publisher = diagnostics_;",
             "error = core_->adapter.error;\nstored = core_->adapter.stored;" if node.monitors else "",
             *(_reported(step, node) for step in node.steps),
-            "scheduling_problem = scheduling_problem_;" if node.priority is not None else "",
+            "scheduling_problem = scheduling_problem_;",
         ]),
         "if (publisher == nullptr || publisher->get_subscription_count() == 0U) {\n  return;\n}",
         "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();",
@@ -27,7 +27,7 @@ def tell_function(node: NodePlan) -> str:
         *(_error(each) for each in node.monitors),
         *(call("told.status.push_back", [call("call_status", ["node", string(step.interface), report_name(node, step)], ")", 3)])
           for step in node.steps),
-        _scheduling() if node.priority is not None else "",
+        _SCHEDULING if node.priority is not None else scope("if (!scheduling_problem.empty())", [_SCHEDULING]),
         "topics_.tell(node, told.status);\npublisher->publish(told);",
     ], "// For people and aggregators; what others act on has topics of its own.")  # fmt: skip
 
@@ -54,8 +54,7 @@ def _error(monitor: Monitor) -> str:
     return f"told.status.push_back(\n  error_status(\n    node, {{\n{rows}}}));"
 
 
-def _scheduling() -> str:
-    return """told.status.push_back(
+_SCHEDULING = """told.status.push_back(
   made_status(
     scheduling_problem.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, node,
     "scheduling", scheduling_problem));"""

@@ -90,7 +90,7 @@ def _functions(node: NodePlan) -> str:
                for each in node.offered for name in (f"answer_{each.member}",)]  # fmt: skip
     methods += [f"void request_{each.member}();" for each in node.used]
     return spaced([
-        text(["bool initialize();", "void terminate();", *parameters]),
+        text(["void set_clock();", "bool initialize();", "void terminate();", *parameters]),
         text(connections),
         text(calls),
         text([*methods, "void step(const srv::Step::Request & request, srv::Step::Response & response);"]),
@@ -111,7 +111,7 @@ def _members(node: NodePlan) -> str:
             "std::shared_ptr<Clock> clock_;",
             "std::shared_ptr<StepClock> step_clock_;  // the same, in lock-step",
             "std::thread calls_;",
-            "std::string scheduling_problem_;" if node.priority is not None else "",
+            "std::string scheduling_problem_;",
             "std::unique_ptr<Watch> watch_;" if has_deadline(node) else "",
             "std::unique_ptr<Storage> storage_;" if node.is_stored else "",
             *(f"CallTimes {times_name(node, step)};" for step in node.steps),

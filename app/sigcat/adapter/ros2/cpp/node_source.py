@@ -37,6 +37,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         _destructor(node),
         *parameter_functions(node, workspace),
         *_life(node),
+        _set_clock(node),
         _initialize(node),
         _terminate(node),
         *connection_functions(node, workspace),
@@ -52,7 +53,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
 def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     standard = ["chrono", "memory", "mutex", "string", "vector"]
     standard += ["atomic", "stdexcept"] if node.core.code.signature == GLOBALS else []
-    own = ["diagnostics", "parameters", "values", *(["scheduling"] if node.priority is not None else [])]
+    own = ["diagnostics", "guard", "parameters", "values", *(["scheduling"] if node.priority is not None else [])]
     own += ["structs"] if node.structs else []
     headers = [
         f"{workspace.name}/{node.name}_structs.hpp" if each == "structs" else f"{workspace.name}/{each}.hpp"
@@ -136,15 +137,7 @@ def _configured(node: NodePlan) -> str:
     get_node_base_interface()->get_fully_qualified_name()),
   get_logger());
 """ if node.is_stored else ""  # fmt: skip
-    return f"""step_clock_.reset();
-if (get_parameter("lock_step").as_bool()) {{
-  step_clock_ = std::make_shared<StepClock>();
-  clock_ = step_clock_;
-}} else if (get_parameter("use_sim_time").as_bool()) {{
-  clock_ = std::make_shared<SimulatedClock>(get_clock());
-}} else {{
-  clock_ = std::make_shared<SteadyClock>(get_clock());
-}}
+    return f"""set_clock();
 {storage}if (!initialize()) {{
   RCLCPP_ERROR(get_logger(), "the initialization of {node.core.function} has failed");
   return CallbackReturn::FAILURE;
@@ -155,8 +148,24 @@ offer();
 diagnostics_ = rclcpp::create_publisher<diagnostic_msgs::msg::DiagnosticArray>(
   *this, "/diagnostics", rclcpp::QoS(rclcpp::KeepLast(1)));
 diagnostics_timer_ = create_wall_timer(std::chrono::seconds(1), [this] {{tell();}});
-receiver_ = std::make_unique<Receiver>(get_node_base_interface(), receiving_);
+receiver_ = std::make_unique<Receiver>(get_node_base_interface(), receiving_, get_logger());
 return CallbackReturn::SUCCESS;"""
+
+
+def _set_clock(node: NodePlan) -> str:
+    return function(f"void {node.type}::set_clock()", [
+        """std::shared_ptr<StepClock> step_clock;
+std::shared_ptr<Clock> clock;
+if (get_parameter("lock_step").as_bool()) {
+  step_clock = std::make_shared<StepClock>();
+  clock = step_clock;
+} else if (get_parameter("use_sim_time").as_bool()) {
+  clock = std::make_shared<SimulatedClock>(get_clock());
+} else {
+  clock = std::make_shared<SteadyClock>(get_clock());
+}""",
+        f"{LOCK}\nstep_clock_ = step_clock;\nclock_ = clock;",
+    ], "// An answer to a request of the last time may still ask the one before.")  # fmt: skip
 
 
 def _initialize(node: NodePlan) -> str:

@@ -79,9 +79,10 @@ void Executor::add_callback_group(
   interrupt_->trigger();
 }
 
-void Executor::begin_to_spin()
+Executor::Spinning::Spinning(Executor & executor)
+: executor_(executor)
 {
-  if (spins_.exchange(true)) {
+  if (executor_.spins_.exchange(true)) {
     throw std::runtime_error("spin() called while already spinning");
   }
 }
@@ -97,12 +98,15 @@ void Executor::work_once()
 {
   std::optional<Task> task = next();
   if (task) {
+    const std::shared_ptr<void> after(
+      nullptr, [this, group = task->from.group](void *) {
+        group->end();
+        if (waits_) {
+          interrupt_->trigger();  // the group is free
+        }
+      });
     task->run();
-    task->from.group->end();
     task.reset();
-    if (waits_) {
-      interrupt_->trigger();  // the group is free
-    }
   }
 }
 
@@ -230,9 +234,8 @@ namespace executors
 
 void SingleThreadedExecutor::spin()
 {
-  begin_to_spin();
+  const Spinning spinning(*this);
   work();
-  end_to_spin();
 }
 
 MultiThreadedExecutor::MultiThreadedExecutor(
@@ -245,7 +248,7 @@ MultiThreadedExecutor::MultiThreadedExecutor(
 
 void MultiThreadedExecutor::spin()
 {
-  begin_to_spin();
+  const Spinning spinning(*this);
   std::vector<std::thread> others;
   for (size_t at = 1; at < threads_; ++at) {
     others.emplace_back([this] {work();});
@@ -254,7 +257,6 @@ void MultiThreadedExecutor::spin()
   for (std::thread & other : others) {
     other.join();
   }
-  end_to_spin();
 }
 
 }  // namespace executors

@@ -61,11 +61,12 @@ public:
     if (is_ready()) {
       return FutureReturnCode::SUCCESS;
     }
-    begin_to_spin();
-    while (goes_on() && !is_ready()) {
-      work_once();
+    {
+      const Spinning spinning(*this);
+      while (goes_on() && !is_ready()) {
+        work_once();
+      }
     }
-    end_to_spin();
     return is_ready() ? FutureReturnCode::SUCCESS : FutureReturnCode::INTERRUPTED;
   }
 
@@ -74,8 +75,18 @@ protected:
   void work();
   void work_once();
   bool goes_on() const;
-  void begin_to_spin();
-  void end_to_spin() {spins_ = false;}
+  /// Meanwhile it spins, and not any more after an exception of a callback either.
+  class Spinning
+  {
+  public:
+    explicit Spinning(Executor & executor);
+    ~Spinning() {executor_.spins_ = false;}
+    Spinning(const Spinning &) = delete;
+    Spinning & operator=(const Spinning &) = delete;
+
+  private:
+    Executor & executor_;
+  };
 
 private:
   struct Ready

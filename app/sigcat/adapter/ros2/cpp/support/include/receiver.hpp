@@ -19,7 +19,7 @@ public:
   /// No other executor may have the group.
   Receiver(
     const rclcpp::node_interfaces::NodeBaseInterface::SharedPtr & node,
-    const rclcpp::CallbackGroup::SharedPtr & group);
+    const rclcpp::CallbackGroup::SharedPtr & group, const rclcpp::Logger & logger);
 
   /// Waits for the callback that runs.
   ~Receiver();
@@ -27,6 +27,9 @@ public:
   Receiver & operator=(const Receiver &) = delete;
 
 private:
+  void receive(const std::shared_future<void> & end);
+
+  rclcpp::Logger logger_;
   rclcpp::executors::SingleThreadedExecutor executor_;
   std::promise<void> end_;
   std::thread thread_;
