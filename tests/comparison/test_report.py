@@ -157,6 +157,38 @@ def test_few_calls_have_no_p99_that_an_adapter_could_be_judged_by(adapter, holds
     assert found.note == "99 calls in lock step are too few for a p99"
 
 
+def preempted(count, adapter=50_000):
+    """A platform whose calls take a microsecond, but for some that something else interrupted."""
+    disturbed = [each._replace(is_preempted=True) for each in calls(adapter, count=count)]
+    own = played("ros2-cpp")
+    return own._replace(lock_step=own.lock_step._replace(calls=(*calls(1_000, count=200 - count), *disturbed)))
+
+
+def test_what_the_machine_did_in_the_middle_of_a_call_is_not_judged_as_the_adapters():
+    found = target(told(preempted(5)), "adapter of ROS2-CPP")
+    assert found.holds is True
+    assert "5 of 200 calls in lock step were preempted and are not judged: with them, p99 is 49 µs" in found.note
+
+
+def test_a_long_call_that_kept_its_processor_is_judged():
+    own = preempted(5)
+    kept = tuple(each._replace(is_preempted=False) for each in own.lock_step.calls)
+    assert (
+        target(told(own._replace(lock_step=own.lock_step._replace(calls=kept))), "adapter of ROS2-CPP").holds is False
+    )
+
+
+def test_calls_that_were_all_preempted_are_judged_as_they_are():
+    assert target(told(preempted(200)), "adapter of ROS2-CPP").holds is False
+
+
+def test_calls_that_were_preempted_are_in_the_distributions():
+    (row,) = [each for each in told(preempted(5)).timing if each.platform == "ros2-cpp"]
+    assert (row.preempted, row.t_adapter.total, row.t_adapter.worst) == (5, 200, 50_000)
+    assert (row.t_adapter_alone.total, row.t_adapter_alone.worst) == (195, 1_000)
+    assert "t_adapter, not preempted" in html_page(told(preempted(5)))
+
+
 def test_the_adapter_in_python_is_told_and_not_judged():
     report = told(played("ros2-py", adapter=10**6))
     assert not [each for each in report.targets if each.what.startswith("adapter")]

@@ -25,6 +25,8 @@ class CallTime(NamedTuple):
     """The function itself."""
     begin_ns: int = 0
     """When it began, by the clock of the machine."""
+    is_preempted: bool = False
+    """Whether the system gave its processor to something else before it ended. A wait for a lock is none."""
 
     @property
     def end_ns(self) -> int:

@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 
 import pytest
 
@@ -12,8 +13,45 @@ from tests.comparison.ecocontrol import subject
 
 pytestmark = needs.c_compiler
 MAIN = """
+#include <sched.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #include "CoreAcc_adapter.h"
-int main(void)
+
+#ifdef RUSAGE_THREAD
+static long taken(void)
+{
+    struct rusage usage;
+    (void)getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_nivcsw;
+}
+
+/* Work without a wait, until a process that may use the same processor alone has had it. */
+static void be_preempted(void)
+{
+    const long before = taken();
+    pid_t busy;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    (void)sched_setaffinity(0, sizeof(one), &one);
+    busy = fork();
+    if (busy == 0) {
+        for (;;) {
+        }
+    }
+    while (taken() == before) {
+    }
+    (void)kill(busy, SIGKILL);
+}
+#else
+static void be_preempted(void)
+{
+}
+#endif
+
+int main(int argc, char **argv)
 {
     CoreAcc_Adapter *self = &CoreAcc_Adapter_Instance;
     (void)CoreAcc_Adapter_Init(self, 0, 1);
@@ -24,6 +62,9 @@ int main(void)
             CoreAcc_Adapter_SetInput_Step(self, t);
             CoreAcc_Adapter_Begin_Step(self, t);
             CoreAcc_Adapter_Run_Step(self);
+            if ((argc > 1) && (argv[1] != NULL) && (t == 50000000U)) {
+                be_preempted();
+            }
             CoreAcc_Adapter_GetOutput_Step(self, t);
         }
     }
@@ -65,6 +106,15 @@ def test_each_call_is_told_with_its_time_and_how_long_its_parts_took(program, tm
     assert [each.time_ns for each in calls] == list(range(0, 3_000_000_000, 50_000_000))
     assert {(each.function, each.call) for each in calls} == {("CoreAcc", "CoreAcc_Step")}
     assert all(0 <= each.t_logic_ns <= each.t_exec_ns and each.t_adapter_ns > 0 for each in calls)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the system does not say it")
+def test_a_call_whose_processor_was_given_to_something_else_is_told(program, tmp_path):
+    subprocess.run([program, "preempted"], check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    calls = read_marks(subject().prepared.connections, tmp_path, 0).calls
+    assert calls[1].is_preempted
+    assert {each.call for each in calls} == {"CoreAcc_Step"}
+    assert not all(each.is_preempted for each in calls)
 
 
 def test_safety_reactions_are_those_that_the_core_has_after_each_call(program, tmp_path):

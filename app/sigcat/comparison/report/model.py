@@ -185,6 +185,15 @@ class Timing(Part):
     t_exec: Durations
     t_adapter: Durations
     t_logic: Durations
+    preempted: Count = 0
+    """Calls whose processor the system gave to something else before they ended: other work counts as theirs."""
+    t_adapter_alone: Durations | None = None
+    """Of the calls that kept their processor; None if all did, or none."""
+
+    @property
+    def t_adapter_judged(self) -> Durations:
+        """What is the adapter's own."""
+        return self.t_adapter_alone or self.t_adapter
 
 
 class Measured(Part):

@@ -235,7 +235,9 @@ def _timing(report: Report) -> Section:
     parts += _table("Other durations", "what|platform|from, to|number|median|p99|worst", measured)
     lead = (
         "A call has four points of measurement: t_exec is from the begin of SetInput to the end of GetOutput, t_logic the function "
-        "itself, t_adapter the rest. The first row is the floor: the same core in a loop without any transport."
+        "itself, t_adapter the rest, by the steady clock of the machine. A call is preempted if the system gave its processor to "
+        "something else before it ended; one that waits for a lock is not. The first row is the floor: the same core in a loop "
+        "without any transport."
     )
     return Section("Timing", (lead,) if parts else (), tuple(parts))
 
@@ -263,7 +265,10 @@ def _label(report: Report, each: Timing) -> str:
 
 
 def _timing_rows(report: Report, each: Timing) -> Iterator[tuple[Cell, ...]]:
-    for name, found in (("t_exec", each.t_exec), ("t_adapter", each.t_adapter), ("t_logic", each.t_logic)):
+    rows = [("t_exec", each.t_exec), ("t_adapter", each.t_adapter), ("t_logic", each.t_logic)]
+    if each.t_adapter_alone:
+        rows.insert(2, ("t_adapter, not preempted", each.t_adapter_alone))
+    for name, found in rows:
         yield _cells(report.title_of(each.platform), each.mode, name, *_numbers(found))
 
 

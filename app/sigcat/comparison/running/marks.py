@@ -18,6 +18,7 @@ FOLDER = "SIGCAT_MARKS"
 """The variable that names the folder of the files; without it, nothing is measured."""
 _HEADER = "sigcat_marks.h"
 _RECORD = struct.Struct("=QQQQQII")
+_PREEMPTED = 1 << 31
 _BITS = 32
 _TEXTS = {False: "INACTIVE", True: "ACTIVE"}
 
@@ -33,17 +34,24 @@ _TEXT = """\
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
 typedef struct {
     uint64_t now; /* when the call began, in the time of the platform */
     uint64_t at[4];
-    uint32_t call;
+    uint32_t call;      /* with SIGCAT_PREEMPTED, if the processor was taken from its thread meanwhile */
     uint32_t reactions; /* that are active after it, a bit for each */
 } sigcat_record;
 
+typedef struct {
+    sigcat_record record;
+    uint64_t preemptions; /* of the thread, before the call */
+} sigcat_measured;
+
 enum { SIGCAT_CALLS = 64 };
+#define SIGCAT_PREEMPTED 0x80000000U
 
 static inline uint64_t sigcat_clock(void)
 {
@@ -63,25 +71,38 @@ static inline FILE *sigcat_open(const char *function)
     return file;
 }
 
-/* The time is taken last where time to be measured begins, and first where it ends. */
-static inline void sigcat_mark(sigcat_record *record, uint64_t now, unsigned point)
+/* Of this thread, since it began; a wait of its own, such as for a lock, is none. */
+static inline uint64_t sigcat_preemptions(void)
 {
-    if (point == 1U) {
-        record->now = now;
+#ifdef RUSAGE_THREAD
+    struct rusage usage;
+    return (getrusage(RUSAGE_THREAD, &usage) == 0) ? (uint64_t)usage.ru_nivcsw : 0U;
+#else
+    return 0U;
+#endif
+}
+
+/* The time is taken last where time to be measured begins, and first where it ends. */
+static inline void sigcat_mark(sigcat_measured *one, uint64_t now, unsigned point)
+{
+    if (point == 0U) {
+        one->preemptions = sigcat_preemptions();
+    } else if (point == 1U) {
+        one->record.now = now;
     }
-    record->at[point] = sigcat_clock();
+    one->record.at[point] = sigcat_clock();
 }
 
 static inline void sigcat_write(
-    const char *function, FILE **file, sigcat_record *record, uint32_t call, uint32_t reactions)
+    const char *function, FILE **file, sigcat_measured *one, uint32_t call, uint32_t reactions)
 {
-    record->call = call;
-    record->reactions = reactions;
+    one->record.call = call | ((sigcat_preemptions() != one->preemptions) ? SIGCAT_PREEMPTED : 0U);
+    one->record.reactions = reactions;
     if (*file == NULL) {
         *file = sigcat_open(function);
     }
     if (*file != NULL) {
-        (void)fwrite(record, sizeof(*record), 1, *file);
+        (void)fwrite(&one->record, sizeof(one->record), 1, *file);
     }
 }
 @macros@
@@ -89,10 +110,10 @@ static inline void sigcat_write(
 """
 _MACROS = """
 static FILE *sigcat_file_{function} __attribute__((unused));
-static sigcat_record sigcat_records_{function}[SIGCAT_CALLS] __attribute__((unused));
+static sigcat_measured sigcat_calls_{function}[SIGCAT_CALLS] __attribute__((unused));
 #define {macro}(self, point, call) \\
     do {{ \\
-        sigcat_record *const sigcat_one = &sigcat_records_{function}[(unsigned)(call) % SIGCAT_CALLS]; \\
+        sigcat_measured *const sigcat_one = &sigcat_calls_{function}[(unsigned)(call) % SIGCAT_CALLS]; \\
         sigcat_mark(sigcat_one, (self)->now, (point)); \\
         if ((point) == 3) {{ \\
             sigcat_write("{function}", &sigcat_file_{function}, sigcat_one, (uint32_t)(call), {reactions}); \\
@@ -155,7 +176,8 @@ def _records(path: Path) -> Iterator[tuple[int, ...]]:
 
 def _call_time(function: str, names: Sequence[str], record: tuple[int, ...]) -> CallTime:
     now, begins, called, returned, ends, call, _ = record
-    return CallTime(function, names[call - 1], now, ends - begins, returned - called, begins)
+    name, is_preempted = names[(call & ~_PREEMPTED) - 1], bool(call & _PREEMPTED)
+    return CallTime(function, name, now, ends - begins, returned - called, begins, is_preempted)
 
 
 def _reactions(

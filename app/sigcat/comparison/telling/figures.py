@@ -21,6 +21,8 @@ def _timing(recording: Recording, times: Sequence[CallTime]) -> Iterator[model.T
     t_exec = distribution(each.t_exec_ns for each in times)
     t_adapter = distribution(each.t_adapter_ns for each in times)
     t_logic = distribution(each.t_logic_ns for each in times)
+    alone = [each for each in times if not each.is_preempted]
+    t_alone = distribution(each.t_adapter_ns for each in alone) if len(alone) < len(times) else None
     if t_exec and t_adapter and t_logic:
         yield model.Timing(
             platform=recording.platform,
@@ -30,6 +32,8 @@ def _timing(recording: Recording, times: Sequence[CallTime]) -> Iterator[model.T
             t_exec=_durations(t_exec),
             t_adapter=_durations(t_adapter),
             t_logic=_durations(t_logic),
+            preempted=len(times) - len(alone),
+            t_adapter_alone=_durations(t_alone) if t_alone else None,
         )
 
 

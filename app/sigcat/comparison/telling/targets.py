@@ -117,29 +117,28 @@ def _is_same(same: int, faults: int) -> bool | None:
 
 
 def _adapter(told: model.Report, platform: str) -> model.Target:
-    """Of the call that comes most often, beyond the loop without transport; what the others take is a remark."""
-    floors = {each.call: each.t_adapter for each in told.timing if each.platform == told.reference}
+    """Of the call that comes most often, beyond the loop without transport; what the others take is a remark.
+
+    Calls that kept their processor are judged: what else the machine did meanwhile is no adapter's time.
+    """
+    floors = {each.call: each.t_adapter_judged for each in told.timing if each.platform == told.reference}
     often = max(floors, key=lambda call: floors[call].total, default="")
+    own = [each for each in told.timing if each.platform == platform and each.call in floors]
     over = [
-        _Beyond(
-            each.call,
-            each.mode,
-            each.t_adapter.total,
-            each.t_adapter.p50 - floors[each.call].p50,
-            each.t_adapter.p99 - floors[each.call].p99,
-        )
-        for each in told.timing
-        if each.platform == platform and each.call in floors
+        _Beyond(each.call, each.mode, found.total, found.p50 - floors[each.call].p50, found.p99 - floors[each.call].p99)
+        for each in own
+        for found in [each.t_adapter_judged]
     ]
     judged = [each for each in over if each.call == often]
     few = [f"{each.calls:,} calls in {each.mode} are too few for a p99" for each in judged if each.calls < CALLS]
     none = [] if judged else ["no call was measured on it and in the simulation"]
+    preempted = [_preempted(each, floors[often]) for each in own if each.call == often and each.t_adapter_alone]
     return model.Target(
         what=f"adapter of {told.title_of(platform)}, beyond an in-process loop",
         wanted="p50 and p99 at most 10 µs",
         measured="; ".join(map(_beyond, judged)),
         holds=_is_short(judged),
-        note="; ".join((*none, *few, *map(_beyond, (each for each in over if each.call != often)))),
+        note="; ".join((*none, *few, *preempted, *map(_beyond, (each for each in over if each.call != often)))),
     )
 
 
@@ -152,6 +151,13 @@ def _is_short(judged: Sequence[_Beyond]) -> bool | None:
 
 def _beyond(each: _Beyond) -> str:
     return f"{each.call}, {each.mode}: {duration(each.p50)} and {duration(each.p99)}"
+
+
+def _preempted(each: model.Timing, floor: model.Durations) -> str:
+    return (
+        f"{each.preempted:,} of {counted(each.t_adapter.total, 'call')} in {each.mode} were preempted and are not judged: "
+        f"with them, p99 is {duration(each.t_adapter.p99 - floor.p99)}"
+    )
 
 
 def _overhead(told: model.Report, platform: str) -> model.Target:

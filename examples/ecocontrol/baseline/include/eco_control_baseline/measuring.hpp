@@ -3,6 +3,7 @@
 #ifndef ECO_CONTROL_BASELINE__MEASURING_HPP_
 #define ECO_CONTROL_BASELINE__MEASURING_HPP_
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -38,15 +39,28 @@ public:
   // 0: inputs are taken; 1: the function is called; 2: it has returned; 3: outputs are taken.
   void at(unsigned point, uint64_t now)
   {
+    if (point == 0U) {
+      preemptions_ = preemptions();
+    }
     const auto time = std::chrono::steady_clock::now().time_since_epoch();
     record_.at[point] = static_cast<uint64_t>(std::chrono::nanoseconds(time).count());
     record_.now = now;
     if (point == 3U && file_ != nullptr) {
+      record_.call = CALL | (preemptions() != preemptions_ ? PREEMPTED : 0U);
       std::fwrite(&record_, sizeof(record_), 1, file_);
     }
   }
 
 private:
+  static constexpr uint32_t CALL = 1;
+  static constexpr uint32_t PREEMPTED = 0x80000000U;  // the processor was taken from the thread meanwhile
+
+  static long preemptions()
+  {
+    rusage usage{};
+    return getrusage(RUSAGE_THREAD, &usage) == 0 ? usage.ru_nivcsw : 0;
+  }
+
   struct Record
   {
     uint64_t now;
@@ -55,7 +69,8 @@ private:
     uint32_t reactions;
   };
 
-  Record record_{0, {0, 0, 0, 0}, 1, 0};
+  Record record_{0, {0, 0, 0, 0}, CALL, 0};
+  long preemptions_ = 0;
   std::FILE * file_ = nullptr;
 };
 
