@@ -56,6 +56,7 @@ c_compiler = pytest.mark.skipif(not C_COMPILERS, reason="a C compiler: install g
 _ZIG_CPP = tuple((*command[:-1], "c++") for command in _ZIG)
 CPP_COMPILERS = (*((name,) for name in ("g++", "clang++") if which(name)), *_ZIG_CPP)
 """Those of C++."""
+cpp_compiler = pytest.mark.skipif(not CPP_COMPILERS, reason="a C++ compiler: install g++")
 cmake = pytest.mark.skipif(
     not (which("cmake") and CPP_COMPILERS), reason="CMake and a C++ compiler: install cmake and g++"
 )

@@ -14,7 +14,7 @@ from sigcat.adapter.toolchain import toolchain
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
 from sigcat.comparison.running import processes
-from tests.needs import CPP_COMPILERS, own_network, ros2, slow
+from tests.needs import cpp_compiler, own_network, ros2, slow
 
 
 @pytest.mark.parametrize("script", [browser._SERVE, servers.SERVICE, servers.FLOOR], ids=["site", "api", "floor"])
@@ -51,9 +51,6 @@ def test_events_are_left_out_with_a_line_where_they_cannot_be_measured(missing: 
     monkeypatch.setattr(transport, "which", lambda name: None if name == missing else name)
     assert not [line for line in __main__._table(["event"], 1) if "an event" in line]
     assert len(capsys.readouterr().err.splitlines()) == 1
-
-
-cpp_compiler = pytest.mark.skipif(not CPP_COMPILERS, reason="a C++ compiler: install g++")
 
 
 @cpp_compiler

@@ -78,9 +78,10 @@ def test_each_good_initialization_is_terminated_once_and_stored(ask, node, tmp_p
         assert ask("change", "core_acc", "activate")
         assert ask("change", "core_acc", "deactivate")
         assert ask("change", "core_acc", "cleanup")
-        assert kept(tmp_path)[:2] == ["sigcat 1", f"ignition_cycle: {cycle}"]
+        assert kept(tmp_path)[0] == "sigcat 1"
+        assert f"ignition_cycle: {cycle}" in kept(tmp_path)
     assert ask("change", "core_acc", "shutdown")
-    assert kept(tmp_path)[1] == "ignition_cycle: 2"
+    assert "ignition_cycle: 2" in kept(tmp_path)
 
 
 @pytest.mark.parametrize("has_threads", [False, True], ids=["executor of events", "executor with threads"])
@@ -98,7 +99,7 @@ def test_a_node_that_is_ended_while_it_is_active_terminates_its_function(ask, ru
     assert ask("change", "core_acc", "configure")
     assert ask("change", "core_acc", "activate")
     assert running.end(how) == 0, running.said.read_text()
-    assert kept(tmp_path)[1] == "ignition_cycle: 1"
+    assert "ignition_cycle: 1" in kept(tmp_path)
 
 
 def test_whoever_interrupts_a_node_again_does_not_keep_it_from_terminating_its_function(ask, running, tmp_path):
@@ -107,7 +108,7 @@ def test_whoever_interrupts_a_node_again_does_not_keep_it_from_terminating_its_f
     while running.is_alive():
         running.process.send_signal(signal.SIGINT)
         time.sleep(0.001)
-    assert kept(tmp_path)[1] == "ignition_cycle: 1"
+    assert "ignition_cycle: 1" in kept(tmp_path)
     assert "Traceback" not in running.said.read_text()
 
 
@@ -115,7 +116,7 @@ def test_shutting_an_active_node_down_terminates_its_function(ask, running, tmp_
     assert ask("change", "core_acc", "configure")
     assert ask("change", "core_acc", "activate")
     assert ask("change", "core_acc", "shutdown")
-    assert kept(tmp_path)[1] == "ignition_cycle: 1"
+    assert "ignition_cycle: 1" in kept(tmp_path)
 
 
 # -- steps --------------------------------------------------------------------------------------------------------
@@ -243,7 +244,7 @@ def test_a_file_that_is_broken_is_left_aside_and_told(ask, node, tmp_path):
         assert ask("change", "core_acc", "configure")
         assert file.with_name("core_acc.txt.broken").read_text() == text
         assert ask("change", "core_acc", "cleanup")
-        assert kept(tmp_path)[1] == "ignition_cycle: 1"
+        assert "ignition_cycle: 1" in kept(tmp_path)
     assert node.said.read_text().count("is left aside") == 4
 
 
@@ -252,10 +253,10 @@ def test_counts_of_errors_go_on(ask, node, tmp_path):
     file.parent.mkdir()
     counts = [f"AliveError.{name}: {value}" for name, value in (
         ("occurrences", 3), ("ignition_cycles", 2), ("has_failed", "true"), ("is_tested", "true"))]  # fmt: skip
-    file.write_text("\n".join(["sigcat 1", "ignition_cycle: 7", *counts, "OfAnotherVersion: 5", ""]))
+    file.write_text("\n".join(["sigcat 1", "ignition_cycle: 7", *counts, ""]))
     assert ask("change", "core_acc", "configure")
     assert ask("change", "core_acc", "cleanup")
-    assert kept(tmp_path)[1] == "ignition_cycle: 8"
+    assert "ignition_cycle: 8" in kept(tmp_path)
     assert "AliveError.occurrences: 3" in kept(tmp_path)
     assert "AliveError.ignition_cycles: 3" in kept(tmp_path)
 
@@ -264,14 +265,15 @@ WRITER = """
 import sys
 from pathlib import Path
 from eco_control_py.core_acc_core import CoreAccCore
-from eco_control_py.support import storage
+from eco_control_py.support.storage import Storage
 core = CoreAccCore()
+storage = Storage(Path(sys.argv[1]), core)
 cycle = 0
 print('ready', flush=True)
 while True:
     cycle += 1
     core.init(None, cycle)
-    storage.write(Path(sys.argv[1]), core)
+    storage.save()
 """
 
 
@@ -288,7 +290,7 @@ def test_a_file_is_written_whole_or_not_at_all_whenever_the_process_is_killed(wh
         if file.exists():
             lines = file.read_text().split("\n")
             assert (lines[0], len(lines), lines[-1]) == ("sigcat 1", 19, "")
-            found.add(lines[1])
+            found.add(next(line for line in lines if line.startswith("ignition_cycle: ")))
     assert found
 
 

@@ -163,14 +163,14 @@ def test_a_node_has_only_the_settings_that_do_something(full, tmp_path):
 
 STORES = """
 from full_py.full_core import FullCore
-from full_py.support import storage
+from full_py.support.storage import Storage
 core = FullCore(library)
 core.init(None, 4)
 core.start(0)
 core.run_due(5_000_000)
 core.terminate(5_000_000)
-storage.write(Path('kept/full.txt'), core)
-print(storage.read(Path('kept/full.txt'), core)['Cnt'])
+Storage(Path('kept/full.txt'), core).save()
+print(Storage(Path('kept/full.txt'), core).load()['Cnt'])
 print([line for line in Path('kept/full.txt').read_text().splitlines() if '.' not in line])
 """
 
@@ -180,7 +180,7 @@ print([line for line in Path('kept/full.txt').read_text().splitlines() if '.' no
 def test_what_a_function_has_learned_is_stored_and_read_back(full, tmp_path):
     done = ran(generated.full(), "full_py", full, f"import os\nos.chdir({str(tmp_path)!r})\n{STORES}", tmp_path)
     assert done.stdout.splitlines() == [
-        "{'value': 1, 'is_there': True}", "['sigcat 1', 'ignition_cycle: 4', 'Cnt: 1']",
+        "{'value': 1, 'is_there': True}", "['sigcat 1', 'Cnt: 1', 'ignition_cycle: 4']",
     ], done.stderr  # fmt: skip
 
 

@@ -55,7 +55,7 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     unused = {
         *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
         *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
-        *(() if any(node.is_stored for node in workspace.nodes) else ("storage",)),
+        *(() if any(node.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
     }
     for path in sorted(SUPPORT.rglob("*.?pp")):
         if path.stem.removeprefix("test_") in unused:

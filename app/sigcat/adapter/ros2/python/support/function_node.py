@@ -5,7 +5,6 @@ Configuring initializes the function; while the node is active, a thread of its 
 calls; whatever ends it, terminates the function once. Subscriptions only hand values over.
 """
 
-from contextlib import suppress
 import os
 from pathlib import Path
 from signal import SIGINT, signal
@@ -33,6 +32,7 @@ from .clock import Clock, LockStepClock, SimulatedClock, SteadyClock
 from .core import Core, NO_CALL
 from .executor import spin_node
 from .parameters import Parameters
+from .stored_text import BrokenFile
 from .topics import Topics
 from .watch import Watch
 
@@ -79,6 +79,7 @@ class FunctionNode(LifecycleNode):
         self._answers_group = MutuallyExclusiveCallbackGroup()
         self._diagnostics_group = MutuallyExclusiveCallbackGroup()
         self._is_stored = bool(core.errors or core.learned)
+        self._storage: Optional[storage.Storage] = None
         self._function_parameters.declare_settings(
             self.policy, self.priority, is_stored=self._is_stored)
         self.declare_function_parameters()
@@ -194,8 +195,8 @@ class FunctionNode(LifecycleNode):
         self._is_initialized = False
         with self._call_lock, self.core_lock:
             self._core.terminate(self._core_clock.now())
-        if self._is_stored:
-            self._store()
+        if self._storage is not None:
+            self._store(self._storage)
         for destroy in self._entities:
             destroy()
         self._entities.clear()
@@ -404,32 +405,35 @@ class FunctionNode(LifecycleNode):
 
     # -- storage ------------------------------------------------------------------------
 
-    @property
-    def _file(self) -> Path:
+    def _make_storage(self) -> storage.Storage:
         folder = self._function_parameters.value('storage_folder')
         path = Path(folder) if folder else storage.default_folder(self._core.package)
-        return storage.file_of(path, self.get_fully_qualified_name())
+        name = self.get_fully_qualified_name()
+        return storage.Storage(storage.file_of(path, name), self._core)
 
     def _load(self) -> Dict[str, Any]:
         if not self._is_stored:
             return {}
-        path = self._file
+        self._storage = self._make_storage()
         try:
-            return storage.read(path, self._core)
-        except FileNotFoundError:
-            return {}
-        except storage.BrokenFile as error:
-            self.get_logger().error(f'{path} is left aside: {error}')
-            with suppress(OSError):
-                storage.set_aside(path)
+            return self._storage.load()
+        except BrokenFile as error:
+            self._leave_aside(self._storage, error)
         return {}
 
-    def _store(self) -> None:
-        path = self._file
+    def _leave_aside(self, kept: storage.Storage, error: BrokenFile) -> None:
+        how = 'is left aside'
         try:
-            storage.write(path, self._core)
+            kept.set_aside()
+        except OSError as reason:
+            how = f'is not used, and cannot be left aside ({reason.strerror})'
+        self.get_logger().error(f'{kept.path} {how}: {error}')
+
+    def _store(self, kept: storage.Storage) -> None:
+        try:
+            kept.save()
         except OSError as error:
-            self.get_logger().error(f'{path} cannot be written: {error}')
+            self.get_logger().error(f'{kept.path} cannot be written: {error}')
 
     # -- diagnostics --------------------------------------------------------------------
 

@@ -1,24 +1,19 @@
-"""
-What a node keeps from one run to the next: a text of its own.
-
-It is written whole or not at all: beside the file first, and then in its place.
-"""
+"""What a node keeps from one run to the next: a file that is written whole or not at all."""
 
 import os
 from pathlib import Path
-from reprlib import repr as shortened
-from struct import pack
-from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
+from typing import Any, Dict, Mapping, Sequence, Tuple
 
 from .core import Core, Leaf
+from .stored_text import BrokenFile, parse, read_text, read_texts, stored_text, text_of
 
-FIRST_LINE = 'sigcat 1'
-COUNTS = ('occurrences', 'ignition_cycles', 'has_failed', 'is_tested')
-_NUMBER_OF_FLAG = {'false': False, 'true': True}
-
-
-class BrokenFile(ValueError):
-    """A file that this package did not write."""
+COUNTS = {
+    'occurrences': 'uint16_t',
+    'ignition_cycles': 'uint16_t',
+    'has_failed': '_Bool',
+    'is_tested': '_Bool',
+}
+"""Of an error, each under a key of its own, with its datatype."""
 
 
 def default_folder(package: str) -> Path:
@@ -31,64 +26,105 @@ def file_of(folder: Path, node: str) -> Path:
     return folder / f'{node.strip("/").replace("/", ".")}.txt'
 
 
-def set_aside(path: Path) -> Path:
-    """Keep a file that cannot be read beside where it was."""
-    aside = path.with_name(f'{path.name}.broken')
-    path.replace(aside)
-    return aside
+class Storage:
+    """The file of a node."""
+
+    def __init__(self, path: Path, core: Core) -> None:
+        """Take the core whose values they are."""
+        self.path = path
+        self._core = core
+        self._values: Dict[str, str] = {}
+
+    def load(self) -> Dict[str, Any]:
+        """
+        Read what was stored, as the core takes it; nothing if there is no file.
+
+        Raises BrokenFile if it cannot be read, or is not as it was written.
+        """
+        self._values = {}
+        values = self._read()
+        stored = _stored(values, self._core)
+        self._values = values
+        return stored
+
+    def set_aside(self) -> Path:
+        """Keep a broken file beside as `.broken`."""
+        aside = self.path.with_name(f'{self.path.name}.broken')
+        self.path.replace(aside)
+        return aside
+
+    def save(self) -> None:
+        """
+        Write what the core keeps, all of it or nothing. Raises OSError if that is not possible.
+
+        What was read before and is not of the core stays.
+        """
+        self._values.update(_texts(self._core))
+        _write(self.path, stored_text(self._values))
+
+    def _read(self) -> Dict[str, str]:
+        try:
+            return parse(self.path.read_bytes())
+        except OSError as reason:
+            is_there = not isinstance(reason, (FileNotFoundError, NotADirectoryError))
+            if is_there or self.path.is_symlink():
+                raise BrokenFile(str(reason)) from None
+            return {}
 
 
-def read(path: Path, core: Core) -> Dict[str, Any]:
-    """
-    Read what was stored, as the core takes it.
-
-    Raises FileNotFoundError, or BrokenFile if it cannot be read, or is not as it was written.
-    """
+def _write(path: Path, data: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    new = path.with_name(f'{path.name}.new')
     try:
-        values = dict(_lines(path.read_text(encoding='utf-8')))
-    except FileNotFoundError:
+        with new.open('wb') as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError:
+        new.unlink(missing_ok=True)
         raise
-    except (OSError, UnicodeDecodeError) as reason:
-        raise BrokenFile(str(reason)) from None
+    new.replace(path)
+    folder = os.open(path.parent, os.O_RDONLY)
+    try:
+        os.fsync(folder)
+    finally:
+        os.close(folder)
+
+
+def _stored(values: Mapping[str, str], core: Core) -> Dict[str, Any]:
+    """Answer values as the core takes them."""
     stored: Dict[str, Any] = {}
     if 'ignition_cycle' in values:
         stored['has_cycle'] = True
-        stored['ignition_cycle'] = _number(values['ignition_cycle'], 'uint32_t')
+        stored['ignition_cycle'] = read_text(values['ignition_cycle'], 'uint32_t')
     for error in core.errors:
         stored[error.name] = {
-            name: _number(values[f'{error.name}.{name}'], _datatype(name))
-            for name in COUNTS
+            name: read_text(values[f'{error.name}.{name}'], datatype)
+            for name, datatype in COUNTS.items()
             if f'{error.name}.{name}' in values
         }
     stored.update(_learned(values, core.learned_leaves()))
     return stored
 
 
-def _lines(text: str) -> Iterator[Tuple[str, str]]:
-    first, *rows = text.split('\n')
-    if first != FIRST_LINE or rows[-1:] != ['']:
-        raise BrokenFile(f'the first line is not {FIRST_LINE!r}, or the last one has no end')
-    seen = set()
-    for row in rows[:-1]:
-        key, sign, value = row.partition(': ')
-        if not sign or not key or key in seen:
-            raise BrokenFile(f'{shortened(row)} is no line of it')
-        seen.add(key)
-        yield key, value
-
-
 def _learned(values: Mapping[str, str], leaves: Sequence[Leaf]) -> Dict[str, Any]:
     """Answer the parameters of which everything is there."""
-    names = dict.fromkeys(leaf.parameter for leaf in leaves)
+    read = {leaf: _of_leaf(values[leaf.key], leaf) for leaf in leaves if leaf.key in values}
     found: Dict[str, Any] = {}
-    for name in names:
+    for name in dict.fromkeys(leaf.parameter for leaf in leaves):
         own = [leaf for leaf in leaves if leaf.parameter == name]
-        if all(leaf.key in values for leaf in own):
+        if all(leaf in read for leaf in own):
             whole: Dict[Any, Any] = {}
             for leaf in own:
-                _put(whole, ('value', *leaf.path), _value(values[leaf.key], leaf))
+                _put(whole, ('value', *leaf.path), read[leaf])
             found[name] = {'value': _without_numbers(whole['value']), 'is_there': True}
     return found
+
+
+def _of_leaf(text: str, leaf: Leaf) -> Any:
+    if leaf.length is None:
+        return read_text(text, leaf.datatype)
+    return read_texts(text, leaf.datatype, leaf.length)
 
 
 def _put(whole: Dict[Any, Any], path: Tuple[Any, ...], value: Any) -> None:
@@ -105,78 +141,18 @@ def _without_numbers(value: Any) -> Any:
     return list(parts.values()) if 0 in parts else parts
 
 
-def _value(text: str, leaf: Leaf) -> Any:
-    if leaf.length is None:
-        return _number(text, leaf.datatype)
-    numbers = [_number(each, leaf.datatype) for each in text.split(' ')]
-    if len(numbers) != leaf.length:
-        raise BrokenFile(f'{leaf.key} has {len(numbers)} elements and not {leaf.length}')
-    return numbers
-
-
-def _datatype(count: str) -> str:
-    return 'uint16_t' if count in ('occurrences', 'ignition_cycles') else '_Bool'
-
-
-def _number(text: str, datatype: str) -> Any:
-    try:
-        if datatype == '_Bool':
-            return _NUMBER_OF_FLAG[text]
-        if datatype in ('float', 'double'):
-            return float(text)
-        number = int(text)
-    except (KeyError, ValueError):
-        raise BrokenFile(f'{shortened(text)} is no {datatype}') from None
-    bits = int(datatype.strip('uint_t'))
-    low, high = (0, 2 ** bits) if datatype[0] == 'u' else (-2 ** (bits - 1), 2 ** (bits - 1))
-    if not low <= number < high:
-        raise BrokenFile(f'{shortened(text)} is no {datatype}')
-    return number
-
-
-def write(path: Path, core: Core) -> None:
-    """Write what the core keeps. Raises OSError if that is not possible."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    new = path.with_name(f'{path.name}.new')
-    try:
-        with new.open('wb') as file:
-            file.write(_text(core).encode())
-            file.flush()
-            os.fsync(file.fileno())
-    except OSError:
-        new.unlink(missing_ok=True)
-        raise
-    new.replace(path)
-    folder = os.open(path.parent, os.O_RDONLY)
-    try:
-        os.fsync(folder)
-    finally:
-        os.close(folder)
-
-
-def _text(core: Core) -> str:
+def _texts(core: Core) -> Dict[str, str]:
+    """Answer what the core keeps, as texts by key."""
     stored = core.stored()
-    rows: List[str] = [FIRST_LINE, f'ignition_cycle: {stored["ignition_cycle"]}']
+    texts = {'ignition_cycle': text_of(stored['ignition_cycle'], 'uint32_t')}
     for error in core.errors:
-        counts = stored[error.name]
-        rows += [
-            f'{error.name}.{name}: {_written(counts[name], _datatype(name))}' for name in COUNTS
-        ]
+        for name, datatype in COUNTS.items():
+            texts[f'{error.name}.{name}'] = text_of(stored[error.name][name], datatype)
     for leaf in core.learned_leaves():
-        place = stored[leaf.parameter]
-        if place['is_there']:
-            value = place['value']
+        if stored[leaf.parameter]['is_there']:
+            value = stored[leaf.parameter]['value']
             for name in leaf.path:
                 value = value[name]
             elements = value if leaf.length is not None else [value]
-            rows.append(f'{leaf.key}: {" ".join(_written(e, leaf.datatype) for e in elements)}')
-    return '\n'.join(rows) + '\n'
-
-
-def _written(value: Any, datatype: str) -> str:
-    if datatype == '_Bool':
-        return 'true' if value else 'false'
-    if datatype == 'float' and value - value == 0:
-        texts = (f'{value:.{digits}g}' for digits in range(1, 10))
-        return next(text for text in texts if pack('f', float(text)) == pack('f', value))
-    return repr(value)
+            texts[leaf.key] = ' '.join(text_of(each, leaf.datatype) for each in elements)
+    return texts

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,27 +21,6 @@ namespace PACKAGE_NAME
 
 namespace
 {
-
-constexpr char kFirstLine[] = "sigcat 1";
-
-template<typename NumberT>
-std::string shortest(NumberT value)
-{
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof(text), value);
-  return std::string(text, end.ptr);
-}
-
-template<typename NumberT>
-bool read_number(const std::string & text, NumberT & value)
-{
-  NumberT found{};
-  const char * const last = text.data() + text.size();
-  const auto end = std::from_chars(text.data(), last, found);
-  const bool is_whole = end.ec == std::errc() && end.ptr == last;
-  value = is_whole ? found : value;
-  return is_whole;
-}
 
 /// Writes a file so that it stays, whatever happens next. 0, or the error that it cannot.
 int write_file(const std::filesystem::path & path, const std::string & text)
@@ -85,7 +65,7 @@ std::filesystem::path storage_file(const std::string & folder, const std::string
   if (folder.empty()) {
     const char * const ros_home = std::getenv("ROS_HOME");
     const char * const home = std::getenv("HOME");
-    path = ros_home != nullptr ? std::filesystem::path(ros_home) :
+    path = ros_home != nullptr && *ros_home != '\0' ? std::filesystem::path(ros_home) :
       std::filesystem::path(home != nullptr ? home : ".") / ".ros";
     path /= "PACKAGE_NAME";
   }
@@ -94,29 +74,6 @@ std::filesystem::path storage_file(const std::string & folder, const std::string
   return path / (name + ".txt");
 }
 
-std::string text_of(bool value) {return value ? "true" : "false";}
-std::string text_of(float value) {return shortest(value);}
-std::string text_of(double value) {return shortest(value);}
-std::string text_of(int64_t value) {return shortest(value);}
-std::string text_of(uint64_t value) {return shortest(value);}
-
-bool read_text(const std::string & text, bool & value)
-{
-  value = text == "true" || (text != "false" && value);
-  return text == "true" || text == "false";
-}
-
-bool read_text(const std::string & text, float & value) {return read_number(text, value);}
-bool read_text(const std::string & text, double & value) {return read_number(text, value);}
-bool read_text(const std::string & text, int8_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, int16_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, int32_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, int64_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, uint8_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, uint16_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, uint32_t & value) {return read_number(text, value);}
-bool read_text(const std::string & text, uint64_t & value) {return read_number(text, value);}
-
 Storage::Storage(std::filesystem::path file, rclcpp::Logger logger)
 : file_(std::move(file)), logger_(std::move(logger))
 {
@@ -124,31 +81,19 @@ Storage::Storage(std::filesystem::path file, rclcpp::Logger logger)
 
 void Storage::load()
 {
-  values_.clear();
-  is_good_ = true;
-  std::ifstream input(file_);
-  std::string line;
-  if (!input.is_open()) {
-    std::error_code error;
-    is_good_ = !std::filesystem::exists(std::filesystem::symlink_status(file_, error));
-    if (is_good_) {
-      RCLCPP_INFO(logger_, "nothing is stored in %s", file_.c_str());
-    }
+  std::error_code error;
+  const auto status = std::filesystem::symlink_status(file_, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    RCLCPP_INFO(logger_, "nothing is stored in %s", file_.c_str());
+    values_.clear();
+    is_good_ = true;
     return;
   }
-  is_good_ = std::getline(input, line) && !input.eof() && line == kFirstLine;
-  while (is_good_ && std::getline(input, line)) {
-    is_good_ = !input.eof() && parse(line);  // each line has an end
-  }
-}
-
-bool Storage::parse(const std::string & line)
-{
-  const std::size_t colon = line.find(": ");
-  if (colon == std::string::npos || colon == 0) {
-    return false;
-  }
-  return values_.emplace(line.substr(0, colon), line.substr(colon + 2)).second;
+  std::ostringstream text;
+  text << std::ifstream(file_, std::ios::binary).rdbuf();
+  const std::optional<StoredValues> found = parse_stored(text.str());
+  values_ = found.value_or(StoredValues{});
+  is_good_ = found.has_value();
 }
 
 void Storage::set_aside()
@@ -157,24 +102,21 @@ void Storage::set_aside()
   broken += ".broken";
   std::error_code error;
   std::filesystem::rename(file_, broken, error);
+  const std::string kept = error ? error.message() : "it is kept as " + broken.string();
   RCLCPP_ERROR(
-    logger_, "%s cannot be read, or is broken; it is kept as %s, and nothing of it is used",
-    file_.c_str(), broken.c_str());
+    logger_, "%s cannot be read, or is broken, and nothing of it is used; %s",
+    file_.c_str(), kept.c_str());
   values_.clear();
   is_good_ = true;
 }
 
 void Storage::save()
 {
-  std::string text = std::string(kFirstLine) + "\n";
-  for (const auto & value : values_) {
-    text += value.first + ": " + value.second + "\n";
-  }
   std::filesystem::path next = file_;
   next += ".new";
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
-  const int problem = write_file(next, text);
+  const int problem = write_file(next, stored_text(values_));
   if (problem != 0) {
     RCLCPP_ERROR(logger_, "%s cannot be written: %s", next.c_str(), std::strerror(problem));
     std::filesystem::remove(next, error);
