@@ -120,6 +120,14 @@ def test_the_release_decides_what_a_service_takes(release, quality):
     assert f"{quality}, answering_);" in source(made, "core_acc")
 
 
+def test_only_the_newest_diagnostics_wait_to_be_sent():
+    """In both languages, as with `diagnostic_updater`: each message has all that there is to say."""
+    made = generated.ecocontrol()
+    assert '*this, "/diagnostics", rclcpp::QoS(rclcpp::KeepLast(1)));' in source(made, "core_acc")
+    module = made["eco_control_py/eco_control_py/support/function_node.py"]
+    assert "quality = QoSProfile(depth=1)\n        self._diagnostics = self.create_publisher(DiagnosticArray" in module
+
+
 def test_parts_that_no_node_uses_are_left_out():
     """Nothing watches deadlines where none is declared."""
     names = {name.rpartition("/")[2] for name in generated.storing()}

@@ -84,7 +84,7 @@ class FunctionNode(LifecycleNode):
             self.policy, self.priority, is_stored=self._is_stored)
         self.declare_function_parameters()
         self._function_parameters.take_changes()
-        quality = QoSProfile(depth=10)
+        quality = QoSProfile(depth=1)
         self._diagnostics = self.create_publisher(DiagnosticArray, '/diagnostics', quality)
         self._refuse_unknown_transitions()
 
