@@ -7,17 +7,19 @@ from pathlib import Path
 
 import pytest
 
-from scripts import ros2_environment
+from scripts import ros2_environment, run_ros2
 from sigcat.data import EXAMPLES
 from tests.adapter.ros2.built import interfaces
 from tests.adapter.ros2.generated import ecocontrol
 from tests.adapter.ros2.python_nodes import install, peer, started, variables
 from tests.needs import c_compiler, ros2
+from tests.waiting import wait_until
 
 pytestmark = [ros2, c_compiler, pytest.mark.xdist_group("python_nodes")]
 
 CODE = {name: (node, EXAMPLES / node) for name, node in (("CoreAcc", "core_acc"), ("EcoControlMpc", "eco_control_mpc"))}
 ANSWER_NOT_TAKEN = Path(__file__).parent / "answer_not_taken_program.py"
+MESSAGE_NOT_TAKEN = Path(__file__).parent / "message_not_taken_program.py"
 STEP = "eco_control_interfaces/srv/Step"
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4, "shutdown of unconfigured": 5}
 UNKNOWN = (0, 60, 99, 255, "create", "nonsense", "transition_success")
@@ -92,6 +94,20 @@ def test_an_answer_that_cannot_be_taken_ends_the_node_with_its_exception(has_thr
         command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
     )
     assert (ended.returncode, ended.stderr.splitlines()[-1]) == (1, "ValueError: nobody wants it")
+
+
+def test_a_message_that_cannot_be_taken_is_left_out_and_told(ask, where, tmp_path):
+    """As in C++: the node lives on."""
+    said = tmp_path / "said.txt"
+    speed = ("publish", "vehicle/speed", "eco_control_interfaces/msg/Speed", {"speed": 50.0}, "reliable")
+    told = lambda: said.read_text().count("A message was not taken: nobody wants it")  # noqa: E731
+    with run_ros2.started([(ros2_environment.PYTHON, MESSAGE_NOT_TAKEN)], variables(where, tmp_path), said):
+        assert ask("change", "core_acc", "configure")
+        ask(*speed)
+        wait_until(lambda: told() == 1, "it is told")
+        ask(*speed)
+        wait_until(lambda: told() == 2, "the next one, too")
+        assert ask("state", "core_acc") == "inactive"
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])

@@ -328,7 +328,10 @@ class FunctionNode(LifecycleNode):
     ) -> None:
         """Subscribe to a topic whose messages `receive` hands over to the core."""
         def store(value: Any) -> None:
-            self.hand_over(receive, value, wakes=wakes)
+            try:
+                self.hand_over(receive, value, wakes=wakes)
+            except Exception as error:
+                self.get_logger().fatal(f'A message was not taken: {error}')
 
         self._topics.subscribe(message, topic, quality, store)
 
