@@ -128,6 +128,14 @@ def test_only_the_newest_diagnostics_wait_to_be_sent():
     assert "quality = QoSProfile(depth=1)\n        self._diagnostics = self.create_publisher(DiagnosticArray" in module
 
 
+def test_the_launch_test_leaves_the_nodes_and_the_files_of_the_user_alone():
+    """It has a domain of its own, and a folder of its own for what is stored."""
+    made = generated.ecocontrol()
+    settings = made["eco_control/CMakeLists.txt"]
+    assert 'add_launch_test(test/test_launch.py\n    RUNNER "${ament_cmake_ros_DIR}/run_test_isolated.py")' in settings
+    assert "SetEnvironmentVariable('ROS_HOME', HOME.name)," in made["eco_control/test/test_launch.py"]
+
+
 def test_parts_that_no_node_uses_are_left_out():
     """Nothing watches deadlines where none is declared."""
     names = {name.rpartition("/")[2] for name in generated.storing()}

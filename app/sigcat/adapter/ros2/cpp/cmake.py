@@ -138,7 +138,8 @@ if(BUILD_TESTING)
   find_package(ament_cmake_ros REQUIRED)
   find_package(launch_testing_ament_cmake REQUIRED)
   find_package(lifecycle_msgs REQUIRED){tests}
-  add_launch_test(test/test_launch.py)
+  add_launch_test(test/test_launch.py
+    RUNNER "${{ament_cmake_ros_DIR}}/run_test_isolated.py")
 endif()
 
 ament_package()

@@ -180,12 +180,13 @@ def launch_test(workspace: WorkspacePlan) -> str:
 _LAUNCH = '''"""The launch file brings every node of {package} to its active state."""
 
 import os
+from tempfile import TemporaryDirectory
 import time
 import unittest
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch.actions import IncludeLaunchDescription
+from launch.actions import IncludeLaunchDescription, SetEnvironmentVariable
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 import launch_testing
 from launch_testing.actions import ReadyToTest
@@ -197,6 +198,8 @@ import rclpy
 
 NODES = ({nodes},)
 LAUNCH = 'launch/{package}.launch.py'
+HOME = TemporaryDirectory()
+"""Where the nodes keep what they store: not where those of the user do."""
 
 
 @pytest.mark.launch_test
@@ -204,7 +207,11 @@ def generate_test_description():
     """Launch all nodes."""
     path = os.path.join(get_package_share_directory('{package}'), LAUNCH)
     source = PythonLaunchDescriptionSource(path)
-    return LaunchDescription([IncludeLaunchDescription(source), ReadyToTest()])
+    return LaunchDescription([
+        SetEnvironmentVariable('ROS_HOME', HOME.name),
+        IncludeLaunchDescription(source),
+        ReadyToTest(),
+    ])
 
 
 class TestNodes(unittest.TestCase):

@@ -9,7 +9,7 @@ from sigcat.names import snake_case
 _DEPENDENCIES = (
     "ament_index_python", "builtin_interfaces", "diagnostic_msgs", "python3-cffi", "rcl_interfaces", "rclpy",
 )  # fmt: skip
-_TEST_DEPENDENCIES = ("ament_flake8", "ament_pep257", "lifecycle_msgs", "python3-pytest")
+_TEST_DEPENDENCIES = ("ament_flake8", "ament_pep257", "domain_coordinator", "lifecycle_msgs", "python3-pytest")
 
 
 def package_name(workspace: WorkspacePlan) -> str:

@@ -16,10 +16,25 @@ def test_flake8() -> None:
     code, errors = main_with_errors(argv=[])
     assert code == 0, '\\n'.join(errors)
 """
-CONFTEST = """\"\"\"Linters run first: they fork, which the threads of ROS do not survive.\"\"\"
+CONFTEST = """import os
+
+from domain_coordinator import domain_id
+import pytest
+
+
+@pytest.fixture(scope='session', autouse=True)
+def domain():
+    \"\"\"Keep the nodes of tests apart from all others, unless ROS_DOMAIN_ID says where they are.\"\"\"
+    if 'ROS_DOMAIN_ID' in os.environ:
+        yield
+        return
+    with domain_id() as number:
+        os.environ['ROS_DOMAIN_ID'] = str(number)
+        yield
 
 
 def pytest_collection_modifyitems(items) -> None:
+    \"\"\"Run linters first: they fork, which the threads of ROS do not survive.\"\"\"
     items.sort(key=lambda item: item.get_closest_marker('linter') is None)
 """
 PEP257_TEST = """from ament_pep257.main import main
