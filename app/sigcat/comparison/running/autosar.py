@@ -48,9 +48,9 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     run = fresh_run(built, drive)
     model = _model(built.folder)
-    lock_step = {"BENCH_PLAYER": _PORT} if drive.mode == "lock step" else {}
+    mode = {"BENCH_PLAYER": _PORT} if drive.mode == "lock step" else {"BENCH_STAMPS": "1"}
     slow = durations(drive, subject.prepared)
-    environment = {**os.environ, **lock_step, **slow, marks.FOLDER: str(run / marks.NAME)}
+    environment = {**os.environ, **mode, **slow, marks.FOLDER: str(run / marks.NAME)}
     programs = built.folder / "build"
     processes = [
         Process(name, (str(programs / name / name),), environment, (programs / name / name,))

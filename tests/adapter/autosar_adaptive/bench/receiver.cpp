@@ -57,8 +57,14 @@ template <typename Event, typename F>
 void Listen(Event& event, const char* name, F read) {
     static_cast<void>(event.SetSubscriptionStateChangeHandler(
         [name](ara::com::SubscriptionState state) { Tell(name, " is ", Name(state)); }));
-    static_cast<void>(event.SetReceiveHandler(
-        [&event, read] { static_cast<void>(event.GetNewSamples([&read](auto sample) { read(*sample); })); }));
+    static_cast<void>(event.SetReceiveHandler([&event, name, read] {
+        static_cast<void>(event.GetNewSamples([name, &read](auto sample) {
+            read(*sample);
+            if (sample.BenchSentAt().has_value()) {
+                Tell(name, " was sent at ", *sample.BenchSentAt());
+            }
+        }));
+    }));
     static_cast<void>(event.Subscribe(256));
 }
 

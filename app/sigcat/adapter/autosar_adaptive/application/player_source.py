@@ -138,7 +138,7 @@ def _beginning(field: ServiceField) -> str:
 def _includes(offered: Iterable[_Port], used: Iterable[_Port], entries: list[TypeEntry], types: TypeNames) -> Lines:
     headers = [port.names.skeleton_header for port in offered] + [port.names.proxy_header for port in used]
     headers += types.headers(entry.name for entry in entries)
-    headers += ["application/communication.h", "application/required_service.h", "ara/core/instance_specifier.h"]
+    headers += ["application/required_service.h", "ara/core/instance_specifier.h", "player/hear.h"]
     headers += ["bench/counters.h"] if any(port.listeners for port in offered) else []
     headers += ["ara/core/promise.h"] if any(port.methods for port in offered) else []
     rows = "\n".join(f'#include "{name}"' for name in sorted(set(headers)))
@@ -228,10 +228,7 @@ def _subscribing(port: _Port) -> str:
 
 
 def _received(each: _Element) -> Lines:
-    return lines(
-        f"application::Receive(logger, service.{each.member}, 64U, [&recorder](const {cpp_type(each.type)}& value) {{\n"
-        f"    recorder.Take({string(each.name)}, Text(value));\n}});"
-    )
+    return lines(f"Hear(logger, service.{each.member}, {string(each.name)}, recorder);")
 
 
 def _constructor(offered: Iterable[_Port]) -> Lines:

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,15 @@ public:
     void Begin(std::uint64_t time);  // what came before is left out
     void BeginNow();                 // and times are those of the clock from then on
     void SetTime(std::uint64_t time);
-    void Take(const char* name, const std::string& value);
+    /// `sent_at` is a time of the steady clock, if the sender tells it: then that is the time of the value.
+    void Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at);
     void Say(const std::string& line);  // to the program that reads
     void TimeIn(const std::string& file);  // when rows are sent and values come
     void TellSent(std::uint64_t row);
 
 private:
+    std::uint64_t TimeOf(std::optional<std::uint64_t> sent_at) const;
+
     std::mutex mutex_;
     Times times_;
     std::ofstream out_;

@@ -1,5 +1,7 @@
 #include "player/ports.h"
 
+#include <algorithm>
+
 namespace player {
 
 Recorder::Recorder(const std::string& file, bool is_read) : out_{file}, is_read_{is_read} { out_ << "time,name,value\n"; }
@@ -22,14 +24,24 @@ void Recorder::SetTime(std::uint64_t time) {
     time_ = time;
 }
 
-void Recorder::Take(const char* name, const std::string& value) {
+std::uint64_t Recorder::TimeOf(std::optional<std::uint64_t> sent_at) const {
+    if (!is_live_) {
+        return time_;
+    }
+    const std::chrono::nanoseconds passed = std::chrono::steady_clock::now() - start_;
+    const std::chrono::nanoseconds start = start_.time_since_epoch();
+    const auto now = static_cast<std::uint64_t>(passed.count());
+    const auto begin = static_cast<std::uint64_t>(start.count());
+    return sent_at.has_value() ? std::min(now, *sent_at - std::min(*sent_at, begin)) : now;
+}
+
+void Recorder::Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at) {
     const std::lock_guard<std::mutex> lock{mutex_};
     if (!has_begun_) {
         return;
     }
     times_.TellHeard(name);
-    const std::chrono::nanoseconds passed = is_live_ ? std::chrono::steady_clock::now() - start_ : std::chrono::nanoseconds{0};
-    out_ << (is_live_ ? static_cast<std::uint64_t>(passed.count()) : time_) << ',' << name << ",\"";
+    out_ << TimeOf(sent_at) << ',' << name << ",\"";
     for (const char each : value) {
         out_ << (each == '"' ? "\"\"" : std::string(1, each));
     }

@@ -18,6 +18,7 @@ struct Received {
     Bytes payload;
     std::shared_ptr<void> place;  // given back when it is released
     ara::com::e2e::ProfileCheckStatus status = ara::com::e2e::ProfileCheckStatus::kCheckDisabled;
+    std::optional<std::uint64_t> sent_at{};  // if its sender tells it
 };
 
 class EventReceiver {

@@ -47,7 +47,7 @@ private:
     ara::com::SamplePtr<const T> Read(Received received) {
         auto held = std::make_shared<Held>(Held{T{}, std::move(received.place)});
         if (received.status == ara::com::e2e::ProfileCheckStatus::kError) {
-            return {std::shared_ptr<const T>{held, &held->value}, received.status};  // its bytes mean nothing
+            return {std::shared_ptr<const T>{held, &held->value}, received.status, received.sent_at};  // its bytes mean nothing
         }
         Reader reader{received.payload, connection_->Service().serialization};
         Codec<T>::Read(reader, held->value);
@@ -55,7 +55,7 @@ private:
             TellMalformed();
             return nullptr;
         }
-        return {std::shared_ptr<const T>{held, &held->value}, received.status};
+        return {std::shared_ptr<const T>{held, &held->value}, received.status, received.sent_at};
     }
 };
 

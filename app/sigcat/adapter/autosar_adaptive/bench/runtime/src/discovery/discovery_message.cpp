@@ -127,7 +127,8 @@ Bytes Written(const DiscoveryMessage& message) {
 }
 
 std::optional<DiscoveryMessage> ParseDiscovery(const Message& message) {
-    const auto& [header, payload] = message;
+    const Header& header = message.header;
+    const ByteView payload = message.payload;
     const bool is_one = header.service == kDiscoveryService && header.method == kDiscoveryMethod &&
                         header.interface_version == 1 && header.Is(MessageType::kNotification) && header.session != 0;
     if (!is_one || payload.size() < 12) {

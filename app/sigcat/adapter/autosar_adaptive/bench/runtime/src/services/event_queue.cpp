@@ -34,7 +34,7 @@ void EventQueue::Push(const Message& message) {
         kept_.pop_front();  // what is newest counts
     }
     const ByteView values = Values(event_.protection, message.payload);
-    kept_.push_back({{values.begin(), values.end()}, status});
+    kept_.push_back({{values.begin(), values.end()}, status, message.sent_at});
     if (receive_handler_ != nullptr && !is_posted_) {
         PostReceived();
     }
@@ -46,8 +46,9 @@ std::optional<Received> EventQueue::Pop() {
         return std::nullopt;
     }
     --*free_;
-    auto& [values, status] = kept_.front();
-    Received received{std::move(values), std::shared_ptr<void>{nullptr, [free = free_](void*) { ++*free; }}, status};
+    auto& [values, status, sent_at] = kept_.front();
+    Received received{std::move(values), std::shared_ptr<void>{nullptr, [free = free_](void*) { ++*free; }}, status,
+                      sent_at};
     kept_.pop_front();
     return received;
 }

@@ -53,6 +53,7 @@ private:
     struct Kept {
         Bytes values;
         ara::com::e2e::ProfileCheckStatus status;
+        std::optional<std::uint64_t> sent_at;
     };
     Checker checker_;
     std::deque<Kept> kept_;

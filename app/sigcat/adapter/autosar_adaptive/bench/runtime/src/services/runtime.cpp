@@ -4,16 +4,23 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <utility>
 
 #include "ara/core/abort.h"
 #include "discovery/discovery_message.h"
+#include "someip/stamp.h"
 
 namespace bench {
 namespace {
 
 constexpr std::size_t kLongestDatagram = 65536;
 constexpr int kDatagramsInTurn = 64;  // of one socket, before times and other sockets are looked at again
+
+std::uint64_t SteadyTime() {
+    const auto since_start = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(since_start).count());
+}
 
 }  // namespace
 
@@ -32,6 +39,7 @@ bool Runtime::Start() {
     if (network_ == nullptr) {
         return false;
     }
+    stamps_ = std::getenv("BENCH_STAMPS") != nullptr;
     wake_ = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
     buffer_.resize(kLongestDatagram);
     outbox_ = Outbox{};
@@ -73,7 +81,12 @@ void Runtime::Wake() {
 
 void Runtime::Send(const Header& header, ByteView payload, const Endpoint& to) {
     ++sent_;
-    for (const Bytes& datagram : Datagrams(header, payload)) {
+    std::vector<Bytes> datagrams = Datagrams(header, payload);
+    if (stamps_ && header.Is(MessageType::kNotification)) {
+        const Bytes stamp = WrittenStamp(SteadyTime());
+        datagrams.back().insert(datagrams.back().begin(), stamp.begin(), stamp.end());
+    }
+    for (const Bytes& datagram : datagrams) {
         network_->services.Send(datagram, to);
     }
 }
@@ -171,11 +184,17 @@ void Runtime::TakeEntry(const Entry& entry, const Endpoint& from, bool is_multic
 }
 
 void Runtime::TakeMessages(ByteView datagram, const Endpoint& from) {
-    while (const auto message = NextMessage(datagram)) {
+    std::optional<std::uint64_t> sent_at;  // of the message after it
+    while (auto message = NextMessage(datagram)) {
+        if (const auto stamp = StampOf(*message)) {
+            sent_at = stamp;
+            continue;
+        }
+        message->sent_at = std::exchange(sent_at, std::nullopt);
         if ((message->header.type & kSegment) == 0) {
             TakeMessage(*message, from);
         } else if (const auto payload = reassembly_.Add(*message, from)) {
-            Message whole{message->header, *payload};
+            Message whole{message->header, *payload, message->sent_at};
             whole.header.type = static_cast<std::uint8_t>(whole.header.type & ~kSegment);
             TakeMessage(whole, from);
         }

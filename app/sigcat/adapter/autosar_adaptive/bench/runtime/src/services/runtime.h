@@ -73,6 +73,7 @@ private:
     std::unique_ptr<Network> network_;
     int wake_ = -1;
     std::atomic<bool> stops_{false};
+    bool stamps_ = false;  // whether events tell when they were sent
     std::thread thread_;
     std::minstd_rand random_{std::random_device{}()};
     Bytes buffer_;

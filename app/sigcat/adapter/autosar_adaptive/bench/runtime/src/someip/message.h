@@ -48,6 +48,7 @@ struct Header {
 struct Message {
     Header header;
     ByteView payload;
+    std::optional<std::uint64_t> sent_at{};  // an event whose sender tells it
 };
 
 Bytes Written(const Header& header, ByteView payload);

@@ -3,7 +3,9 @@
 #define ARA_COM_SAMPLE_PTR_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "ara/com/e2e/types.h"
@@ -34,12 +36,17 @@ public:
     e2e::ProfileCheckStatus GetProfileCheckStatus() const noexcept { return status_; }
 
     // For the runtime: what frees the sample also gives its place back to the event.
-    SamplePtr(std::shared_ptr<T> sample, e2e::ProfileCheckStatus status) noexcept
-        : sample_{std::move(sample)}, status_{status} {}
+    SamplePtr(std::shared_ptr<T> sample, e2e::ProfileCheckStatus status,
+              std::optional<std::uint64_t> sent_at = std::nullopt) noexcept
+        : sample_{std::move(sample)}, status_{status}, sent_at_{sent_at} {}
+
+    // For who records at a bench, and of no platform: in ns of the machine's steady clock, if its sender tells it.
+    std::optional<std::uint64_t> BenchSentAt() const noexcept { return sent_at_; }
 
 private:
     std::shared_ptr<T> sample_;
     e2e::ProfileCheckStatus status_ = e2e::ProfileCheckStatus::kNotAvailable;
+    std::optional<std::uint64_t> sent_at_;
 };
 
 }  // namespace ara::com
