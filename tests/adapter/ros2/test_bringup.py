@@ -198,30 +198,46 @@ def test_a_parameter_file_without_values_says_that_there_are_none():
 # -- README -------------------------------------------------------------------------------------------------------
 
 
+def picture(made):
+    return made["README.md"].partition("```mermaid\n")[2].partition("```")[0].splitlines()
+
+
 def test_the_picture_has_the_nodes_and_who_feeds_them():
-    page = ecocontrol()["README.md"]
-    picture = page.partition("```mermaid\n")[2].partition("```")[0].splitlines()
-    assert picture[:5] == [
-        "flowchart LR", '  core_acc_node(["core_acc"])', '  eco_control_mpc_node(["eco_control_mpc"])',
-        '  outside1["Brake control unit"]', '  outside2["Steering control unit"]',
+    """A topic stands there once, whoever hears it, with those that go the same way."""
+    lines = picture(ecocontrol())
+    assert lines[:3] == [
+        "flowchart LR", '  outside1(["Brake control unit"]):::outside', '  outside2(["Steering control unit"]):::outside',
     ]  # fmt: skip
-    assert '  outside1 -- "vehicle/chassis/brake/cyl_p" --> core_acc_node' in picture
-    assert any(line.startswith('  eco_control_mpc_node -- "eco_control_mpc/cycle500_ms<br>') for line in picture)
+    assert {'  core_acc_node(["core_acc"])', '  eco_control_mpc_node(["eco_control_mpc"])'} <= {*lines}
+    assert '  outside1 --- topics1["vehicle/chassis/brake/cyl_p"] --> core_acc_node' in lines
+    (speed,) = (line for line in lines if "vehicle/speed" in line)
+    assert speed.endswith(
+        '["vehicle/speed<br>vehicle/adas/cruise_control/speed_set"] --> core_acc_node & eco_control_mpc_node'
+    )
+    assert any(line.startswith("  eco_control_mpc_node --- ") and line.endswith(" --> core_acc_node") for line in lines)
 
 
-def arrows(page):
-    return [line for line in page.partition("```mermaid\n")[2].partition("```")[0].splitlines() if ".->" in line]
+def test_who_sends_to_the_set_and_hears_it_is_drawn_twice():
+    """So no line leads back, through the text of others."""
+    lines = picture(ecocontrol())
+    before, behind = (line.split("(")[0].strip() for line in lines if "outside of the set" in line)
+    assert any(line.startswith(f"  {before} --- ") for line in lines)
+    assert any(line.endswith(f" --> {behind}") for line in lines)
+    assert not any(line.startswith(f"  {behind} -") or line.endswith(f" --> {before}") for line in lines)
+
+
+def services(made):
+    return [line for line in picture(made) if ".->" in line]
 
 
 def test_the_picture_has_who_asks_and_who_answers():
     calls = CASES / "methods_of_another_function"
-    pair = files(integration(*sorted(calls.glob("*.yaml"))))["README.md"]
-    assert arrows(pair) == ['  client_node -. "fetch_limit<br>reset" .-> server_node']
-    asks, answers = arrows(full()["README.md"])
-    outside = asks.rpartition(" ")[2]
-    assert asks == f'  full_node -. "ask" .-> {outside}'
-    assert answers == f'  {outside} -. "do" .-> full_node'
-    assert f'  {outside}["outside of the set"]' in full()["README.md"]
+    pair = files(integration(*sorted(calls.glob("*.yaml"))))
+    assert services(pair) == ['  client_node -.- services1[["fetch_limit<br>reset"]] -.-> server_node']
+    asks, answers = services(full())
+    before, behind = (line.split("(")[0].strip() for line in picture(full()) if "outside of the set" in line)
+    assert asks == f'  full_node -.- services1[["ask"]] -.-> {behind}'
+    assert answers == f'  {before} -.- services2[["do"]] -.-> full_node'
 
 
 def test_the_table_of_topics_has_types_ends_quality_and_units():

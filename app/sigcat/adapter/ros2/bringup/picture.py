@@ -1,76 +1,101 @@
-"""The graph of a set as a Mermaid picture."""
+"""The graph of a set as a Mermaid picture: nodes are round, and what they exchange stands in boxes between them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Literal, NamedTuple
 
-from sigcat.adapter.ros2.bringup.graph import edges_of, publishers_of, subscribers_of
+from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.plan import WorkspacePlan
 
 OUTSIDE = "outside of the set"
 
 
+class End(NamedTuple):
+    """A node of the set, or who is outside: in front of it, or behind. One who is both is drawn twice, so that lines lead onward."""
+
+    name: str
+    place: Literal["set", "before", "behind"] = "set"
+
+
+class Link(NamedTuple):
+    """What leads from the same ends to the same ends: names of topics, or of services."""
+
+    sources: tuple[End, ...]
+    names: tuple[str, ...]
+    targets: tuple[End, ...]
+
+
+BEFORE = End(OUTSIDE, "before")
+BEHIND = End(OUTSIDE, "behind")
+
+
 def picture(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
-    """The picture: nodes, who is outside, and topics and services between them. `providers` are who is outside, by topic."""
-    outside = {name: f"outside{number}" for number, name in enumerate(_outsiders(workspace, providers), 1)}
-    lines = [
+    """The picture. `providers` are who is outside, by topic."""
+    topics, services = _bundled(_topics(workspace, providers)), _bundled(_services(workspace))
+    keys = {End(node.name): node.stem for node in workspace.nodes}
+    ends = (end for link in (*topics, *services) for end in (*link.sources, *link.targets) if end not in keys)
+    outside = {end: f"outside{number}" for number, end in enumerate(dict.fromkeys(ends), 1)}
+    lines = [  # those outside first: where nodes hear each other, that is where lines begin
         "flowchart LR",
-        *(f'  {node.stem}(["{node.name}"])' for node in workspace.nodes),
-        *(f'  {key}["{_label(name)}"]' for name, key in outside.items()),
-        *_arrows(workspace, providers, outside),
-        *(_request(asks, services, answers, outside) for (asks, answers), services in _services(workspace).items()),
+        *(f'  {key}(["{_label(end.name)}"]):::outside' for end, key in outside.items()),
+        *(f'  {key}(["{end.name}"])' for end, key in keys.items()),
+        *(_of_topics(number, link, keys | outside) for number, link in enumerate(topics, 1)),
+        *(_of_services(number, link, keys | outside) for number, link in enumerate(services, 1)),
+        *(["  classDef outside stroke-dasharray: 4"] if outside else []),
     ]
     return "\n".join(lines) + "\n"
 
 
-def _outsiders(workspace: WorkspacePlan, providers: Mapping[str, str]) -> tuple[str, ...]:
-    """Who publishes to the set, in the order of the topics; then who hears what no node of the set does."""
+def _topics(workspace: WorkspacePlan, providers: Mapping[str, str]) -> Iterator[Link]:
+    """Each topic that a node of the set hears; then those that others may hear, and that do not only tell how a node is."""
     known, heard = publishers_of(workspace), subscribers_of(workspace)
-    sources = [providers.get(topic, OUTSIDE) for topic in heard if topic not in known]
-    is_told = any(end.topic not in heard for node in workspace.nodes for end in node.publishers if not end.is_status)
-    is_asked = any(None in ends for ends in _services(workspace))
-    return tuple(dict.fromkeys([*sources, *([OUTSIDE] if is_told or is_asked else [])]))
+    for topic, nodes in heard.items():
+        sources = tuple(map(End, known.get(topic, ()))) or (End(providers.get(topic, OUTSIDE), "before"),)
+        yield Link(sources, (topic,), tuple(map(End, nodes)))
+    told = [end.topic for node in workspace.nodes for end in node.publishers if not end.is_status]
+    for topic in dict.fromkeys(told):
+        if topic not in heard:
+            yield Link(tuple(map(End, known[topic])), (topic,), (BEHIND,))
 
 
-def _arrows(workspace: WorkspacePlan, providers: Mapping[str, str], outside: Mapping[str, str]) -> Iterator[str]:
-    known, heard = publishers_of(workspace), subscribers_of(workspace)
+def _services(workspace: WorkspacePlan) -> Iterator[Link]:
+    """Each service, from who asks to who answers."""
+    asking: dict[str, list[End]] = {}
+    answering: dict[str, list[End]] = {}
     for node in workspace.nodes:
-        sources: dict[str, list[str]] = {}
-        for end in node.subscriptions:
-            if end.topic not in known:
-                sources.setdefault(providers.get(end.topic, OUTSIDE), []).append(end.topic)
-        for source, topics in sources.items():
-            yield _arrow(outside[source], topics, node.stem)
-    stems = {node.name: node.stem for node in workspace.nodes}
-    for edge in edges_of(workspace):
-        yield _arrow(stems[edge.source], edge.topics, stems[edge.target])
-    for node in workspace.nodes:
-        told = [end.topic for end in node.publishers if not end.is_status and end.topic not in heard]
-        if told:
-            yield _arrow(node.stem, told, outside[OUTSIDE])
+        for used in node.used:
+            asking.setdefault(used.topic, []).append(End(node.name))
+        for offered in node.offered:
+            answering.setdefault(offered.topic, []).append(End(node.name))
+    for service in asking | answering:
+        yield Link(tuple(asking.get(service, [BEFORE])), (service,), tuple(answering.get(service, [BEHIND])))
 
 
-def _arrow(source: str, topics: list[str] | tuple[str, ...], target: str) -> str:
-    return f'  {source} -- "{"<br>".join(topics)}" --> {target}'
+def _bundled(links: Iterator[Link]) -> Sequence[Link]:
+    """Links between the same ends as one."""
+    found: dict[tuple[tuple[End, ...], tuple[End, ...]], Link] = {}
+    for link in links:
+        ends = link.sources, link.targets
+        known = found.get(ends)
+        found[ends] = link if known is None else known._replace(names=known.names + link.names)
+    return tuple(found.values())
+
+
+def _of_topics(number: int, link: Link, keys: Mapping[End, str]) -> str:
+    return f'  {_all(link.sources, keys)} --- topics{number}["{_lines(link)}"] --> {_all(link.targets, keys)}'
+
+
+def _of_services(number: int, link: Link, keys: Mapping[End, str]) -> str:
+    return f'  {_all(link.sources, keys)} -.- services{number}[["{_lines(link)}"]] -.-> {_all(link.targets, keys)}'
+
+
+def _all(ends: tuple[End, ...], keys: Mapping[End, str]) -> str:
+    return " & ".join(keys[end] for end in ends)
+
+
+def _lines(link: Link) -> str:
+    return "<br>".join(link.names)
 
 
 def _label(text: str) -> str:
     words = " ".join("".join(each if each.isprintable() else " " for each in text).split())
     return "".join(each if each.isalnum() or each in " .,;:_-/" else f"#{ord(each)};" for each in words)
-
-
-def _services(workspace: WorkspacePlan) -> Mapping[tuple[str | None, str | None], list[str]]:
-    """Services between who asks and who answers; None is who is outside."""
-    asking = [(node.stem, each.topic) for node in workspace.nodes for each in node.used]
-    answering = [(node.stem, each.topic) for node in workspace.nodes for each in node.offered]
-    found: dict[tuple[str | None, str | None], list[str]] = {}
-    for stem, topic in asking:
-        targets: list[str | None] = [other for other, offered in answering if offered == topic]
-        for target in targets or [None]:
-            found.setdefault((stem, target), []).append(topic)
-    for stem, topic in answering:
-        if topic not in {used for _, used in asking}:
-            found.setdefault((None, stem), []).append(topic)
-    return found
-
-
-def _request(asks: str | None, services: list[str], answers: str | None, outside: Mapping[str, str]) -> str:
-    return f'  {asks or outside[OUTSIDE]} -. "{"<br>".join(services)}" .-> {answers or outside[OUTSIDE]}'
