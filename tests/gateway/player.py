@@ -28,4 +28,5 @@ with (folder / "given.csv").open("w") as given:
                     print(f'{round(float(time_s) * 1e9)},Vehicle.Wish,"{float(cell) * 2}"', flush=True)
         if "breaks" in words:
             sys.exit("player: It breaks.")
+print(f"unheard {count - 1 if 'alone' in words else 0}", flush=True)
 print(f"sent {count - ('loses' in words)}", flush=True)

@@ -101,6 +101,7 @@ def test_in_real_time_too(run, tmp_path):
         ("dies", "functions.json: error B007 Not every component runs. Start them before the gateway"),
         ("breaks", "functions.json: error B007 It breaks."),
         ("loses", "drive.log: error B007 Of 3 values, 2 were sent over SOME/IP."),
+        ("alone", "drive.log: error B007 Of 3 values, 2 were sent while a process was gone that functions run in."),
     ],
 )
 def test_functions_that_are_not_reached_are_told(run, player, told):

@@ -38,6 +38,9 @@ class Handed:
         if player.sent != expected:
             message = f"Of {expected:,} values, {player.sent or 0:,} were sent over {self.platform}."
             yield codes.FUNCTIONS_UNREACHED.finding(message, name)
+        if player.unheard:
+            message = f"Of {player.sent or 0:,} values, {player.unheard:,} were sent while a process was gone that functions run in."
+            yield codes.FUNCTIONS_UNREACHED.finding(message, name)
 
     def _received(self, player: Player) -> list[int]:
         """Numbers of columns that a function receives."""

@@ -30,6 +30,8 @@ class Player:
         """Columns that no function receives."""
         self.sent: int | None = None
         """Values that it has sent, when it has ended well."""
+        self.unheard = 0
+        """Of them, those that were sent while a process was gone."""
         self._mode = mode
         self._program = program
         self._takers = takers
@@ -94,6 +96,8 @@ class Player:
                 self.unknown.append(rest)
             elif word == "sent":
                 self.sent = int(rest)
+            elif word == "unheard":
+                self.unheard = int(rest)
             elif line[:1].isdigit():
                 cells = next(csv.reader([line]))
                 if len(cells) == _CELLS:

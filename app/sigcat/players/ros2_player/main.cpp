@@ -6,8 +6,8 @@
 // MODE is `lock` (step by step, as fast as it goes) or `free` (in real time): nodes are brought through their life. A gateway
 // writes the rows of `-` to standard input while they are sent; it has two more modes, for nodes that run already: `timed`, rows
 // are sent at their times, and `live`, as they come. RECORDED then also says which columns nobody receives (`unknown NAME`),
-// when everybody listens (`ready`), and at the end how many values were sent (`sent COUNT`). At the time of a kill it asks for it on
-// standard output, and goes on when it is answered.
+// when everybody listens (`ready`), and at the end how many values were sent (`sent COUNT`), in real time also how many of them while a
+// node was gone (`unheard COUNT`). At the time of a kill it asks for it on standard output, and goes on when it is answered.
 
 #include <algorithm>
 #include <chrono>
@@ -102,12 +102,15 @@ public:
                 std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(time)});
             }
             KillUntil(time);
+            const std::uint64_t before = count_;
             SendUntil(time, false, epoch + static_cast<std::int64_t>(time));
+            unheard_ += ports_.AreConnected() ? 0 : count_ - before;
             record_.TellSent(time);
         }
         if (rows_.End() != kNever) {
             std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(rows_.End())});
         }
+        record_.Say("unheard " + std::to_string(unheard_));
     }
 
 private:
@@ -168,6 +171,7 @@ private:
     std::uint64_t begin_{0};
     std::uint64_t asked_again_{kNever};
     std::uint64_t count_{0};
+    std::uint64_t unheard_{0};
 };
 
 Kill KillOf(const std::string& text) {

@@ -5,7 +5,7 @@
 //
 // A gateway writes the rows of `-` to standard input while they are sent: at their times, or as they come, if they are `live`.
 // Then RECORDED also says which columns nobody receives (`unknown NAME`), when everybody listens (`ready`), and at the end how
-// many values were sent (`sent COUNT`).
+// many values were sent (`sent COUNT`), and how many of them while a process was gone (`unheard COUNT`).
 // In real time, or with BENCH_PLAYER in lock-step: that is the port at which it waits for the components.
 // The trace is repeated until SECONDS are over; without them it is played once. In lock-step, processes may be killed on the
 // way: when it is time, it asks for that on standard output (`kill PROCESS`), and goes on when it is answered.
@@ -161,9 +161,11 @@ void PlayInRealTime(const player::Trace& trace, std::uint64_t end, player::Recor
     ports.Leave();
 }
 
+bool IsEverybodyThere(const player::Ports& ports) { return bench::Count().missing == 0 && ports.AreHeard(); }
+
 void AwaitConnections(const player::Ports& ports) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (bench::Count().missing != 0 || !ports.AreHeard()) {
+    while (!IsEverybodyThere(ports)) {
         if (std::chrono::steady_clock::now() > end) {
             throw std::runtime_error{"Not every component runs that these values are for."};
         }
@@ -186,13 +188,17 @@ std::uint64_t PlayStream(player::RowStream& rows, bool is_live, player::Recorder
     recorder.BeginNow();
     const auto start = std::chrono::steady_clock::now();
     std::uint64_t count = 0;
+    std::uint64_t unheard = 0;
     for (; rows.Time() != player::kNever; rows.Advance()) {
         if (!is_live) {
             std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(rows.Time())});
         }
-        count += SendRow(ports, rows.Columns(), rows.Row());
+        const std::uint64_t sent = SendRow(ports, rows.Columns(), rows.Row());
+        count += sent;
+        unheard += IsEverybodyThere(ports) ? 0 : sent;
     }
     std::this_thread::sleep_for(kRest);
+    recorder.Say("unheard " + std::to_string(unheard));
     ports.Leave();
     return count;
 }
