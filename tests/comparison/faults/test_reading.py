@@ -47,7 +47,9 @@ def test_a_fault_is_read(fault, expected):
         ("{fault: killed, function: G, at: 1.5}", 7, "G is no function"),
         ("{fault: dropped, signal: A, from: 1.5, to: 1}", 7, "must end after it begins"),
         ("{fault: killed, function: F, at: 3}", 7, "must begin while its scenario is watched"),
-        ("{fault: broken, signal: A}", 7, "fault"),
+        ("{fault: broken, signal: A}", 7, "`fault` must be value, dropped,"),
+        ("{fault: [killed], function: F, at: 1.5}", 7, "`fault` must be value, dropped,"),
+        ("{signal: A, from: 1, to: 1.5}", 7, "'fault' is missing."),
         ("{fault: sent, signal: A, at: 1.5, value: [1]}", 7, "value"),
         ("{fault: dropped, signal: A, from: -1, to: 1}", 7, "0"),
     ],
@@ -57,6 +59,15 @@ def test_what_is_wrong_is_a_finding_at_its_place(fault, line, words):
         read(f"{HEAD}      - {fault}\n")
     (finding,) = refused.value.findings
     assert (finding.line, words in finding.message) == (line, True), finding
+
+
+def test_a_misspelled_fault_is_told_with_the_one_that_is_meant():
+    with pytest.raises(InputRefused) as refused:
+        read(f"{HEAD}      - {{fault: dropd, signal: A, from: 1, to: 1.5}}\n")
+    (finding,) = refused.value.findings
+    assert finding.message.endswith("not 'dropd'.")
+    assert "'dropped'" in finding.fix
+    assert (finding.line, finding.column) == (7, 17)
 
 
 def test_two_scenarios_are_not_watched_at_one_time_unless_one_kills():

@@ -17,7 +17,7 @@ from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.limits import FUNCTION_PROBLEMS
-from sigcat.names import did_you_mean, nearest
+from sigcat.names import did_you_mean, either, nearest
 
 _EXPECTED = {
     "string_type": "a text",
@@ -50,6 +50,8 @@ _BOUNDS = {
 }
 _QUOTED = re.compile(r"'([^']*)'")
 _UNFIT = "unfit"
+_OF_KIND = ("union_tag_invalid", "union_tag_not_found")
+"""Of a mapping that is one of several kinds, which one of its keys says."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
@@ -74,7 +76,11 @@ def structural_findings(invalid: ValidationError, document: Document, model: typ
     errors = [error for error in errors if not (error["type"] == "missing" and error["loc"] in meant)]
     for error in errors[:FUNCTION_PROBLEMS]:
         pointer = _existing(error["loc"], document.value)
-        yield _finding(error["type"], error["loc"], pointer, error, document, model)
+        yield (
+            _bad_kind(pointer, error, document)
+            if error["type"] in _OF_KIND
+            else _finding(error["type"], error["loc"], pointer, error, document, model)
+        )
     if len(errors) > FUNCTION_PROBLEMS:
         message = f"{len(errors) - FUNCTION_PROBLEMS:,} more values are wrong."
         yield codes.VALUE_UNFIT.finding(message, document.name, fix="Correct the others first.")
@@ -141,6 +147,18 @@ def _first_there(pointer: Pointer, error: Any, document: Document) -> Pointer:
     """The first of the keys of an error that its mapping has; the mapping, if it has none."""
     found = (_existing((*pointer, key), document.value) for key in error["ctx"]["keys"])
     return next((at for at in found if at != pointer), pointer)
+
+
+def _bad_kind(pointer: Pointer, error: Any, document: Document) -> Finding:
+    """A mapping whose kind is not said, or is none of those that there are."""
+    key = error["ctx"]["discriminator"].strip("'")
+    if key not in error["input"]:
+        return document.finding(codes.FIELD_MISSING, pointer, f"{key!r} is missing.")
+    given, kinds = error["input"][key], _QUOTED.findall(error["ctx"].get("expected_tags", ""))
+    wanted = either(kinds) if kinds else "a text"
+    fix = did_you_mean(given, kinds) if isinstance(given, str) else ""
+    message = f"`{key}` must be {wanted}, not {_shown(given)}."
+    return document.finding(codes.VALUE_UNFIT, (*pointer, key), message, fix)
 
 
 def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
