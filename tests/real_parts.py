@@ -37,6 +37,7 @@ KINDS = (
             "tests/adapter/ros2/test_free_running.py",
             "tests/adapter/ros2/test_interfaces.py::test_rosidl_reads_every_field_with_its_unit",
             "tests/adapter/ros2/test_life.py",
+            "tests/adapter/ros2/test_liveliness.py",
             "tests/adapter/ros2/test_lock_step.py",
             "tests/adapter/ros2/test_parameters.py",
             "tests/adapter/ros2/test_python_nodes.py",

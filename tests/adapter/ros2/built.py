@@ -6,7 +6,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
@@ -24,6 +24,8 @@ USUAL = sampled(LANGUAGES, usual=("C++",))
 """Python nodes have tests of their own; what those in C++ do is asked of them, too, in `make slow`."""
 FLAGS = "-O0 -Werror"
 _MAKERS = (ros2_environment.REQUIREMENTS, Path(ros2_packages.__file__))
+Made = Callable[[], Mapping[str, str]]
+"""What gives the files of a workspace, by name."""
 DAY = 24 * 3600
 """Seconds after which what was built and not used again is removed."""
 
@@ -51,9 +53,9 @@ def interfaces() -> Path:
 
 
 @cache
-def workspace() -> run_ros2.Workspace:
-    """The nodes in both languages."""
-    files = {name: text for name, text in ecocontrol().items() if "_interfaces/" not in name}
+def workspace(made: Made = ecocontrol) -> run_ros2.Workspace:
+    """The nodes in both languages. Files that are made otherwise have the same messages."""
+    files = {name: text for name, text in made().items() if "_interfaces/" not in name}
     others = (interfaces(), subset())
     folder = _kept("ecocontrol", repr((files, others)) + _of_files(*CODE.values(), *_MAKERS))
     with _alone(folder) as is_new:
@@ -94,9 +96,11 @@ def _alone(folder: Path) -> Iterator[bool]:
 
 
 @contextmanager
-def running(language: str, folder: Path, *nodes: str, arguments: tuple[str, ...] = ()) -> Iterator[Peer]:
+def running(
+    language: str, folder: Path, *nodes: str, arguments: tuple[str, ...] = (), made: Made = ecocontrol
+) -> Iterator[Peer]:
     """Nodes in processes of their own, and a peer at the other end of their topics and services."""
-    built = workspace()
+    built = workspace(made)
     executables = [built.prefix / "lib" / LANGUAGES[language] / NODES[node] for node in nodes]
     with own_domain() as number:
         variables = run_ros2.environment(built, number, folder)

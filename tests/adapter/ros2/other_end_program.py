@@ -18,7 +18,7 @@ from rcl_interfaces.srv import DescribeParameters, GetParameters, SetParameters,
 from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import Parameter, parameter_value_to_python
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 PATIENCE = 20.0
 """Seconds after which what does not come will not come; on a machine that has other work too."""
@@ -153,11 +153,13 @@ def _parameters(values: dict[str, Any]) -> list[Any]:
 
 
 def _quality(given: dict[str, Any]) -> QoSProfile:
-    more = {"deadline": Duration(seconds=given["deadline"])} if "deadline" in given else {}
+    times = {"deadline": "deadline", "lease": "liveliness_lease_duration"}
+    more = {times[name]: Duration(seconds=given[name]) for name in times if name in given}
     return QoSProfile(
         depth=given.get("depth", 10),
         reliability=ReliabilityPolicy[given.get("reliability", "RELIABLE")],
         durability=DurabilityPolicy[given.get("durability", "VOLATILE")],
+        liveliness=LivelinessPolicy[given.get("liveliness", "AUTOMATIC")],
         **more,
     )
 
