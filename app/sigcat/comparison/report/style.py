@@ -15,7 +15,7 @@ main { max-width: 1180px; margin: 0 auto; padding: 24px 24px 64px; }
 h1 { font-size: 24px; line-height: 1.25; margin: 0 0 8px; }
 h2 { font-size: 16px; margin: 36px 0 8px; }
 a { color: var(--accent); }
-.muted { color: var(--muted); } .good { color: var(--accent); font-weight: 600; } .bad { color: var(--error); font-weight: 600; }
+.muted { color: var(--muted); } td.muted { overflow-wrap: normal; } .good { color: var(--accent); font-weight: 600; } .bad { color: var(--error); font-weight: 600; }
 .remark { max-width: 80ch; margin: 4px 0; } figure { margin: 14px 0; } figcaption { color: var(--muted); font-size: 13px; max-width: 80ch; }
 .chips { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 14px; padding: 0; }
 .scroll { overflow-x: auto; margin-top: 10px; } table { border-collapse: collapse; width: 100%; }
