@@ -1,6 +1,7 @@
 """The points of measurement, compiled into real cores, and what they write."""
 
 import os
+import struct
 import subprocess
 import sys
 
@@ -8,6 +9,7 @@ import pytest
 
 from sigcat.adapter.toolchain import toolchain
 from sigcat.comparison.running.marks import FOLDER, read_marks, write_header
+from sigcat.errors import UsageError
 from tests import needs
 from tests.comparison.ecocontrol import subject
 
@@ -136,6 +138,14 @@ def test_a_record_that_was_cut_off_is_left_out(program, tmp_path):
     (file,) = tmp_path.iterdir()
     file.write_bytes(file.read_bytes()[:-5])
     assert len(read_marks(subject().prepared.connections, tmp_path, 0).calls) == 59
+
+
+@pytest.mark.parametrize("number", [0, 2])
+def test_a_call_that_the_function_does_not_have_is_refused(number, tmp_path):
+    """As nodes that people wrote may number theirs."""
+    (tmp_path / "CoreAcc.1").write_bytes(struct.pack("=QQQQQII", 0, 1, 2, 3, 4, number, 0))
+    with pytest.raises(UsageError, match=f"names its call {number}; it has calls 1 to 1"):
+        read_marks(subject().prepared.connections, tmp_path, 0)
 
 
 @needs.cmake

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.comparison.recording import CallTime, Sent
+from sigcat.errors import UsageError
 from sigcat.runs.connections import Connections, Member
 
 NAME = "marks"
@@ -157,7 +158,10 @@ def _macros(member: Member) -> str:
 
 
 def read_marks(connections: Connections, folder: Path, start: int) -> Marked:
-    """What was written. A record that was cut off, as when a process is killed, is left out."""
+    """What was written. A record that was cut off, as when a process is killed, is left out.
+
+    Raises UsageError if it names a call that there is not: nodes that people wrote number their calls themselves.
+    """
     calls: list[CallTime] = []
     reactions: dict[str, tuple[Sent, ...]] = {}
     for index, member in enumerate(connections.members):
@@ -176,8 +180,10 @@ def _records(path: Path) -> Iterator[tuple[int, ...]]:
 
 def _call_time(function: str, names: Sequence[str], record: tuple[int, ...]) -> CallTime:
     now, begins, called, returned, ends, call, _ = record
-    name, is_preempted = names[(call & ~_PREEMPTED) - 1], bool(call & _PREEMPTED)
-    return CallTime(function, name, now, ends - begins, returned - called, begins, is_preempted)
+    number, is_preempted = call & ~_PREEMPTED, bool(call & _PREEMPTED)
+    if not 1 <= number <= len(names):
+        raise UsageError(f"what was measured of {function} names its call {number}; it has calls 1 to {len(names)}")
+    return CallTime(function, names[number - 1], now, ends - begins, returned - called, begins, is_preempted)
 
 
 def _reactions(
