@@ -1,6 +1,7 @@
 """`sigcat compare`: what it takes, writes and answers. Platforms other than the simulation have tests of their own."""
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,8 @@ from sigcat.cli import main
 from sigcat.comparison.report.model import read_report
 from sigcat.comparison.running.table import RUNNERS
 from sigcat.data import EXAMPLES
+from tests import needs
+from tests.adapter.autosar_classic.generated import CASES
 
 SET = str(EXAMPLES / "ecocontrol")
 QUICK = ("--platforms", "simulate", "--duration", "8", "--no-faults")
@@ -73,6 +76,17 @@ def test_with_the_simulation_alone_of_those_that_are_wanted_nothing_was_compared
             monkeypatch.setitem(RUNNERS, name, runner._replace(missing=lambda _: "get it"))
     assert main(["compare", SET, "--duration", "8", "--no-faults"]) == 2
     assert "Nothing was compared" in capsys.readouterr().err
+
+
+@needs.cmake
+def test_functions_take_turns_by_their_names_on_every_platform(tmp_path: Path):
+    """Whatever their order in the set: one that is after the other sees what that one sends in the same step."""
+    folder = shutil.copytree(CASES / "one_function_feeds_another", tmp_path / "set")
+    text = (folder / "counter.yaml").read_text().replace("        events: [Vehicle.Filter.Levels]\n", "")
+    (folder / "counter.yaml").write_text(text.replace("runType: EventTriggered", "cycleTime: 20"))
+    (folder / "compare.yaml").write_text("functions: [filter.yaml, counter.yaml]\ntrace: trace.csv\n")
+    platforms = ("--platforms", "simulate,autosar-classic", "--free-run", "0")
+    assert main(["compare", str(folder), *platforms, "-o", str(tmp_path / "report.json")]) == 0
 
 
 def test_without_a_drive_nothing_can_be_played(capsys: pytest.CaptureFixture[str]):

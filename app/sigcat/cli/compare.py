@@ -220,7 +220,8 @@ def _subject(arguments: argparse.Namespace, compared: "ComparedSet", tree: "Cata
     from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
     from sigcat.runs.prepare import prepare
 
-    functions, findings = read_functions([(path.read_bytes(), str(path)) for path in compared.functions], tree)
+    read, findings = read_functions([(path.read_bytes(), str(path)) for path in compared.functions], tree)
+    functions = tuple(sorted(read, key=lambda function: function.name))  # as on platforms: by name, not by file
     prepared = prepare(functions)
     _print((*findings, *prepared.findings))
     path = arguments.deployment or compared.deployment

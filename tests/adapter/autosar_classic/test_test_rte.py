@@ -81,6 +81,22 @@ def test_calls_take_as_long_as_the_drive_says(tmp_path):
     assert [time for time in times if time % (10 * SECOND // 1000) == 3_100_001]
 
 
+@pytest.mark.parametrize("takes", [20_000_000, 30_000_000])
+def test_what_is_due_too_runs_when_a_call_begins_that_takes_time_and_before_that_call_comes_again(takes, tmp_path):
+    """The first one ends when both are due once more."""
+    folder = shutil.copytree(CASES / "one_function_feeds_another", tmp_path / "code")
+    text = (folder / "counter.yaml").read_text().replace("function: Counter", "function: Sum")
+    text = text.replace("        events: [Vehicle.Filter.Levels]\n", "").replace(
+        "runType: EventTriggered", "cycleTime: 20"
+    )
+    (folder / "counter.yaml").write_text(text)
+    drive = Drive(tmp_path / "slow.csv", _length(folder / "trace.csv"))
+    slow = (Slow("Filter_Step", 50_000_000, 150_000_000, takes),)
+    write_texts(spoil(read_texts(folder / "trace.csv"), (), slow), drive.trace)
+    simulated, sent = _both([folder / "filter.yaml", folder / "counter.yaml"], drive, tmp_path)
+    assert sent == simulated
+
+
 def test_a_run_may_end_while_a_call_takes_time(tmp_path):
     """It is terminated, and the call does not come to its end."""
     drive = Drive(tmp_path / "slow.csv", 8 * SECOND)

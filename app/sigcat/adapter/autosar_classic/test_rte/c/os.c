@@ -4,6 +4,7 @@
 #include "test_rte.h"
 
 #define NEVER UINT64_MAX
+#define NONE UINT32_MAX
 
 static uint64 now;
 static boolean *is_activated;
@@ -11,7 +12,8 @@ static uint64 *due; /* of each event */
 static boolean *has_ended; /* of each component */
 static uint32 *depth; /* of the exclusive area of each component */
 static boolean *runs_again; /* each event of a component that waits: what it does meanwhile starts no call */
-static uint32 running = UINT32_MAX; /* the event that runs */
+static uint32 running = NONE; /* the event that runs */
+static boolean has_waited; /* whether the runnable that ended last took time */
 static boolean *waits; /* each event: its runnable has begun, and takes time */
 
 static void *zeros(size_t count, size_t size)
@@ -117,16 +119,23 @@ static void run(uint32 event)
     }
 }
 
+/* A component whose runnable took time lets all others run that are due, before it runs again. */
 static void run_first(uint32 count)
 {
+    uint32 last = NONE;
     uint32 i = 0U;
-    while (i < count) {
-        if (is_activated[i] != FALSE && is_held(i) == FALSE) {
-            is_activated[i] = FALSE;
-            run(i);
-            i = 0U; /* what it activates may run before what comes next */
-        } else {
+    while (i < count || last != NONE) {
+        if (i == count) {
+            last = NONE;
+            i = 0U;
+        } else if (TestRte_Events[i].component == last || is_activated[i] == FALSE || is_held(i) != FALSE) {
             i++;
+        } else {
+            is_activated[i] = FALSE;
+            has_waited = FALSE;
+            run(i);
+            last = (has_waited != FALSE) ? TestRte_Events[i].component : last;
+            i = 0U; /* what it activates may run before what comes next */
         }
     }
 }
@@ -145,10 +154,12 @@ void Os_Wait(void (*wait)(uint64 until), uint64 until)
 {
     const uint32 event = running;
     waits[event] = TRUE;
+    Os_Run(); /* what is due already, too */
     wait(until);
     running = event;
     Os_RunBefore();
     waits[event] = FALSE;
+    has_waited = TRUE;
     for (uint32 i = 0U; i < TestRte_EventCount; i++) {
         if (TestRte_Events[i].component == TestRte_Events[event].component && runs_again[i] != FALSE) {
             runs_again[i] = FALSE;
