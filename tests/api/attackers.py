@@ -128,6 +128,16 @@ async def pipelined(target: Target) -> None:
     await _hold(target, 10, (head("GET", f"{TREE}/nodes/Vehicle.S7") + b"\r\n") * 5000)
 
 
+async def pages(target: Target) -> None:
+    """The longest page, thirty times on each of ninety connections."""
+    await _hold(target, 90, (head("GET", "/docs") + b"\r\n") * 30)
+
+
+async def empty_headers(target: Target) -> None:
+    """500 requests of tens of thousands of headers that are next to nothing."""
+    await _hold(target, 500, head("GET", "/") + b"A:\r\n" * 30_000)
+
+
 def _asking(requests: Callable[[], Iterator[bytes]], clients: int = 1) -> Callable[[Target], Awaitable[None]]:
     """An attack by requests, those of a client one after the other, each on a connection of its own."""
 
@@ -206,6 +216,8 @@ ATTACKS: Mapping[str, Callable[[Target], Awaitable[None]]] = {
     "stalled bodies": stalled_bodies,
     "answers that nobody reads": unread,
     "thousands of requests at once": pipelined,
+    "thousands of pages": pages,
+    "thousands of empty headers": empty_headers,
     "invented methods, paths, parameters": _asking(_invented),
     "thousands of repeated headers": _asking(_repeated_headers),
     "40 clients of long YAML": _asking(_long_answers, clients=40),

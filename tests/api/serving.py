@@ -21,7 +21,7 @@ class Service(NamedTuple):
     process: "subprocess.Popen[str]"
     log: Path
 
-    def logged(self, **fields: str) -> list[dict[str, object]]:
+    def logged(self, **fields: object) -> list[dict[str, object]]:
         """Lines of its log, each of them JSON, that have these fields; a line is written when its answer was sent."""
 
         def found() -> list[dict[str, object]]:

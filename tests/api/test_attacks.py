@@ -27,6 +27,8 @@ pytestmark = pytest.mark.skipif(
     reason="Linux, which has addresses for two clients and tells the memory of a process",
 )
 NODE = "/api/v1/catalogues/local/nodes/Vehicle.S7"
+ORDINARY = (NODE, "/api/v1/rules/V102", "/api/v1/schemas", "/api/v1/catalogues/local/nodes/Vehicle.S{0}", "/rules/V102")
+"""What is kept, what is made in a thread, what nobody has asked before, and a page."""
 SECONDS = 0.2
 ASKED = 150
 
@@ -60,10 +62,11 @@ def usual(service: Service) -> tuple[float, int]:
 def asked(service: Service) -> tuple[float, int]:
     """Seconds in which 99 of 100 requests are answered, and the most memory that was held meanwhile."""
     seconds, most = [], 0
-    for _ in range(ASKED):
+    for number in range(ASKED):
+        address = ORDINARY[number % len(ORDINARY)].format(number)
         start = time.perf_counter()
         with closing(HTTPConnection(service.address.removeprefix("http://"), timeout=DEADLINE)) as connection:
-            connection.request("GET", NODE)
+            connection.request("GET", address)
             answer = connection.getresponse()
             assert (answer.status, len(answer.read()) > 100) == (200, True)
         seconds.append(time.perf_counter() - start)

@@ -9,18 +9,28 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from importlib import import_module
+from inspect import iscoroutinefunction
 from pathlib import Path
+from pkgutil import iter_modules
 from urllib.parse import urlsplit
 
 import httpx
 import pytest
+from fastapi.routing import APIRoute, APIRouter
 
+from sigcat.api import routes
 from sigcat.api.answers import negotiation
 from sigcat.api.answers.negotiation import accepts_gzip, liked_types
+from sigcat.api.answers.schemas import RuleSummary
+from sigcat.api.answers.serializers import rule_summary
 from sigcat.api.application import create_app
-from sigcat.api.routes import contract
+from sigcat.api.middleware import metrics
+from sigcat.api.routes import contract, rules
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.rules.record import Rule
+from sigcat.web import pages
 from sigcat.web.site import create_site
 from tests import plain_http
 from tests.api.conftest import SOURCES, Ask, asker
@@ -193,6 +203,49 @@ def test_what_takes_long_to_write_holds_up_nobody(
         monkeypatch.setattr(module, name, partial(noting, getattr(module, name)))
     assert fresh(address, headers={"Accept": form}).status_code == 200
     assert [thread.name.startswith("AnyIO worker thread") for thread in written_by] == [True]
+
+
+def test_what_threads_make_is_made_in_turns() -> None:
+    """All functions of routes are coroutines: `InThread` makes one of those that are not, which waits for its turn."""
+    modules = [
+        metrics,
+        *(
+            import_module(each.name)
+            for room in (routes, pages)
+            for each in iter_modules(room.__path__, f"{room.__name__}.")
+        ),
+    ]
+    routers = [value for module in modules for value in vars(module).values() if isinstance(value, APIRouter)]
+    functions = {
+        route.path: route.endpoint for router in routers for route in router.routes if isinstance(route, APIRoute)
+    }
+    assert len(functions) > 50
+    assert [path for path, function in functions.items() if not iscoroutinefunction(function)] == []
+
+
+def test_one_client_does_not_keep_all_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    ending = threading.Event()
+
+    def slow(rule: Rule) -> RuleSummary:
+        assert ending.wait(DEADLINE)
+        return rule_summary(rule)
+
+    monkeypatch.setattr(rules, "rule_summary", slow)
+    app = create_app(Library(SOURCES))
+
+    async def crowd() -> int:
+        def client(address: str) -> httpx.AsyncClient:
+            return httpx.AsyncClient(transport=httpx.ASGITransport(app, client=(address, 1)), base_url="http://sigcat")
+
+        async with client("192.0.2.1") as greedy, client("192.0.2.2") as modest:
+            tasks = [asyncio.create_task(greedy.get("/api/v1/rules", timeout=DEADLINE)) for _ in range(20)]
+            answer = await modest.get("/api/v1/rules/I201", timeout=DEADLINE)
+            ending.set()
+            assert {each.status_code for each in await asyncio.gather(*tasks)} == {200}
+        return answer.status_code
+
+    with ThreadPoolExecutor(1) as thread:
+        assert thread.submit(asyncio.run, crowd()).result() == 200
 
 
 _SERVE = """

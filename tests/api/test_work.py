@@ -139,6 +139,22 @@ def test_a_turn_that_was_given_to_somebody_who_goes_away_at_that_moment_is_passe
     assert run(impatient()) == (["a", "c"], 0)
 
 
+def test_what_cannot_be_ended_has_its_turn_until_it_ends_though_nobody_waits_for_it() -> None:
+    async def impatient() -> tuple[int, bool, int]:
+        turns, ending = Turns(at_once=1, waiting=9, share=1), asyncio.Event()
+        tasks = [asyncio.create_task(turns.to_the_end(client, ending.wait)) for client in "ab"]
+        await asyncio.sleep(0)
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        left = turns.pending
+        ending.set()
+        following = await turns.to_the_end("c", ending.wait)
+        return left, following, turns.pending
+
+    assert run(impatient()) == (1, True, 0)
+
+
 SECRET, TOKEN = new_token("ci", ["read"])
 
 
@@ -375,6 +391,23 @@ def test_equal_work_under_way_is_done_once_for_all(queue: WorkQueue, tmp_path: P
     assert run(crowd()) == ["x", "x"]
     assert (tmp_path / "notes").read_text() == "x"
     assert run(queue.of("d").run_once("key", noted, tmp_path / "notes", "y")) == "y"
+
+
+def test_equal_work_ends_when_all_who_asked_for_it_went_away(queue: WorkQueue) -> None:
+    async def crowd() -> Any:
+        asked = [
+            asyncio.create_task(queue.of(client).run_once("key", time.sleep, DEADLINE)) for client in ("a", "b", "c")
+        ]
+        await asyncio.sleep(0.1)
+        for task in asked:
+            assert queue.pending == 1
+            task.cancel()
+            await asyncio.sleep(0)
+        return await queue.of("d").run_once("key", len, b"next")
+
+    process = done(queue, os.getpid)
+    assert run(crowd()) == 4
+    wait_until(lambda: not is_running(process), "the process ends")
 
 
 def test_health_answers_while_heavy_work_is_done(library: Library) -> None:

@@ -29,6 +29,7 @@ from sigcat.api.middleware.request_notes import RequestNotes
 from sigcat.api.openapi_document import openapi_document
 from sigcat.api.requests.held_bodies import HeldBodies
 from sigcat.api.requests.query_parameters import refuse_unknown
+from sigcat.api.requests.thread_turns import THREADS
 from sigcat.api.routes import (
     catalogues,
     changes,
@@ -60,9 +61,9 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 """
 
 
+_FILES = 4
+"""Threads that read files, or write parts of an answer that is sent meanwhile: pages leave these free."""
 _log = logging.getLogger("sigcat")
-_THREADS = 4
-"""Pages that are made at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router, contract.router,
@@ -93,6 +94,7 @@ def create_app(
     app.state.work_queue = _queue(settings.heavy_requests, settings)
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
+    app.state.thread_turns = Turns(THREADS, settings.connections, settings.client_share)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
@@ -139,7 +141,7 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
 @asynccontextmanager
 async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
     """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
-    current_default_thread_limiter().total_tokens = _THREADS
+    current_default_thread_limiter().total_tokens = THREADS + _FILES
     with _ready_for_work(app):
         yield {"connection_rules": _connection_rules(app)}
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from copy import deepcopy
+from threading import Lock
 from typing import Any
 
 from fastapi import FastAPI
@@ -28,6 +29,7 @@ TAGS = {
 }
 _EVERYWHERE = (422, 429, 500, 503)
 """Statuses of any operation: an unknown parameter, more than a client's share, a failure, a service that stops or is busy."""
+_MAKING = Lock()
 _CATALOGUE = "/api/v1/catalogues/{catalogue}"
 _LATER = ("429", "503")
 """Statuses that say when to come again."""
@@ -62,20 +64,24 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
 
 
 def openapi_document(app: FastAPI) -> Document:
-    """The document, made once."""
-    if app.openapi_schema is None:
-        document = get_openapi(
-            title=app.title,
-            version=app.version,
-            description=app.description,
-            routes=app.routes,
-            tags=[{"name": name, "description": text} for name, text in TAGS.items()],
-            contact=_contact(app.state.settings),
-            license_info={"name": "Apache 2.0", "url": "https://www.apache.org/licenses/LICENSE-2.0"},
-            servers=[{"url": "/", "description": "Where the document comes from."}],
-        )
-        app.openapi_schema = completed(document)
+    """The document, made once, whichever threads ask for it first."""
+    with _MAKING:
+        if app.openapi_schema is None:
+            app.openapi_schema = completed(_documented(app))
     return app.openapi_schema
+
+
+def _documented(app: FastAPI) -> Document:
+    return get_openapi(
+        title=app.title,
+        version=app.version,
+        description=app.description,
+        routes=app.routes,
+        tags=[{"name": name, "description": text} for name, text in TAGS.items()],
+        contact=_contact(app.state.settings),
+        license_info={"name": "Apache 2.0", "url": "https://www.apache.org/licenses/LICENSE-2.0"},
+        servers=[{"url": "/", "description": "Where the document comes from."}],
+    )
 
 
 def _contact(settings: Settings) -> dict[str, str]:

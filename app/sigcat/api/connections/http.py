@@ -10,8 +10,9 @@ from http import HTTPStatus
 from typing import Any, NamedTuple
 
 import httptools
+from uvicorn._types import ASGI3Application
 from uvicorn.config import Config
-from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
 from uvicorn.server import ServerState
 
 from sigcat.api.client_network import network_of
@@ -22,6 +23,11 @@ from sigcat.api.work.refusals import RETRY_SECONDS
 
 HEAD_BYTES = 32 * 1024
 """Bytes of the address and the headers of a request."""
+HEADERS = 100
+"""Headers of a request. Each costs more memory than its bytes, and no client sends half as many."""
+_AROUND_HEADER = len(": \r\n")
+_HOST = re.compile(rb"(?:\[[\w.:~!$&'()*+,;=%-]+\]|[\w.~!$&'()*+,;=%-]*)(?::\d*)?")
+"""A name or an address, and perhaps a port (RFC 3986, 3.2)."""
 _DOTS = re.compile(rb"(?:/|%2F)(?:\.|%2E){1,2}(?=/|%2F|$)", re.IGNORECASE)
 _HTTP_2 = b"PRI"
 """The method with which its clients begin."""
@@ -75,7 +81,9 @@ class HttpConnection(HttpToolsProtocol):
         self._has_room = True
         self._is_in_head = False
         self._head_bytes = 0
+        self._header_count = 0
         self._is_refused = False
+        self._answering: tuple[RequestResponseCycle, asyncio.Task[None]] | None = None
         self._head_timer: asyncio.TimerHandle | None = None
         self._unread_timer: asyncio.TimerHandle | None = None
 
@@ -88,7 +96,8 @@ class HttpConnection(HttpToolsProtocol):
         self._expect_head()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Forget it."""
+        """Forget it, and give up what it asked for."""
+        self._give_up_answers()
         self._rules.open_connections.remove(self)
         self._rules.unread_answers.remove(self)
         self._stop_expecting_head()
@@ -138,6 +147,7 @@ class HttpConnection(HttpToolsProtocol):
         super().on_message_begin()
         self._is_in_head = True
         self._head_bytes = 0
+        self._header_count = 0
 
     def on_url(self, url: bytes) -> None:
         """A part of its address."""
@@ -145,10 +155,11 @@ class HttpConnection(HttpToolsProtocol):
         super().on_url(url)
 
     def on_header(self, name: bytes, value: bytes) -> None:
-        """A header; what stands behind a body in chunks is none."""
-        self._count_head(len(name) + len(value))
+        """A header, without the spaces around its value; what stands behind a body in chunks is none."""
+        self._header_count += 1
+        self._count_head(len(name) + len(value) + _AROUND_HEADER)
         if self._is_in_head:
-            super().on_header(name, value)
+            super().on_header(name, value.strip(b" \t"))
 
     def on_headers_complete(self) -> None:
         """Hand the request to the application, if it is one."""
@@ -185,29 +196,34 @@ class HttpConnection(HttpToolsProtocol):
 
     def _count_head(self, size: int) -> None:
         self._head_bytes += size
-        if self._head_bytes > HEAD_BYTES:
-            detail = f"The address and the headers must have at most {HEAD_BYTES:,} bytes."
+        if self._head_bytes > HEAD_BYTES or self._header_count > HEADERS:
+            detail = (
+                f"The address and the headers must have at most {HEAD_BYTES:,} bytes, in at most {HEADERS} headers."
+            )
             raise Refused(HTTPStatus.REQUEST_HEADER_FIELDS_TOO_LARGE, detail)
 
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
         version = self.parser.get_http_version()
-        names = [name for name, _ in self.headers]
+        hosts, encodings = self._values(b"host"), self._values(b"transfer-encoding")
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
-        if names.count(b"host") != 1 and (version == "1.1" or b"host" in names):
+        if len(hosts) != 1 and (version == "1.1" or hosts):
             raise _bad("The header `Host` must be there once.")
-        if b"transfer-encoding" in names and (
-            version == "1.0" or (b"transfer-encoding", b"chunked") not in self.headers
-        ):
+        if not all(map(_HOST.fullmatch, hosts)):
+            raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
+        if encodings and (version == "1.0" or [each.lower() for each in encodings] != [b"chunked"]):
             raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
         path, method = httptools.parse_url(self.url).path, self.parser.get_method()
-        if not path or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
+        if not path or b"#" in self.url or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
             raise _bad(_NO_PATH)
         if _DOTS.search(path):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+
+    def _values(self, wanted: bytes) -> list[bytes]:
+        return [value for name, value in self.headers if name == wanted]
 
     def _expect_head(self) -> None:
         self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
@@ -239,6 +255,27 @@ class HttpConnection(HttpToolsProtocol):
         return _bad(_NO_CHUNKS if self._is_under_way and self.cycle.more_body else _NOTHING_FOLLOWS)
 
     # -- answers --------------------------------------------------------------------------------------------------
+
+    def _start_asgi_task(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
+        """Have the application answer, as long as somebody is there who waits for it."""
+
+        def has_left() -> bool:
+            cycle.disconnected = cycle.disconnected or self.transport.is_closing()
+            return cycle.disconnected
+
+        cycle.scope["state"]["has_left"] = has_left
+        task = self.loop.create_task(cycle.run_asgi(app))
+        self._answering = cycle, task
+        self.tasks.add(task)
+        task.add_done_callback(self.tasks.discard)
+
+    def _give_up_answers(self) -> None:
+        """Nobody will read them: not the one under way, which may not be the last request, nor those that wait for it."""
+        self.pipeline.clear()
+        if self._answering is not None:
+            cycle, task = self._answering
+            cycle.disconnected = True
+            task.cancel()
 
     def _refuse(self, refused: Refused) -> None:
         """Answer with a problem and close. Requests before it are answered first, and the last one closes."""

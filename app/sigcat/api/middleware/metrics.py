@@ -10,11 +10,12 @@ from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.exposition import CONTENT_TYPE_LATEST
 from prometheus_client.registry import Collector
 
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
 from sigcat.function.hosting import FunctionLibrary
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 
 _METHODS = frozenset(HTTPMethod)
 _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60)

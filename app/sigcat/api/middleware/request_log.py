@@ -2,6 +2,7 @@
 
 import asyncio
 import re
+from collections.abc import Callable
 from time import perf_counter
 from typing import Any
 
@@ -12,6 +13,8 @@ from sigcat.api.answers.problems import answer_problem
 from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
 from sigcat.api.work.refusals import Busy
 
+_CLIENT_LEFT = 499
+"""Noted where nobody was there any more to be answered. It is never sent, and no status of HTTP; other servers note the same."""
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
 
 
@@ -34,26 +37,31 @@ class RequestLog:
         state["is_head"] = method == "HEAD"
         request_id = state["request_id"] = _request_id(asked)
         header = (b"x-request-id", request_id.encode())
+        has_left: Callable[[], bool] = state.get("has_left", bool)
         status = 0
 
         async def noting_send(message: Message) -> None:
             nonlocal status
-            if message["type"] == "http.response.start":
-                status = message["status"]
-                message["headers"] = [*message.get("headers", ()), header]
-            elif method == "HEAD":
-                message = {**message, "body": b""}
-            await send(message)
+            if has_left():
+                return
+            if message["type"] != "http.response.start":
+                await send({**message, "body": b""} if method == "HEAD" else message)
+                return
+            message["headers"] = [*message.get("headers", ()), header]
+            await send(message)  # the client may leave before it has read earlier answers
+            status = message["status"]
 
         try:
             await self._app(asked, receive, noting_send)
-        except asyncio.CancelledError:  # the server stops, and `stop_seconds` are over
-            if status:
+        except asyncio.CancelledError:
+            if has_left():
+                return
+            if status:  # the server stops, and `stop_seconds` are over
                 raise
             response = await answer_problem(Request(asked), Busy("The service is stopping. Try again."))
             await response(asked, receive, noting_send)
         finally:
-            self._note(asked, method, status or 500, perf_counter() - began)
+            self._note(asked, method, status or (_CLIENT_LEFT if has_left() else 500), perf_counter() - began)
 
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]

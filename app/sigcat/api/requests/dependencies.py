@@ -244,9 +244,9 @@ async def _body(request: Request, hold: Hold) -> bytes:
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, "The body must not be compressed. Send it as it is.")
     declared = request.headers.get("content-length", "")
     if declared.isdecimal() and len(declared) <= len(str(settings.body_bytes)) + 1:
-        _check_length(int(declared), settings)
+        _check_length(int(declared), request, settings)
     elif declared:
-        _check_length(settings.body_bytes + 1, settings)
+        _check_length(settings.body_bytes + 1, request, settings)
     try:
         async with asyncio.timeout(settings.body_seconds):
             return await _read(request, settings, hold)
@@ -260,7 +260,7 @@ async def _read(request: Request, settings: Settings, hold: Hold) -> bytes:
     async for chunk in request.stream():
         hold(len(chunk))
         body += chunk
-        _check_length(len(body), settings)
+        _check_length(len(body), request, settings)
     return bytes(body)
 
 
@@ -277,7 +277,9 @@ def text_body(description: str, example: str) -> dict[str, Any]:
     return {"requestBody": body}
 
 
-def _check_length(length: int, settings: Settings) -> None:
+def _check_length(length: int, request: Request, settings: Settings) -> None:
+    """Raises BodyRefused. A client that sends all the same is let go on for a while: closed at once, it would not read why."""
     if length > settings.body_bytes:
         detail = f"The body must have at most {settings.body_bytes:,} bytes."
-        raise BodyRefused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail, headers={"Connection": "close"})
+        headers = {"Connection": "close"} if "expect" in request.headers else None
+        raise BodyRefused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail, headers=headers)

@@ -25,12 +25,11 @@ async def in_turn(
     *arguments: _Arguments.args,
     **options: _Arguments.kwargs,
 ) -> _Result:
-    """What the function makes of nodes and `depth` levels below them, in a thread; if they are many, when it is its turn."""
-    if not has_more(nodes, depth, _MANY):
-        return await run_in_threadpool(function, *arguments, **options)
-    turns: Turns = request.app.state.reading_turns
-    async with turns.turn(client_of(request)):
-        return await asyncio.to_thread(function, *arguments, **options)
+    """What the function makes of nodes and `depth` levels below them, in a thread; many have turns of their own."""
+    is_long = has_more(nodes, depth, _MANY)
+    turns: Turns = request.app.state.reading_turns if is_long else request.app.state.thread_turns
+    run = asyncio.to_thread if is_long else run_in_threadpool
+    return await turns.to_the_end(client_of(request), lambda: run(function, *arguments, **options))
 
 
 def has_more(nodes: Iterable[Node], depth: int, limit: int) -> bool:

@@ -20,6 +20,7 @@ from sigcat.api.requests.dependencies import (
     rules_of,
 )
 from sigcat.api.requests.long_reading import has_more, in_turn
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -32,8 +33,8 @@ from sigcat.errors import NotFound, UsageError
 from sigcat.limits import ANSWER_DEPTH, NAME_CHARACTERS, PARAMETER_CHARACTERS, PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean, nearest
 
-listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"])
-router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"])
+listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"], route_class=InThread)
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"], route_class=InThread)
 _PAGE = 50
 _OWN_FIELDS = ("path", "name", "category")
 """Fields of a node that are no attributes."""

@@ -8,8 +8,9 @@ from starlette.routing import BaseRoute, Match
 from starlette.types import Receive, Scope, Send
 
 from sigcat.api.answers.negotiation import JSON, json_bytes
+from sigcat.api.requests.thread_turns import InThread
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 
 
 @router.get("/openapi.json", include_in_schema=False)

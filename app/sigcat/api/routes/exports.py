@@ -13,6 +13,7 @@ from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
 from sigcat.api.requests.export_options import export_query, given_options
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.settings import Settings
 from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.exporting.export import exported, refuse_unfit
@@ -21,8 +22,8 @@ from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
 from sigcat.catalogue.exporting.files import zipped
 from sigcat.catalogue.model.catalogue import Catalogue
 
-router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"])
-unknown_formats = APIRouter(prefix="/api/v1/catalogues/{catalogue}")
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["exports"], route_class=InThread)
+unknown_formats = APIRouter(prefix="/api/v1/catalogues/{catalogue}", route_class=InThread)
 """Comes after the others, and takes whatever parameters are meant for a format that is not there."""
 
 _BLOCK = 256 * 1024

@@ -13,6 +13,7 @@ from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.enumerations import enumeration, one_of
 from sigcat.api.requests.function_files import SET, posted_functions
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.functions import DECLARATION
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
@@ -26,7 +27,7 @@ from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 from sigcat.platforms.schemas import SCHEMAS, schema
 from sigcat.platforms.table import PLATFORMS
 
-router = APIRouter(prefix="/api/v1", tags=["integration"])
+router = APIRouter(prefix="/api/v1", tags=["integration"], route_class=InThread)
 
 _BODY = (
     f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "

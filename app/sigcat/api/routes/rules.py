@@ -10,9 +10,10 @@ from sigcat.api.answers.negotiation import answer, offered, rows
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import rule_detail, rule_summary
 from sigcat.api.requests.dependencies import TheRules
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.limits import NAME_CHARACTERS
 
-router = APIRouter(prefix="/api/v1/rules", tags=["rules"])
+router = APIRouter(prefix="/api/v1/rules", tags=["rules"], route_class=InThread)
 
 RuleId = Annotated[str, Path(description="Code of a rule.", examples=["I201"], max_length=NAME_CHARACTERS)]
 

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable, Hashable, Iterable
+from dataclasses import dataclass
 from typing import Any, ParamSpec, TypeVar
 
 from sigcat.api.work.references import Work
@@ -32,7 +33,7 @@ class WorkQueue:
         self._memory = memory
         self._turns = Turns(at_once, waiting, share)
         self._workers = Workers(memory, kind)
-        self._shared: dict[Hashable, asyncio.Task[Any]] = {}
+        self._shared: dict[Hashable, _SharedWork] = {}
 
     @property
     def pending(self) -> int:
@@ -66,21 +67,22 @@ class WorkQueue:
     async def work_in_thread(self, client: str, work: Work) -> Any:
         """The same in this process, for what has to stay in it: given up, it holds its turn until it ends."""
         function, arguments, options = work
-        in_thread = self._in_turn(client, lambda: asyncio.to_thread(function, *arguments, **options))
-        return await self._within_time(asyncio.shield(in_thread))
+        in_thread = self._turns.to_the_end(client, lambda: asyncio.to_thread(function, *arguments, **options))
+        return await self._within_time(in_thread)
 
     async def work_once(self, client: str, key: Hashable, work: Work) -> Any:
-        """The same once for all who ask for it while it is under way. It goes on when one of them goes away."""
-        task = self._shared.get(key)
-        if task is None:
-            task = self._shared[key] = asyncio.create_task(self.work(client, work))
-            task.add_done_callback(lambda done: self._end_shared(key, done))
-        return await asyncio.shield(task)
-
-    def _end_shared(self, key: Hashable, done: "asyncio.Task[Any]") -> None:
-        del self._shared[key]
-        if not done.cancelled():
-            done.exception()  # if all who asked are gone, nobody has to hear of it
+        """The same once for all who ask for it while it is under way. It ends when all of them went away."""
+        shared = self._shared.get(key)
+        if shared is None:
+            shared = self._shared[key] = _SharedWork(asyncio.create_task(self.work(client, work)))
+        shared.askers += 1
+        try:
+            return await asyncio.shield(shared.task)
+        finally:
+            shared.askers -= 1
+            if not shared.askers:
+                del self._shared[key]
+                shared.task.cancel()
 
     async def _in_turn(self, client: str, begin: Callable[[], Awaitable[_Result]]) -> _Result:
         async with self._turns.turn(client):
@@ -97,6 +99,14 @@ class WorkQueue:
             raise Busy(
                 f"The work took longer than {self._seconds:g} seconds and was ended. Try again, or ask for less."
             ) from None
+
+
+@dataclass
+class _SharedWork:
+    """Work under way, and how many wait for it."""
+
+    task: asyncio.Task[Any]
+    askers: int = 0
 
 
 class ClientQueue:

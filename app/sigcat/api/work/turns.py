@@ -2,11 +2,13 @@
 
 import asyncio
 from collections import Counter, deque
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
+from typing import Any, TypeVar
 
 from sigcat.api.work.refusals import BeyondShare, Busy
 
+_Result = TypeVar("_Result")
 _Waiting = deque["asyncio.Future[None]"]
 
 
@@ -36,6 +38,14 @@ class Turns:
             yield
         finally:
             self._end(client)
+
+    async def to_the_end(self, client: str, begin: Callable[[], Coroutine[Any, Any, _Result]]) -> _Result:
+        """What comes of something that cannot be ended: given up, it has the turn until it ends by itself."""
+        self.refuse_more(client)
+        await self._begin(client)
+        task = asyncio.create_task(begin())
+        task.add_done_callback(lambda _: self._end(client))
+        return await asyncio.shield(task)
 
     def refuse_more(self, client: str) -> None:
         """Raises Busy where too many wait, BeyondShare where too many of this client do."""

@@ -8,11 +8,12 @@ from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers.problems import KINDS
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.errors import NotFound
 from sigcat.web.rendering import page
 from sigcat.web.visits import mounted_below
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 ADDRESS = "$SIGCAT"
 """Address of the service in examples: which one a client used is not repeated to it."""
 
@@ -64,8 +65,14 @@ def show_reference(request: Request) -> Response:
     """Every operation and schema of the API."""
     document = request.app.openapi()
     base = ADDRESS + mounted_below(request).rstrip("/")
+    entries = schemas(document)
     return page(
-        request, "docs.html", document=document, operations=operations(document, base), schemas=schemas(document)
+        request,
+        "docs.html",
+        document=document,
+        operations=operations(document, base),
+        schemas=entries,
+        schema_names={entry.name for entry in entries},
     )
 
 

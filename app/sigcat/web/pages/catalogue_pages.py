@@ -20,6 +20,7 @@ from sigcat.api.requests.dependencies import (
     library_of,
 )
 from sigcat.api.requests.long_reading import in_turn
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
@@ -38,7 +39,7 @@ from sigcat.web.views.node_uses import uses_in
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
 _DEEPEST = 1_000

@@ -7,6 +7,7 @@ from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import FileResponse, JSONResponse, Response
 
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheWorkQueue
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import InputRefused, NotFound
@@ -31,7 +32,7 @@ from sigcat.web.views.needed_overlays import Need, need_of
 from sigcat.web.views.run_view import RunView, run_view
 from sigcat.web.views.source_view import shown_text, source_view
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 
 
 @router.get("/functions")

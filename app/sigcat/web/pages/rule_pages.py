@@ -7,12 +7,13 @@ from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers.serializers import rule_detail
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheRules
+from sigcat.api.requests.thread_turns import InThread
 from sigcat.limits import PAGE_FINDINGS
 from sigcat.rules.record import Rule
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 
-router = APIRouter()
+router = APIRouter(route_class=InThread)
 
 
 @router.get("/rules")

@@ -1,0 +1,43 @@
+"""Pages and answers that a thread makes: clients take turns, so that one who asks for many keeps no other one waiting."""
+
+from collections.abc import Callable
+from inspect import Parameter, iscoroutinefunction, signature
+from typing import Annotated, Any
+
+from fastapi import Depends, Request
+from fastapi.concurrency import run_in_threadpool
+from fastapi.responses import Response
+from fastapi.routing import APIRoute
+
+from sigcat.api.requests.clients import client_of
+from sigcat.api.work.turns import Turns
+
+THREADS = 4
+"""Of them are at work at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
+_ASKING = "asking"
+
+
+class InThread(APIRoute):
+    """A route whose function, unless it is a coroutine, runs in a thread when it is the turn of who asks."""
+
+    def __init__(self, path: str, endpoint: Callable[..., Any], **options: Any) -> None:
+        super().__init__(path, endpoint if iscoroutinefunction(endpoint) else _in_turn(endpoint), **options)
+
+
+async def _asking(request: Request) -> Request:
+    return request
+
+
+def _in_turn(function: Callable[..., Response]) -> Callable[..., Any]:
+    """The function as a coroutine that waits for its turn: after what it depends on is there, which may have waited elsewhere."""
+
+    async def answered(**values: Any) -> Response:
+        request: Request = values.pop(_ASKING)
+        turns: Turns = request.app.state.thread_turns
+        return await turns.to_the_end(client_of(request), lambda: run_in_threadpool(function, **values))
+
+    asked = signature(function)
+    asking = Parameter(_ASKING, Parameter.KEYWORD_ONLY, annotation=Annotated[Request, Depends(_asking)])
+    answered.__signature__ = asked.replace(parameters=[*asked.parameters.values(), asking])  # type: ignore[attr-defined]
+    answered.__name__, answered.__doc__ = function.__name__, function.__doc__
+    return answered
