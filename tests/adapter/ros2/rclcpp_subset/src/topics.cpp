@@ -65,6 +65,16 @@ std::shared_ptr<detail::Waitable> listen_to(
   return event;
 }
 
+/// Whether all that is wrong with a publisher is that its context was shut down, which any call may find.
+bool is_after_shutdown(const rcl_publisher_t & publisher, rcl_ret_t result)
+{
+  if (result != RCL_RET_PUBLISHER_INVALID) {
+    return false;
+  }
+  rcl_reset_error();
+  return rcl_publisher_is_valid_except_context(&publisher);
+}
+
 std::string told_of(const char * topic, const char * who, rmw_qos_policy_kind_t policy)
 {
   const char * name = rmw_qos_policy_kind_to_str(policy);
@@ -164,7 +174,10 @@ void PublisherBase::listen(NodeBaseInterface & node, const PublisherOptions & op
 size_t PublisherBase::get_subscription_count() const
 {
   size_t count = 0;
-  detail::check(rcl_publisher_get_subscription_count(handle_.get(), &count), get_topic_name());
+  const rcl_ret_t counted = rcl_publisher_get_subscription_count(handle_.get(), &count);
+  if (!is_after_shutdown(*handle_, counted)) {
+    detail::check(counted, get_topic_name());
+  }
   return count;
 }
 
@@ -176,13 +189,9 @@ bool PublisherBase::assert_liveliness() const
 void PublisherBase::publish_message(const void * message)
 {
   const rcl_ret_t published = rcl_publish(handle_.get(), message, nullptr);
-  if (published == RCL_RET_PUBLISHER_INVALID) {
-    rcl_reset_error();
-    if (rcl_publisher_is_valid_except_context(handle_.get())) {
-      return;  // after shutdown
-    }
+  if (!is_after_shutdown(*handle_, published)) {
+    detail::check(published, get_topic_name());
   }
-  detail::check(published, get_topic_name());
 }
 
 SubscriptionBase::SubscriptionBase(
