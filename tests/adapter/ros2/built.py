@@ -4,6 +4,7 @@ import fcntl
 import hashlib
 import os
 import shutil
+import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping
@@ -15,6 +16,7 @@ from scripts import ros2_environment, ros2_packages, run_ros2
 from scripts.run_autosar import CODE
 from sigcat.players.ros2_domain import own_domain
 from tests.adapter.ros2.generated import ecocontrol, write
+from tests.adapter.ros2.loopback import LOOPBACK
 from tests.adapter.ros2.other_end import Peer, peer
 from tests.needs import sampled
 
@@ -73,8 +75,8 @@ def _of_files(*roots: Path) -> str:
 
 
 def _kept(name: str, made_of: str) -> Path:
-    """A folder that only what is made of the same, in the same environment, has."""
-    digest = hashlib.sha256((made_of + str(ros2_environment.ENVIRONMENT.resolve())).encode()).hexdigest()
+    """A folder that only what is made of the same has, in the same environment by the same name: CMake writes that down."""
+    digest = hashlib.sha256((made_of + str(ros2_environment.ENVIRONMENT)).encode()).hexdigest()
     folders = f"sigcat-ros2-{os.getuid()}-{name}"
     folder = Path(tempfile.gettempdir()) / f"{folders}-{digest[:16]}"
     folder.mkdir(exist_ok=True)
@@ -95,6 +97,19 @@ def _alone(folder: Path) -> Iterator[bool]:
         done.touch()
 
 
+def variables(built: run_ros2.Workspace, number: int, folder: Path) -> Mapping[str, str]:
+    """Environment of processes of a domain, some of which are killed."""
+    return {**run_ros2.environment(built, number, folder), **LOOPBACK}
+
+
+def preloaded(source: str, folder: Path) -> Path:
+    """A library in C++ for LD_PRELOAD."""
+    library = folder / "preloaded.so"
+    command = ["g++", "-shared", "-fPIC", "-x", "c++", "-", "-o", str(library)]
+    subprocess.run(command, input=source, text=True, check=True)
+    return library
+
+
 @contextmanager
 def running(
     language: str, folder: Path, *nodes: str, arguments: tuple[str, ...] = (), made: Made = ecocontrol
@@ -103,9 +118,9 @@ def running(
     built = workspace(made)
     executables = [built.prefix / "lib" / LANGUAGES[language] / NODES[node] for node in nodes]
     with own_domain() as number:
-        variables = run_ros2.environment(built, number, folder)
+        own = variables(built, number, folder)
         commands = [(executable, "--ros-args", *arguments) for executable in executables]
-        with run_ros2.started(commands, variables, folder / "nodes.txt"), peer(variables) as other:
+        with run_ros2.started(commands, own, folder / "nodes.txt"), peer(own) as other:
             yield other
 
 
@@ -114,4 +129,4 @@ def ended(language: str, folder: Path, node: str, *arguments: str) -> tuple[int,
     built = workspace()
     executable = built.prefix / "lib" / LANGUAGES[language] / NODES[node]
     with own_domain() as number:
-        return run_ros2.ended([executable, "--ros-args", *arguments], run_ros2.environment(built, number, folder))
+        return run_ros2.ended([executable, "--ros-args", *arguments], variables(built, number, folder))

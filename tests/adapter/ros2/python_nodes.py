@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from scripts import ros2_environment
 from scripts.ros2_packages import build_python, run
 from tests.adapter.ros2.generated import write
+from tests.adapter.ros2.loopback import LOOPBACK
 
 PEER = Path(__file__).parent / "peer.py"
 PATIENCE = 30.0
@@ -72,8 +73,8 @@ def domain() -> tuple[int, Any]:
 
 def variables(where: Installed, folder: Path) -> Mapping[str, str]:
     """Environment of a process that talks to those of this test alone."""
-    own = {"ROS_DOMAIN_ID": str(domain()[0]), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", "ROS_LOG_DIR": str(folder)}
-    return {**ros2_environment.variables(*where), **own, "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp", "HOME": str(folder)}
+    own = {"ROS_DOMAIN_ID": str(domain()[0]), "ROS_LOG_DIR": str(folder), "HOME": str(folder)}
+    return {**ros2_environment.variables(*where), **LOOPBACK, **own, "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
 
 
 class Node:

@@ -7,7 +7,7 @@ import pytest
 
 from scripts import run_ros2
 from sigcat.players.ros2_domain import own_domain
-from tests.adapter.ros2.built import LANGUAGES, running, subset, workspace
+from tests.adapter.ros2.built import LANGUAGES, running, subset, variables, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CLEANUP, CONFIGURE, DEACTIVATE, peer
 from tests.needs import ros2
 
@@ -24,8 +24,8 @@ def test_twenty_nodes_live_in_one_process(tmp_path):
     command = [subset() / "lib/rclcpp_components/load_components", "eco_control", *wanted]
     nodes = [*(f"{space}/{MPC}" for space in SPACES), "/car0/core_acc"]
     with own_domain() as number:
-        variables = run_ros2.environment(built, number, tmp_path)
-        with run_ros2.started([command], variables, tmp_path / "told.txt"), peer(variables) as other:
+        own = variables(built, number, tmp_path)
+        with run_ros2.started([command], own, tmp_path / "told.txt"), peer(own) as other:
             for node in nodes:
                 other.bring(node, CONFIGURE, ACTIVATE)
                 other.switch_on(node)
@@ -44,7 +44,7 @@ def test_a_function_with_global_variables_is_there_once_in_a_process(tmp_path):
     command = [subset() / "lib/rclcpp_components/load_components", "eco_control"]
     twice = ["eco_control::CoreAccNode=/car0", "eco_control::CoreAccNode=/car1"]
     with own_domain() as number:
-        status, told = run_ros2.ended([*command, *twice], run_ros2.environment(built, number, tmp_path))
+        status, told = run_ros2.ended([*command, *twice], variables(built, number, tmp_path))
     assert status != 0
     assert "a process can have one node of it" in told
 
@@ -58,12 +58,12 @@ def test_a_node_receives_while_the_one_thread_of_its_process_waits(tmp_path):
         "eco_control::EcoControlMpcNode=/car0",
     ]
     with own_domain() as number:
-        variables = run_ros2.environment(workspace(), number, tmp_path)
+        own = variables(workspace(), number, tmp_path)
         in_lock_step = [[*command, "--ros-args", "-p", "lock_step:=true"]]
         with (
-            run_ros2.started(in_lock_step, variables, tmp_path / "told.txt"),
-            peer(variables) as asking,
-            peer(variables) as sending,
+            run_ros2.started(in_lock_step, own, tmp_path / "told.txt"),
+            peer(own) as asking,
+            peer(own) as sending,
             ThreadPoolExecutor() as threads,
         ):
             asking.bring(node, CONFIGURE, ACTIVATE)

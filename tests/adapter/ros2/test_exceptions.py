@@ -3,12 +3,11 @@
 A library that comes before that of the core throws in its place.
 """
 
-import subprocess
 from contextlib import contextmanager
 
 from scripts import run_ros2
 from sigcat.players.ros2_domain import own_domain
-from tests.adapter.ros2.built import NODES, workspace
+from tests.adapter.ros2.built import NODES, preloaded, variables, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CLEANUP, CONFIGURE, DEACTIVATE, peer
 from tests.needs import ros2
 from tests.waiting import wait_until
@@ -25,14 +24,12 @@ SPEED = ("vehicle/speed", "eco_control_interfaces/msg/Speed")
 @contextmanager
 def throwing(function, folder):
     """The node, in which a function of the core throws; who asks it, and how often something was told."""
-    library, told = folder / "throws.so", folder / "told.txt"
-    command = ["g++", "-shared", "-fPIC", "-x", "c++", "-", "-o", str(library)]
-    subprocess.run(command, input=THROWS.format(function=function), text=True, check=True)
+    library, told = preloaded(THROWS.format(function=function), folder), folder / "told.txt"
     built = workspace()
     with own_domain() as number:
-        variables = run_ros2.environment(built, number, folder)
+        own = variables(built, number, folder)
         node = [built.prefix / "lib/eco_control" / NODES[NODE]]
-        with run_ros2.started([node], {**variables, "LD_PRELOAD": str(library)}, told), peer(variables) as other:
+        with run_ros2.started([node], {**own, "LD_PRELOAD": str(library)}, told), peer(own) as other:
             other.bring(NODE, CONFIGURE, ACTIVATE)
             yield other, lambda text: told.read_text().count(text)
             assert other.state(NODE) == "active"

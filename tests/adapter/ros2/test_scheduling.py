@@ -11,7 +11,7 @@ import pytest
 
 from scripts import run_ros2
 from sigcat.players.ros2_domain import own_domain
-from tests.adapter.ros2.built import LANGUAGES, NODES, USUAL, workspace
+from tests.adapter.ros2.built import LANGUAGES, NODES, USUAL, variables, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CONFIGURE, DEACTIVATE, peer
 from tests.needs import ros2
 from tests.waiting import wait_until
@@ -39,9 +39,9 @@ def running(language, policy, folder, *prefix):
     node = built.prefix / "lib" / LANGUAGES[language] / NODES[NODE]
     settings = ("-p", f"scheduling_policy:={policy}", "-p", f"storage_folder:={folder}")
     with own_domain() as number:
-        variables = run_ros2.environment(built, number, folder)
+        own = variables(built, number, folder)
         command = [*prefix, node, "--ros-args", *settings]
-        with run_ros2.started([command], variables, folder / "told.txt"), peer(variables) as other:
+        with run_ros2.started([command], own, folder / "told.txt"), peer(own) as other:
             yield other
 
 
