@@ -20,6 +20,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--from", dest="origin", default="", metavar="URL|FILE", help="take the archive (tar.gz, tar, zip) from here"
     )
+    parser.add_argument(
+        "--allow-private", action="store_true", help="let the address of --from be one of this machine or its network"
+    )
     parser.add_argument("--force", action="store_true", help="replace a release of this name that is here already")
     parser.add_argument("--digest", default="", metavar="SHA256", help="digest that the archive must have")
     parser.set_defaults(run=pull_release)
@@ -32,7 +35,10 @@ def pull_release(arguments: argparse.Namespace) -> int:
     is_here = is_pulled(arguments.release) and not arguments.force
     bar = ProgressBar(arguments.release) if sys.stderr.isatty() else None
     try:
-        release = pull(arguments.release, arguments.origin, arguments.digest, replaces=arguments.force, progress=bar)
+        release = pull(
+            arguments.release, arguments.origin, arguments.digest, replaces=arguments.force,
+            allows_private=arguments.allow_private, progress=bar,
+        )  # fmt: skip
     finally:
         if bar is not None:
             bar.clear()

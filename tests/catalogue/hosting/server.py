@@ -110,6 +110,10 @@ class Handler(BaseHTTPRequestHandler):
         """A redirect to this very server, as another host and over https."""
         self.head(0, 302, Location=f"https://{self.headers['Host'].replace('127.0.0.1', 'localhost')}/good")
 
+    def to_inside(self) -> None:
+        """A redirect to a name that others have at home."""
+        self.head(0, 302, Location="https://inside.example/secrets")
+
     def no_archive(self) -> None:
         """A page in place of an archive."""
         page = b"<html>Sign in</html>" * 100

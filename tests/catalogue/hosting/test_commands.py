@@ -33,13 +33,13 @@ def test_a_pulled_release_is_served_beside_the_shipped_trees(server, data, tmp_p
     monkeypatch.chdir(tmp_path)
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
-    assert run("pull", "5.0", "--from", f"{server}/good") == 0
+    assert run("pull", "5.0", "--from", f"{server}/good", "--allow-private") == 0
     sources = chosen_configuration(parser.parse_args([])).sources
     assert [source.id for source in sources] == ["interfaces", "vss", "v5.0"]
 
 
 def test_pulling_says_what_came_and_listing_shows_it(server, data, capsys):
-    assert run("pull", "5.0", "--from", f"{server}/good") == 0
+    assert run("pull", "5.0", "--from", f"{server}/good", "--allow-private") == 0
     output = capsys.readouterr()
     digest = hashlib.sha256(GOOD).hexdigest()
     assert output.out == f"v5.0: 2 nodes in {data}/releases/v5.0\n      SHA-256 {digest}, from {server}/good\n"
@@ -54,7 +54,7 @@ def test_pulling_says_what_came_and_listing_shows_it(server, data, capsys):
 
 
 def test_a_release_that_is_here_is_named_and_force_replaces_it(server, data, tmp_path, capsys):
-    assert run("pull", "5.0", "--from", f"{server}/good") == 0
+    assert run("pull", "5.0", "--from", f"{server}/good", "--allow-private") == 0
     other = str(saved(tmp_path, zip_bytes()))
     capsys.readouterr()
     assert run("pull", "5.0", "--from", other) == 0
@@ -76,8 +76,10 @@ def test_with_nothing_pulled_the_list_says_what_to_do(data, capsys):
 
 
 def test_a_refusal_is_an_error_for_users(server, data):
+    with pytest.raises(SigcatError, match=r"127\.0\.0\.1 is not a public address; --allow-private"):
+        run("pull", "5.0", "--from", f"{server}/good")
     with pytest.raises(SigcatError, match="answers 404"):
-        run("pull", "5.0", "--from", f"{server}/none")
+        run("pull", "5.0", "--from", f"{server}/none", "--allow-private")
 
 
 def test_the_bar_shows_what_has_come_of_the_whole():
@@ -90,8 +92,8 @@ def test_the_bar_shows_what_has_come_of_the_whole():
 def test_a_terminal_gets_a_bar_and_keeps_a_clean_line(server, data):
     terminal, side = pty.openpty()
     code = (
-        "import argparse; from sigcat.cli import pull;"
-        f"pull.pull_release(argparse.Namespace(release='v5.0', origin='{server}/good', digest='', force=False))"
+        "import sys; from sigcat.cli import main;"
+        f"sys.exit(main(['pull', 'v5.0', '--from', '{server}/good', '--allow-private']))"
     )
     subprocess.run([sys.executable, "-c", code], stderr=side, stdout=subprocess.DEVNULL, check=True)
     os.close(side)

@@ -38,7 +38,7 @@ def findings(folder: Path, text: str) -> list[tuple[str, int, str, str]]:
 
 
 def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, server, data):
-    pull("v5.0", f"{server}/good")
+    pull("v5.0", f"{server}/good", allows_private=True)
     found = configuration(
         folder,
         """
@@ -160,7 +160,7 @@ def test_a_missing_file_is_an_error_of_usage(folder):
 
 
 def test_an_option_names_a_file_a_folder_or_a_release_with_overlays(folder, server, data):
-    release = pull("v5.0", f"{server}/good")
+    release = pull("v5.0", f"{server}/good", allows_private=True)
     overlay = folder / "overlays/first.vspec"
     file = source_from_option(f"a={folder}/tree.vspec,{overlay}")
     assert (file.id, file.spec, file.overlays) == ("a", folder / "tree.vspec", (overlay,))

@@ -58,14 +58,16 @@ def hosted_in(address: str) -> Mapping[str, str]:
 
 def test_a_service_starts_with_every_whole_release_wherever_a_pull_was_killed(server: str, data: Path) -> None:
     random = Random(1)
-    good = pull("v5.0", f"{server}/good")
+    good = pull("v5.0", f"{server}/good", allows_private=True)
     digest = load(Source("v5.0", "v5.0", good.spec)).digest
     start = time.monotonic()
-    subprocess.run([*SIGCAT, "pull", "v6.0", "--from", f"{server}/good"], check=True, capture_output=True)
+    subprocess.run(
+        [*SIGCAT, "pull", "v6.0", "--from", f"{server}/good", "--allow-private"], check=True, capture_output=True
+    )
     whole_pull = time.monotonic() - start
     for number in range(TIMES):
         process = subprocess.Popen(
-            [*SIGCAT, "pull", f"v{number + 7}.0", "--from", f"{server}/good"],
+            [*SIGCAT, "pull", f"v{number + 7}.0", "--from", f"{server}/good", "--allow-private"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )  # fmt: skip
         time.sleep(random.uniform(0.2, 1.1) * whole_pull)
@@ -76,7 +78,7 @@ def test_a_service_starts_with_every_whole_release_wherever_a_pull_was_killed(se
         assert all(everything_in(release.folder) == WHOLE for release in releases)
         with served() as (address, _):
             assert {release.name: digest for release in releases}.items() <= hosted_in(address).items()
-    pull("v1000.0", f"{server}/good")
+    pull("v1000.0", f"{server}/good", allows_private=True)
     assert not list(releases_folder().glob(".*")), "what killed processes left is removed by the next pull"
 
 

@@ -16,7 +16,6 @@ from sigcat.catalogue.hosting.download import FetchFailed, FileMissing
 from sigcat.catalogue.hosting.releases import (
     PullLimits,
     find_release,
-    pull,
     pulled_releases,
     release_name,
     releases_folder,
@@ -31,6 +30,14 @@ from tests.needs import OFFICIAL, official_releases
 from tests.waiting import wait_until
 
 DIGEST = hashlib.sha256(GOOD).hexdigest()
+
+
+def pull(name, origin="", digest="", **options):
+    """Pull from the server of the tests, which is at a private address."""
+    is_there = origin.startswith("http://127.0.0.1")
+    return releases.pull(name, origin, digest, allows_private=is_there, **options)
+
+
 IMPATIENT = PullLimits(fetch=FetchLimits(bytes=1_000_000, idle_seconds=0.5, total_seconds=1.0))
 
 
@@ -91,9 +98,24 @@ def test_the_address_of_a_release_is_the_source_archive_of_its_tag(monkeypatch, 
 
 
 def test_without_a_network_the_way_around_it_is_named(monkeypatch, data):
-    monkeypatch.setattr(releases, "ADDRESS", "https://127.0.0.1:9/{name}.tar.gz")
+    def fetch(address, target, **_):
+        raise FetchFailed("github.com cannot be read: Network is unreachable")
+
+    monkeypatch.setattr(releases, "fetch", fetch)
     with pytest.raises(FetchFailed, match=r"cannot be read: .+ bring https://.+/v4\.1\.tar\.gz here and .* --from$"):
         pull("4.1")
+
+
+def test_a_private_address_is_asked_only_if_that_is_allowed(server, data):
+    with pytest.raises(FetchFailed, match="not a public address; --allow-private asks it all the same"):
+        releases.pull("v5.0", f"{server}/good")
+    assert releases.pull("v5.0", f"{server}/good", allows_private=True).source == f"{server}/good"
+
+
+@pytest.mark.parametrize("origin", ["", "archive.tar.gz"])
+def test_allowing_private_addresses_needs_one(data, origin):
+    with pytest.raises(UsageError, match="--allow-private is for the address that --from names"):
+        releases.pull("v5.0", origin, allows_private=True)
 
 
 def test_a_file_that_is_missing_is_told_from_a_missing_network(server, data):
@@ -238,7 +260,7 @@ def step(event, arguments):
 if last:
     sys.addaudithook(step)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background has it ignored
-pull("v5.0", address)
+pull("v5.0", address, allows_private=True)
 """
 
 

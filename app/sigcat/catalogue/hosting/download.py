@@ -1,11 +1,10 @@
 """Fetch one file over HTTP, with bounds on size, time, redirects, and on which addresses are asked.
 
-An address that a server hands out may point anywhere: into the network of the machine that asks, or at its files.
-Only the host that the user named may be private; every other one has to be a public address, over https.
+An address may point anywhere: into the network of the machine that asks, or at its files. Hosts have to be at public addresses;
+the one that the user named may be private if the user says so, and may be asked over http. No other one may.
 """
 
 import http.client
-import ipaddress
 import socket
 import threading
 import time
@@ -15,10 +14,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from http import HTTPStatus
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, NamedTuple
 from urllib.parse import SplitResult, urljoin, urlsplit
 
 from sigcat import __version__
+from sigcat.catalogue.hosting.public_network import INTERNET, AddressRefused, Network, is_public, numeric_address
 from sigcat.errors import SigcatError
 from sigcat.limits import DEFAULT_FETCH_LIMITS, FetchLimits
 
@@ -42,26 +42,38 @@ class _Moved(Exception):
         self.address = address
 
 
-class _AddressRefused(Exception):
-    """The host answers at an address that may not be asked."""
+class _Asked(NamedTuple):
+    """An address to ask, and what is allowed."""
+
+    address: str
+    parts: SplitResult
+    is_named: bool
+    """Whether it is of the host that the user named."""
+    allows_private: bool
+    network: Network
 
 
 def fetch(
     address: str,
     target: Path,
     *,
-    is_trusted: bool = False,
+    is_named: bool = False,
+    allows_private: bool = False,
     progress: Progress | None = None,
     limits: FetchLimits = DEFAULT_FETCH_LIMITS,
+    network: Network = INTERNET,
 ) -> str:
     """Fetch `address` into `target`; the address that it came from in the end. Raises FetchFailed.
 
-    `is_trusted`: the user named the address, so it may be http, and its host may be a private one.
+    `is_named`: the user named the address, so it may be http. `allows_private`: that host may be at a private address, too.
     """
     first = _split(address)
     for _ in range(limits.redirects + 1):
+        parts = _split(address)
+        is_first = is_named and _is_same_host(parts, first)
+        asked = _Asked(address, parts, is_first, is_first and allows_private, network)
         try:
-            _fetch_one(address, first if is_trusted else None, target, progress or _unseen, limits)
+            _fetch_one(asked, target, progress or _unseen, limits)
         except _Moved as moved:
             address = _next_address(address, moved.address)
         else:
@@ -81,7 +93,20 @@ def _split(address: str) -> SplitResult:
         raise FetchFailed(f"{address[:200]!r} is not an address: {error}") from None
     if parts.scheme not in ("http", "https") or not parts.hostname or port == 0:
         raise FetchFailed(f"{address[:200]!r} is not an http or https address")
+    if not (address.isascii() and _is_host(parts.hostname)):
+        raise FetchFailed(
+            f"{address[:200]!r} is not an address as it is sent: in ASCII, a host as `xn--…`, anything else as `%C3%A4`"
+        )
     return parts
+
+
+def _is_host(name: str) -> bool:
+    """Whether each part of a name is neither empty nor too long to be asked for."""
+    try:
+        name.encode("idna")
+    except UnicodeError:
+        return False
+    return True
 
 
 def _next_address(address: str, location: str) -> str:
@@ -92,22 +117,23 @@ def _next_address(address: str, location: str) -> str:
     return following
 
 
-def _fetch_one(
-    address: str, trusted: SplitResult | None, target: Path, progress: Progress, limits: FetchLimits
-) -> None:
-    parts = _split(address)
-    is_named = trusted is not None and _is_same_host(parts, trusted)
-    if parts.scheme != "https" and not is_named:
-        raise FetchFailed(f"{address[:200]!r} is not fetched: it must be https, except from the host that --from names")
-    is_proxied = parts.scheme in urllib.request.getproxies() and not urllib.request.proxy_bypass(parts.netloc)
-    must_be_public = not (is_named or is_proxied)
+def _fetch_one(asked: _Asked, target: Path, progress: Progress, limits: FetchLimits) -> None:
+    if asked.parts.scheme != "https" and not asked.is_named:
+        message = f"{asked.address[:200]!r} is not fetched: it must be https, except from the host that --from names"
+        raise FetchFailed(message)
     try:
-        with _opened(address, must_be_public, limits) as response:
+        with _opened(asked, limits) as response:
             _save(response, target, progress, limits)
-    except _AddressRefused as error:
-        raise FetchFailed(f"{_host(parts)} is not asked: {error} is not a public address") from None
+    except AddressRefused as error:
+        hint = "; --allow-private asks it all the same" if asked.is_named else ""
+        raise FetchFailed(f"{_host(asked.parts)} is not asked: {error} is not a public address{hint}") from None
     except (TimeoutError, urllib.error.URLError, http.client.HTTPException, OSError) as error:
-        raise _failure(parts, error) from None
+        raise _failure(asked.parts, error) from None
+
+
+def _reaches_proxy(parts: SplitResult) -> bool:
+    """Whether a proxy is asked, which resolves names itself."""
+    return parts.scheme in urllib.request.getproxies() and not urllib.request.proxy_bypass(parts.netloc)
 
 
 def _is_same_host(parts: SplitResult, trusted: SplitResult) -> bool:
@@ -126,31 +152,31 @@ def _host(parts: SplitResult) -> str:
 
 
 @contextmanager
-def _opened(address: str, must_be_public: bool, limits: FetchLimits) -> Iterator[Any]:
+def _opened(asked: _Asked, limits: FetchLimits) -> Iterator[Any]:
     """The response, cut off when the time is up, however slowly its bytes come."""
     sockets: list[socket.socket] = []
-    opener = urllib.request.build_opener(_Redirects, *_handlers(must_be_public, sockets))
+    opener = urllib.request.build_opener(_Redirects, *_handlers(_connecting(asked), sockets))
     timer = threading.Timer(limits.total_seconds, _cut, [sockets])
     timer.daemon = True
     until = time.monotonic() + limits.total_seconds
     timer.start()
     headers = {"User-Agent": f"sigcat/{__version__}", "Accept-Encoding": "identity"}
     try:
-        request = urllib.request.Request(address, headers=headers)  # noqa: S310 - the scheme was checked
+        request = urllib.request.Request(asked.address, headers=headers)  # noqa: S310 - the scheme was checked
         with opener.open(request, timeout=limits.idle_seconds) as response:
             yield response
     except (OSError, http.client.HTTPException, FetchFailed):
-        _check_time(until, address, limits)
+        _check_time(until, asked.parts, limits)
         raise
     else:
-        _check_time(until, address, limits)
+        _check_time(until, asked.parts, limits)
     finally:
         timer.cancel()
 
 
-def _check_time(until: float, address: str, limits: FetchLimits) -> None:
+def _check_time(until: float, parts: SplitResult, limits: FetchLimits) -> None:
     if time.monotonic() >= until:
-        message = f"{_host(_split(address))} took longer than {limits.total_seconds:g} seconds"
+        message = f"{_host(parts)} took longer than {limits.total_seconds:g} seconds"
         raise FetchFailed(message) from None
 
 
@@ -174,19 +200,39 @@ class _Redirects(urllib.request.HTTPRedirectHandler):
     http_error_301 = http_error_303 = http_error_307 = http_error_308 = http_error_302
 
 
-def _handlers(must_be_public: bool, sockets: list[socket.socket]) -> list[Any]:
-    """Handlers whose connections check where they lead, and put their sockets into `sockets`."""
+Connect = Callable[..., socket.socket]
+"""What http.client makes connections with: from a pair of host and port, and the seconds that it may take."""
+
+
+def _connecting(asked: _Asked) -> Connect:
+    """Connects to hosts at addresses that may be asked. A proxy may be anywhere, but not what it is asked for, as far as one can tell."""
+    target = numeric_address(asked.parts.hostname or "")
+    is_proxied = _reaches_proxy(asked.parts)
+    if is_proxied and target is not None and not (asked.allows_private or is_public(target)):
+        raise AddressRefused(target)
+
+    def connect(place: tuple[str, int], timeout: float | None, *_: object) -> socket.socket:
+        return asked.network.connected(*place, timeout, allows_private=asked.allows_private or is_proxied)
+
+    return connect
+
+
+def _handlers(connect: Connect, sockets: list[socket.socket]) -> list[Any]:
+    """Handlers whose connections are made by `connect`, and put their sockets into `sockets`."""
+
+    def noted(*arguments: Any) -> socket.socket:
+        sockets.append(connect(*arguments))
+        return sockets[-1]
 
     class Plain(http.client.HTTPConnection):
-        def connect(self) -> None:
-            super().connect()
-            sockets.append(self.sock)
-            _check_peer(self.sock, must_be_public)
+        def __init__(self, *arguments: Any, **options: Any) -> None:
+            super().__init__(*arguments, **options)
+            self._create_connection = noted
 
     class Secure(http.client.HTTPSConnection, Plain):
-        def connect(self) -> None:  # the plain connection is checked before any encryption is talked about
+        def connect(self) -> None:
             super().connect()
-            sockets.append(self.sock)
+            sockets.append(self.sock)  # encrypted, it is another one
 
     class HttpHandler(urllib.request.HTTPHandler):
         def http_open(self, req: Any) -> Any:
@@ -197,14 +243,6 @@ def _handlers(must_be_public: bool, sockets: list[socket.socket]) -> list[Any]:
             return self.do_open(Secure, req)
 
     return [HttpHandler(), HttpsHandler()]
-
-
-def _check_peer(sock: Any, must_be_public: bool) -> None:
-    """Refuse a private address after connecting and before asking: what a name stands for may change in between."""
-    address = str(sock.getpeername()[0]).partition("%")[0]
-    if must_be_public and not ipaddress.ip_address(address).is_global:
-        sock.close()
-        raise _AddressRefused(address)
 
 
 def _save(response: Any, target: Path, progress: Progress, limits: FetchLimits) -> None:

@@ -34,6 +34,7 @@ _SHIPPED = ("vss", "interfaces")
 """Names of what is there without being pulled."""
 _VERSION = re.compile(r"[vV]?([0-9]+(?:\.[0-9]+){1,3}(?:[-._]?[A-Za-z][A-Za-z0-9.]*)?)")
 _STATED = "Vehicle.VersionVSS"
+_WEB = re.compile(r"https?://")
 _SHA256 = re.compile(r"(?:sha256:)?([0-9a-f]{64})")
 _UNFINISHED = ".pull-"
 _DAY = 24 * 60 * 60
@@ -144,16 +145,20 @@ def pull(
     digest: str = "",
     *,
     replaces: bool = False,
+    allows_private: bool = False,
     data: Path | None = None,
     progress: Progress | None = None,
     limits: PullLimits = DEFAULT_PULL_LIMITS,
 ) -> Release:
     """Fetch a release, check it and keep it; one that is here already is returned as it is, unless `replaces`.
 
-    `origin` is an address or a file instead of COVESA's GitHub; `digest` the SHA-256 that the archive must have.
+    `origin` is an address or a file instead of COVESA's GitHub, and may be a private address if that is allowed; `digest` the
+    SHA-256 that the archive must have.
     Raises UsageError, FetchFailed or InputRefused, and then nothing of it is kept.
     """
     name, digest = release_name(name), _sha256(digest)
+    if allows_private and not _WEB.match(origin):
+        raise UsageError("--allow-private is for the address that --from names, and none is named")
     if not origin and not _VERSION.fullmatch(name):
         raise UsageError(f"{name!r} is not a version; name with --from where it comes from")
     folder = releases_folder(data)
@@ -163,16 +168,17 @@ def pull(
     folder.mkdir(parents=True, exist_ok=True)
     _remove_unfinished(folder)
     with _unfinished(folder) as work:
-        release = _fetched(name, origin, digest, work, progress, limits)
+        archive = work / "archive"
+        source = _bring(name, origin, archive, allows_private, progress, limits)
+        release = _unpacked(name, source, archive, digest, limits)
         if replaces and (folder / name).exists():
             (folder / name).rename(work / "replaced")
         return _keep(release, folder / name)
 
 
-def _fetched(name: str, origin: str, digest: str, work: Path, progress: Progress | None, limits: PullLimits) -> Release:
-    """A release, unpacked in a folder that is removed if something is wrong with it."""
-    archive, content = work / "archive", work / "content"
-    source = _bring(name, origin, archive, progress, limits)
+def _unpacked(name: str, source: str, archive: Path, digest: str, limits: PullLimits) -> Release:
+    """A release, unpacked beside its archive, in a folder that is removed if something is wrong with it."""
+    content = archive.with_name("content")
     found = _digest_of(archive)
     if digest and found != digest:
         raise InputRefused(f"the archive has the SHA-256 {found}, not {digest}; nothing was kept")
@@ -201,10 +207,14 @@ def _same(release: Release, digest: str) -> Release:
     return release
 
 
-def _bring(name: str, origin: str, archive: Path, progress: Progress | None, limits: PullLimits) -> str:
+def _bring(
+    name: str, origin: str, archive: Path, allows_private: bool, progress: Progress | None, limits: PullLimits
+) -> str:
     """Put the archive in its place; the address or file that it came from."""
-    if origin.startswith(("http://", "https://")):
-        return fetch(origin, archive, is_trusted=True, progress=progress, limits=limits.fetch)
+    if _WEB.match(origin):
+        return fetch(
+            origin, archive, is_named=True, allows_private=allows_private, progress=progress, limits=limits.fetch
+        )
     if not origin:
         return _fetch_official(ADDRESS.format(name=name), archive, progress, limits)
     if re.match(r"[A-Za-z][A-Za-z0-9+.-]+:", origin):
