@@ -4,6 +4,7 @@ SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
 ├── NoRoom              there is no room for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
+├── ToolCrashed         a tool that sigcat runs ended before it was done
 └── UsageError          a command or request asks for something that cannot be done
 """
 
@@ -35,6 +36,10 @@ class NotFound(SigcatError):
     def __init__(self, message: str, nearest: tuple[str, ...] = ()) -> None:
         super().__init__(message)
         self.nearest = nearest
+
+
+class ToolCrashed(SigcatError):
+    """A tool that sigcat runs ended before it was done, which says nothing of the input."""
 
 
 class UsageError(SigcatError):

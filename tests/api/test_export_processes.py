@@ -1,5 +1,9 @@
 """Exports of vss-tools in a service: forked from a process that has imported it, and gone with all files when given up."""
 
+import os
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -106,6 +110,36 @@ def test_a_full_folder_for_temporary_files_is_said(tree: Path, tmp_path: Path, c
         assert "more room for temporary files" in service.log.read_text()
         assert exported(service, "json").status_code == 200
         wait_until(lambda: not list(tmp_path.iterdir()), "what was written is removed")
+
+
+def test_no_other_folder_is_taken_for_one_that_is_gone(tree: Path, tmp_path: Path) -> None:
+    place = tmp_path / "temporary"
+    place.mkdir()
+    with served(tree, TMPDIR=str(place)) as service:
+        place.rmdir()
+        refused = exported(service, "csv")
+        assert (refused.status_code, "No such file or directory" in refused.json()["detail"]) == (507, True)
+        place.mkdir()
+        assert exported(service, "csv").status_code == 200
+
+
+def test_a_service_says_at_once_that_there_is_no_folder_for_temporary_files(tree: Path, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
+    environment = {**os.environ, "TMPDIR": str(tmp_path / "none")}
+    ended = subprocess.run(command, check=False, env=environment, capture_output=True, text=True, timeout=DEADLINE)
+    assert (ended.returncode, ended.stdout) == (2, "")
+    assert "sigcat: There is no room for temporary files: No such file or directory." in ended.stderr
+
+
+def test_an_exporter_that_somebody_kills_is_no_fault_of_the_tree(tree: Path) -> None:
+    with served(tree) as service, ThreadPoolExecutor(1) as client:
+        answer = client.submit(exported, service, "id")
+        (_, export) = wait_until(lambda: of_vss_tools(service)[1:] and of_vss_tools(service), "the export begins")
+        os.kill(export, signal.SIGKILL)
+        failed = answer.result()
+        assert (failed.status_code, failed.json()["type"]) == (500, "/problems/internal-error")
+        assert "crashed while it exported id" in failed.json()["detail"]
+        assert exported(service, "csv").status_code == 200
 
 
 def test_exporters_that_need_too_much_memory_are_ended(tree: Path) -> None:

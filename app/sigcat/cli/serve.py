@@ -37,8 +37,11 @@ def serve(arguments: argparse.Namespace) -> int:
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
+    from sigcat.temporary_files import temporary_folder
     from sigcat.web.site import create_site
 
+    with temporary_folder("sigcat-serve-"):
+        pass  # better told now than with the first export
     configuration, settings = chosen_settings(arguments)
     sources = configuration.sources
     if arguments.vspec is not None or arguments.overlays:

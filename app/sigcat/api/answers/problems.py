@@ -15,7 +15,7 @@ from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.serializers import listed_findings, plain_text
 from sigcat.api.validation import reason_of
-from sigcat.errors import InputRefused, NoRoom, NotFound, SigcatError
+from sigcat.errors import InputRefused, NoRoom, NotFound, SigcatError, ToolCrashed
 from sigcat.findings import Finding
 
 MEDIA_TYPE = "application/problem+json"
@@ -44,6 +44,7 @@ KINDS: dict[int, tuple[str, str]] = {
 """Name in the problem's `type` and its title, by status."""
 
 
+_STATUSES: dict[type[SigcatError], int] = {NoRoom: 507, ToolCrashed: 500}
 ANSWERED = (SigcatError, RequestValidationError, HTTPException, ClientDisconnect, Exception)
 """Exceptions that are answered. A client that is gone reads nothing, but its request is no failure of the service."""
 
@@ -74,7 +75,7 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, InputRefused):
         return problem_of(422, str(error), error.findings)
     if isinstance(error, SigcatError):
-        return problem_of(507 if isinstance(error, NoRoom) else 400, str(error))
+        return problem_of(_STATUSES.get(type(error), 400), str(error))
     if isinstance(error, RequestValidationError):
         findings = [_invalid(each) for each in error.errors()]
         return problem_of(422, " ".join(finding.message for finding in findings), findings)

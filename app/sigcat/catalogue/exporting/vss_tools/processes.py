@@ -1,12 +1,9 @@
 """The process in which one exporter of vss-tools runs: a fresh one, or, in a service, a child of one that imported it."""
 
-import errno
 import json
-import os
 import socket
 import subprocess
 import sys
-import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -39,17 +36,6 @@ class ExportProcess(Protocol):
 
     def status(self, request: Mapping[str, Any]) -> int:
         """How the export went. Raises TimeoutError after `seconds` of the request, and ExportEnded."""
-
-
-@contextmanager
-def temporary_folder() -> Iterator[Path]:
-    """A folder for the files of an export. Raises OSError with ENOSPC where there is no room for it."""
-    try:
-        tempfile.gettempdir()
-    except FileNotFoundError:  # as it was when all of them were tried, which looks like a missing one
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)) from None
-    with tempfile.TemporaryDirectory(prefix="sigcat-export-", ignore_cleanup_errors=True) as folder:
-        yield Path(folder)
 
 
 @contextmanager

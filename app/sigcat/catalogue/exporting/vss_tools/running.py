@@ -15,13 +15,14 @@ from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.shared_options import KEEP_INSTANCES
 from sigcat.catalogue.exporting.vss_tools.calls import call_of
-from sigcat.catalogue.exporting.vss_tools.processes import ExportEnded, ExportProcess, export_process, temporary_folder
+from sigcat.catalogue.exporting.vss_tools.processes import ExportEnded, ExportProcess, export_process
 from sigcat.catalogue.exporting.vss_tools.worker import FULL, NO_MEMORY, NO_SPACE, REFUSED
 from sigcat.catalogue.exporting.vss_tools.written_catalogue import Files, refused_attributes, write_catalogue
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.errors import InputRefused, NoRoom
+from sigcat.errors import InputRefused, NoRoom, ToolCrashed
 from sigcat.findings import Finding, RuleCode
 from sigcat.real_path import real_path
+from sigcat.temporary_files import temporary_folder
 
 _LEVELS: Mapping[str, RuleCode] = {
     "WARNING": codes.EXPORTER_WARNS,
@@ -54,7 +55,7 @@ class _Folders(NamedTuple):
 
 
 def run(job: Job) -> Export:
-    """Run the exporter of vss-tools. Raises InputRefused with what it reported, and NoRoom."""
+    """Run the exporter of vss-tools. Raises InputRefused with what it reported, NoRoom, and ToolCrashed."""
     try:
         return _run(job)
     except OSError as error:
@@ -65,7 +66,8 @@ def run(job: Job) -> Export:
 
 
 def _run(job: Job) -> Export:
-    with temporary_folder() as temporary, export_process(job.exporter.name, temporary) as process:
+    with temporary_folder("sigcat-export-") as place, export_process(job.exporter.name, Path(place)) as process:
+        temporary = Path(place)
         folders = _Folders(*(temporary / part for part in ("source", "output", "beside")))
         output = folders.output / job.output_name
         for folder in (*folders, *([output] if call_of(job.exporter.name).output_exists else [])):
@@ -106,14 +108,14 @@ def _request(job: Job, output: Path, folders: _Folders) -> dict[str, Any]:
 
 
 def _failure(process: ExportProcess, request: Mapping[str, Any], job: Job) -> str:
-    """Why the export failed, or nothing. Raises OSError where there is no room for files, and MemoryError."""
+    """Why the export was refused, or nothing. Raises OSError where there is no room for files, MemoryError, and ToolCrashed."""
     name = job.exporter.name
     try:
         status = process.status(request)
     except TimeoutError:
         return f"vss-tools took longer than {job.timeout:g} s to export {name}; it was stopped."
     except ExportEnded as error:
-        return f"vss-tools crashed while it exported {name} ({error})."
+        raise ToolCrashed(f"vss-tools crashed while it exported {name} ({error}). Try again.") from None
     if status == NO_SPACE:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     if status == NO_MEMORY:
