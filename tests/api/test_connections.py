@@ -202,6 +202,14 @@ def test_requests_that_wait_for_others_on_their_connection_are_bounded(service: 
     assert set(found) == {200}
 
 
+@pytest.mark.parametrize("path", ["lint", "catalogues/local/trial", "functions/build", "functions/validate"])
+def test_a_request_without_a_body_has_forgotten_its_text_and_an_empty_text_is_one(service: Service, path: str) -> None:
+    head = b"POST /api/v1/%b HTTP/1.1\r\nHost: a\r\nConnection: close\r\n" % path.encode()
+    forgotten = problem_in(answer_to(service, head + b"\r\n"))
+    assert (forgotten["status"], "`curl --data-binary @FILE`" in str(forgotten["detail"])) == (422, True)
+    assert b"`curl" not in answer_to(service, head + b"Content-Length: 0\r\n\r\n")
+
+
 LEFT = {
     "in the middle of its body": LINT + b"X-Request-Id: left-before\r\nContent-Length: 100\r\n\r\nVehicle",
     "while work is done for it": (

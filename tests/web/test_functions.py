@@ -2,7 +2,7 @@
 
 import re
 from html import unescape
-from urllib.parse import parse_qs, urlencode
+from urllib.parse import parse_qs
 
 import pytest
 
@@ -26,7 +26,7 @@ def site() -> Ask:
 
 
 def post(site: Ask, **form: str) -> str:
-    page = site("/try", "POST", content=urlencode(form))
+    page = site("/try", "POST", data=form)
     assert page.status_code == 200
     return page.text
 
@@ -166,7 +166,7 @@ def test_a_posted_function_has_the_views_of_a_shipped_one(site: Ask, view: str) 
     of_shipped = re.findall(r'<pre class="document".*?</pre>', shipped, re.DOTALL)
     assert re.findall(r'<pre class="document".*?</pre>', own, re.DOTALL) == of_shipped
     assert bool(of_shipped) is (view != "interfaces")
-    assert site("/try", "POST", content=urlencode({"kind": "function", "view": "nope"})).status_code == 404
+    assert site("/try", "POST", data={"kind": "function", "view": "nope"}).status_code == 404
 
 
 def test_a_posted_file_is_checked_byte_for_byte(site: Ask) -> None:
@@ -196,7 +196,7 @@ def test_markup_in_a_posted_function_shows_as_text(site: Ask) -> None:
 
 @pytest.mark.parametrize("form", [{"kind": "nope"}, {f"f{n}": "1" for n in range(50)}])
 def test_a_form_that_the_page_does_not_have_is_refused(site: Ask, form: dict[str, str]) -> None:
-    assert site("/try", "POST", content=urlencode(form)).status_code == 400
+    assert site("/try", "POST", data=form).status_code == 400
 
 
 def test_changes_stand_below_their_branches_with_old_and_new(site: Ask) -> None:

@@ -62,6 +62,15 @@ def test_a_file_of_pages_is_sent_in_the_version_that_is_wanted(site: Ask) -> Non
     assert statuses == [200, 200, 412, 412]
 
 
+def test_a_file_that_is_packed_has_a_tag_of_its_own_and_the_client_has_it_all_the_same(site: Ask) -> None:
+    plain = site("/static/sigcat.css", headers={"Accept-Encoding": "identity"})
+    packed = site("/static/sigcat.css", headers={"Accept-Encoding": "gzip"})
+    assert packed.headers["content-encoding"] == "gzip"
+    assert packed.headers["etag"] == f"W/{plain.headers['etag']}"
+    for tag in (plain.headers["etag"], packed.headers["etag"]):
+        assert site("/static/sigcat.css", headers={"If-None-Match": tag, "Accept-Encoding": "gzip"}).status_code == 304
+
+
 @pytest.mark.parametrize("asked", ["bytes=0-9", "bytes=999999999-", "bytes=x", "lines=1-2"])
 def test_a_file_of_pages_is_sent_whole(site: Ask, asked: str) -> None:
     answer = site("/static/icon.svg", headers={"Range": asked})

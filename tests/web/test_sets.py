@@ -1,7 +1,6 @@
 """Sets of functions: several posted documents, alone and with shipped ones."""
 
 import re
-from urllib.parse import urlencode
 
 import httpx
 import pytest
@@ -100,7 +99,7 @@ def test_the_limits_of_the_service_hold_for_what_is_posted(site: Ask) -> None:
     strict = asker(create_site(Library(shipped_sources()[:1]), Settings(nesting=4)))
     deep = "function: A\ncomponents: [{runnables: [{data: [{values: {A: [1]}}]}]}]\n"
     for ask, is_told in ((site, False), (strict, True)):
-        tried = ask("/try", "POST", content=urlencode({"kind": "function", "text": deep})).text
+        tried = ask("/try", "POST", data={"kind": "function", "text": deep}).text
         assert ("levels" in tried) is is_told
         assert ("levels" in connected(ask, ("deep.yaml", deep)).text) is is_told
 
@@ -116,9 +115,7 @@ def test_the_limits_of_the_service_hold_for_what_is_posted(site: Ask) -> None:
 def test_each_limit_holds_for_whatever_is_tried(site: Ask, settings: Settings, text: str, told: str, kind: str) -> None:
     strict = asker(create_site(Library(shipped_sources()[:1]), settings))
     for ask, is_told in ((site, False), (strict, True)):
-        page = ask(
-            "/try", "POST", content=urlencode({"kind": kind, "text": f"Vehicle.A: {{type: sensor, x: {text}}}\n"})
-        ).text
+        page = ask("/try", "POST", data={"kind": kind, "text": f"Vehicle.A: {{type: sensor, x: {text}}}\n"}).text
         findings = page[page.index('class="verdict"') : page.index('class="whole"')]
         assert (told in findings) is is_told
 
@@ -136,7 +133,7 @@ def test_sets_are_bounded_and_named_functions_exist(site: Ask) -> None:
     assert connected(site, *((f"{n}.yaml", "function: A\n") for n in range(21))).status_code == 400
     assert connected(site, f="nope").status_code == 404
     assert connected(site, catalogue="nope").status_code == 404
-    assert site("/wiring", "POST", content=urlencode({"f": "core_acc"})).status_code == 200
+    assert site("/wiring", "POST", data={"f": "core_acc"}).status_code == 200
 
 
 def test_a_text_of_several_documents_is_taken_apart_and_put_together() -> None:

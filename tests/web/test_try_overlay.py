@@ -2,7 +2,6 @@
 
 import re
 from pathlib import Path
-from urllib.parse import urlencode
 
 import pytest
 
@@ -27,7 +26,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Ask:
 
 
 def tried(site: Ask, text: str, catalogue: str = "interfaces") -> str:
-    page = site("/try?part=", "POST", content=urlencode({"kind": "overlay", "catalogue": catalogue, "text": text}))
+    page = site("/try?part=", "POST", data={"kind": "overlay", "catalogue": catalogue, "text": text})
     assert page.status_code == 200
     return page.text
 

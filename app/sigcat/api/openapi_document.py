@@ -27,8 +27,8 @@ TAGS = {
     "operation": "Health, and what an operator does.",
     "rules": "The rules for names and fields.",
 }
-_EVERYWHERE = (422, 429, 500, 503)
-"""Statuses of any operation: an unknown parameter, more than a client's share, a failure, a service that stops or is busy."""
+_EVERYWHERE = (422, 429, 431, 500, 503)
+"""Statuses of any operation: an unknown parameter, more than a client's share, too long an address, a failure, a service that stops or is busy."""
 _MAKING = Lock()
 _CATALOGUE = "/api/v1/catalogues/{catalogue}"
 _LATER = ("429", "503")

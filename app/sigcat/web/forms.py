@@ -1,5 +1,6 @@
 """What a browser posts: the fields and files of a form."""
 
+from http import HTTPStatus
 from typing import NamedTuple
 from urllib.parse import parse_qsl
 
@@ -8,11 +9,17 @@ from starlette.formparsers import MultiPartException
 from starlette.requests import Request
 from starlette.types import Message
 
+from sigcat.api.answers.problems import BodyRefused
 from sigcat.api.requests.dependencies import catalogue_at
 from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.errors import UsageError
 from sigcat.limits import FORM_FIELDS
+
+_NO_FORM = (
+    "A page takes a form, as browsers send it: `application/x-www-form-urlencoded`, or `multipart/form-data` with its "
+    "boundary. Programs post a text to an address below `/api/`."
+)
 
 
 class PostedFile(NamedTuple):
@@ -42,11 +49,13 @@ class Form(NamedTuple):
 
 
 async def read_form(body: bytes, content_type: str) -> Form:
-    """A posted form, url-encoded or, with files, multipart (RFC 7578). Raises UsageError for anything else."""
+    """A posted form, url-encoded or, with files, multipart (RFC 7578). Raises BodyRefused for anything else, and UsageError."""
     kind, options = parse_options_header(content_type)
     boundary = options.get(b"boundary", b"")
     if kind == b"multipart/form-data" and boundary:
         return await _multipart(body, boundary)
+    if kind != b"application/x-www-form-urlencoded":
+        raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, _NO_FORM)
     try:
         pairs = parse_qsl(body.decode("utf-8", "replace"), keep_blank_values=True, max_num_fields=FORM_FIELDS)
     except ValueError:

@@ -16,9 +16,23 @@ class Packing(GZipMiddleware):
         if scope["type"] != "http":
             await self.app(scope, receive, send)
         elif _ALLOWED in scope["headers"]:
-            await super().__call__(scope, receive, send)
+            await super().__call__(scope, receive, _weakening(send))
         else:
             await self.app(scope, receive, _varying(send))
+
+
+def _weakening(send: Send) -> Send:
+    """Says that a packed answer is not, byte for byte, the one that has a strong `ETag` (RFC 9110, 8.8.3)."""
+
+    async def weakening_send(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            headers = MutableHeaders(raw=message["headers"])
+            tag = headers.get("etag", "")
+            if tag.startswith('"') and "content-encoding" in headers:
+                headers["etag"] = f"W/{tag}"
+        await send(message)
+
+    return weakening_send
 
 
 def _varying(send: Send) -> Send:

@@ -227,13 +227,18 @@ async def posted_body(request: Request) -> AsyncIterator[bytes]:
         yield await _body(request, hold)
 
 
-async def _refuse_form(request: Request) -> None:
+async def _refuse_no_text(request: Request) -> None:
+    """Raises BodyRefused for a form, and where no body was sent at all: an empty text has a length, 0."""
     if request.headers.get("content-type", "").startswith("multipart/"):
         detail = "The body must be the text itself, not a form. Use `curl --data-binary @FILE`."
         raise BodyRefused(HTTPStatus.UNSUPPORTED_MEDIA_TYPE, detail)
+    if "content-length" not in request.headers and "transfer-encoding" not in request.headers:
+        raise BodyRefused(HTTPStatus.UNPROCESSABLE_ENTITY, "The body must be the text. Use `curl --data-binary @FILE`.")
 
 
-async def posted_text(_: Annotated[None, Depends(_refuse_form)], body: Annotated[bytes, Depends(posted_body)]) -> bytes:
+async def posted_text(
+    _: Annotated[None, Depends(_refuse_no_text)], body: Annotated[bytes, Depends(posted_body)]
+) -> bytes:
     """The same; its media type does not matter, as long as it is the bare text."""
     return body
 

@@ -46,7 +46,7 @@ async def get_viss_metadata(
     ],
     filter: Annotated[  # noqa: A002 - the name that VISS gives it
         str, Query(description="The filter of VISS, as JSON.", examples=[_EXAMPLE], max_length=PARAMETER_CHARACTERS)
-    ] = "",
+    ],
 ) -> Response:
     """Metadata of a node and of all below it, in the form of VISS."""
     if not _asks_for_metadata(filter):
