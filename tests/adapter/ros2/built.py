@@ -98,7 +98,7 @@ def _alone(folder: Path) -> Iterator[bool]:
 
 
 def variables(built: run_ros2.Workspace, number: int, folder: Path) -> Mapping[str, str]:
-    """Environment of processes of a domain, some of which are killed."""
+    """Environment of processes of a domain."""
     return {**run_ros2.environment(built, number, folder), **LOOPBACK}
 
 

@@ -2,6 +2,7 @@
 
 #include <semaphore.h>
 
+#include <atomic>
 #include <csignal>
 #include <memory>
 #include <string>
@@ -37,24 +38,51 @@ void note_signal(int)
   sem_post(&signalled);
 }
 
-void shut_down_on_signals()
+void handle_signals(void (* handler)(int))
 {
-  static std::once_flag once;
-  std::call_once(once, [] {
-      sem_init(&signalled, 0, 0);
-      std::thread([] {
-          while (true) {
-            if (sem_wait(&signalled) == 0) {
-              shutdown();
-            }
-          }
-        }).detach();
-    });
   struct sigaction action{};
-  action.sa_handler = note_signal;
+  action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+/// Shuts down when a signal was noted. It holds the context meanwhile: it ends before what is static here is destroyed.
+class SignalThread
+{
+public:
+  SignalThread()
+  {
+    sem_init(&signalled, 0, 0);
+    thread_ = std::thread([this] {wait();});
+  }
+
+  ~SignalThread()
+  {
+    handle_signals(SIG_DFL);
+    ends_ = true;
+    sem_post(&signalled);
+    thread_.join();
+  }
+
+private:
+  void wait()
+  {
+    while (!ends_) {
+      if (sem_wait(&signalled) == 0 && !ends_) {
+        shutdown();
+      }
+    }
+  }
+
+  std::atomic<bool> ends_{false};
+  std::thread thread_;
+};
+
+void shut_down_on_signals()
+{
+  static const SignalThread thread;
+  handle_signals(note_signal);
 }
 
 }  // namespace
