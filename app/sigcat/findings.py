@@ -1,6 +1,7 @@
 """The one finding type: what is wrong, where, and what to do about it."""
 
 import datetime as dt
+from itertools import islice
 from typing import Any, Literal, NamedTuple
 
 Severity = Literal["error", "warning", "info"]
@@ -88,5 +89,5 @@ def _written(value: Any) -> str:
     if isinstance(value, list):
         return f"[{', '.join(map(_written, value[:_LONGEST]))}]"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{_written(key)}: {_written(item)}' for key, item in value.items())}}}"
+        return f"{{{', '.join(f'{_written(key)}: {_written(item)}' for key, item in islice(value.items(), _LONGEST))}}}"
     return value.isoformat() if isinstance(value, dt.date) else repr(value)

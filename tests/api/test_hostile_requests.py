@@ -152,6 +152,13 @@ BOMBS = {
     "a list of wrong defaults beside a list of allowed ones": OVERLAY.replace("string", "'string[]'").format(
         f"allowed: [{', '.join(f'abcdefgh{n}' for n in range(3000))}], default: [{', '.join(f'abcdefgi{n}' for n in range(3000))}]"
     ).encode(),
+    "a long list of wrong defaults": OVERLAY.replace("string", "'string[]'").format(
+        f"allowed: [{', '.join(f'a{n}' for n in range(15_000))}], default: [{', '.join(f'b{n}' for n in range(15_000))}]"
+    ).encode(),
+    "a value that is allowed again and again": OVERLAY.format(f"allowed: [{'a, ' * 20_000}]").encode(),
+    "many unknown attributes": b"Vehicle.X:\n  type: sensor\n" + b"".join(b"  x%d: 1\n" % n for n in range(20_000)),
+    "many suppressions before one node": b"# sigcat: ignore[V001]\n" * 12_000 + b"Vehicle.X:\n  type: sensor\n" + b"  # a\n" * 12_000,
+    "many directives": b"".join(b"%%TAG !a%d! b:\n" % n for n in range(200_000)) + b"---\nVehicle.X: {type: sensor}\n",
     "many functions with misspelled paths": json.dumps({"functions": [_misspelled_function(n) for n in range(300)]}).encode(),
     "many misspelled paths": b"".join(b"Vehicle.Sped%d: {min: 0}\n" % n for n in range(5_000)),
 }  # fmt: skip

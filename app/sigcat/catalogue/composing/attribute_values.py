@@ -1,6 +1,6 @@
 """Values of VSS attributes as vss-tools holds them: numbers as numbers, switches as true or false."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from math import isfinite
 from typing import Any
 
@@ -8,6 +8,13 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 
 NO_VALUE: Any = object()
 """What a conversion returns for a value that the attribute cannot have."""
+
+
+def hashed(value: Any) -> Hashable:
+    """What is equal for equal values, and can be looked up among thousands of others."""
+    if isinstance(value, dict):
+        return frozenset((key, hashed(item)) for key, item in value.items())
+    return tuple(map(hashed, value)) if isinstance(value, list) else value
 
 
 def text(value: Any) -> Any:

@@ -2,11 +2,12 @@
 
 import datetime as dt
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Any
 
 from sigcat import codes
-from sigcat.catalogue.composing.attribute_values import NO_VALUE, number
+from sigcat.catalogue.composing.attribute_values import NO_VALUE, hashed, number
 from sigcat.catalogue.model.datatypes import (
     DATATYPES,
     belongs_to,
@@ -21,6 +22,8 @@ from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
 _EPSILON = 1e-6
+_SHOWN = 100
+"""Values of an enumeration of which a proposal shows the first ones."""
 _QUOTE = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 
 
@@ -167,7 +170,8 @@ def _check_default(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     yield from _booleans("default", items, datatype)
     for item in items:
         yield from _check_default_range(values, item)
-        yield from _check_default_among(values, item)
+    if default:  # vss-tools does not compare one that is empty or 0 either
+        yield from _check_default_among(values, items)
 
 
 def _booleans(attribute: str, items: Iterable[Any], datatype: str) -> Iterator[Problem]:
@@ -188,16 +192,21 @@ def _check_default_range(values: Mapping[str, Any], item: Any) -> Iterator[Probl
         yield Problem(codes.DEFAULT_OUTSIDE_RANGE, "default", f"Default {item} is above `max` {high}.", fix)
 
 
-def _check_default_among(values: Mapping[str, Any], item: Any) -> Iterator[Problem]:
-    """A default that is empty or 0 is not compared: vss-tools does not either."""
-    allowed, enum = values.get("allowed"), values.get("enum")
-    if values["default"] and allowed and item not in allowed:
+def _check_default_among(values: Mapping[str, Any], items: Sequence[Any]) -> Iterator[Problem]:
+    allowed, enum = values.get("allowed") or (), values.get("enum") or {}
+    for item in _not_among(allowed, items) if allowed else ():
         fix = did_you_mean(str(item), map(str, allowed)) or f"Use one of {shown(allowed)[1:-1]}."
         message = f"Default {shown(item)} is not one of the `allowed` values."
         yield Problem(codes.DEFAULT_NOT_ALLOWED, "default", message, fix)
-    if values["default"] and enum and item not in enum.values():
+    for item in _not_among(enum.values(), items) if enum else ():
         message = f"Default {shown(item)} is not a number of the `enum`."
         yield Problem(codes.DEFAULT_NOT_ALLOWED, "default", message, _number_instead(item, values))
+
+
+def _not_among(known: Iterable[Any], items: Iterable[Any]) -> Iterator[Any]:
+    """Items that are equal to none of the known ones."""
+    among = set(map(hashed, known))
+    return (item for item in items if hashed(item) not in among)
 
 
 def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
@@ -207,7 +216,7 @@ def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
         return ""
     if default in enum:
         return f"Write the number, {enum[default]}."
-    return f"Use one of {shown(list(dict.fromkeys(enum.values())))[1:-1]}."
+    return f"Use one of {shown(list(dict.fromkeys(islice(enum.values(), _SHOWN))))[1:-1]}."
 
 
 def _spelled(value: Any, datatype: str) -> str:

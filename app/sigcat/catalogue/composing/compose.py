@@ -19,7 +19,7 @@ from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
-from sigcat.names import last_name, parent_path
+from sigcat.names import bounded_proposals, last_name, parent_path
 from sigcat.patterns import Matching
 
 
@@ -53,6 +53,7 @@ def read_catalogue(
     return tolerant(catalogue) if is_older or is_release else catalogue
 
 
+@bounded_proposals()
 def compose(
     layers: Sequence[Layer],
     vocabulary: Vocabulary = EMPTY,

@@ -6,6 +6,8 @@ needed only when something is shown.
 
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import accumulate, takewhile
 from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node
@@ -80,16 +82,8 @@ class Statement:
 
         None if nothing is written there, as where a list is merged from elsewhere.
         """
-        names = list(self.values)
-        mark, at, value = 0, len(names), self.values.get(attribute)
-        if value is not None:
-            at += sum(_items_in(self.values[name]) for name in names[: names.index(attribute)])
-        for step in steps:
-            found = _item(value, step)
-            if found is None or at + found.before >= len(self._marks):
-                return None
-            at, value = at + found.before + 1, found.value
-            mark = self._marks[at - 1]
+        items = _items_within(self, attribute, tuple(steps[:-1])) if steps else None
+        mark = self._mark_at(items.place(steps[-1])) if items is not None else 0
         if not mark:
             return None
         line, column, lines_between, column_of_value = unpacked_mark(mark)
@@ -119,28 +113,61 @@ class Statement:
         """The same statement with other names or values of its attributes, in the same order and at the same positions."""
         return Statement(self.path, self.file, values, self._key_mark, self._marks)
 
+    def _mark_at(self, place: int | None) -> int:
+        """The mark of an item, or 0."""
+        return self._marks[place] if place is not None and place < len(self._marks) else 0
+
     def _mark(self, attribute: str) -> int:
-        if attribute in self.values:
-            return self._marks[list(self.values).index(attribute)]
-        return self._key_mark
+        place = _places_of(self).get(attribute)
+        return self._key_mark if place is None else self._marks[place]
 
 
-class _Item(NamedTuple):
-    """An item of a list or mapping, and how many items are before it, those inside them included."""
+@lru_cache(maxsize=8)
+def _places_of(statement: Statement) -> Mapping[str, int]:
+    """Of the mark of each attribute. Kept for the same reason as `_items_within`."""
+    return {name: place for place, name in enumerate(statement.values)}
 
-    before: int
-    value: Any
+
+class _Items(NamedTuple):
+    """The items of a list or mapping, and where their marks are."""
+
+    values: Sequence[Any]
+    keys: Mapping[str, int]
+    """Of a mapping: which item a key has."""
+    places: Sequence[int]
+    """Of the mark of each item; those of what is inside it follow."""
+
+    def position(self, step: int | str) -> int | None:
+        """The item at a position, or under a key, if there is one."""
+        index = step if isinstance(step, int) else self.keys.get(step, len(self.values))
+        return index if index < len(self.values) else None
+
+    def place(self, step: int | str) -> int | None:
+        """Of the mark of an item, if there is one."""
+        index = self.position(step)
+        return None if index is None else self.places[index]
 
 
-def _item(value: Any, step: int | str) -> _Item | None:
-    """The item at a position, or under a key."""
-    keys = list(map(str, value)) if isinstance(value, dict) else []
-    items = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
-    index = step if isinstance(step, int) else keys.index(step) if step in keys else len(items)
-    if index >= len(items):
-        return None
-    is_flat = {dict, list}.isdisjoint(map(type, items[:index]))  # most are, and some lists have thousands of items
-    return _Item(index if is_flat else index + sum(map(_items_in, items[:index])), items[index])
+@lru_cache(maxsize=8)
+def _items_within(statement: Statement, attribute: str, steps: tuple[int | str, ...]) -> _Items | None:
+    """The items of an attribute, or of an item of it; None if there is no such item.
+
+    Kept, as findings of the same list of thousands of items come one after the other.
+    """
+    if not steps:
+        before = takewhile(lambda name: name != attribute, statement.values)
+        first = len(statement.values) + sum(_items_in(statement.values[name]) for name in before)
+        return _items_of(statement.values.get(attribute), first)
+    around = _items_within(statement, attribute, steps[:-1])
+    index = around and around.position(steps[-1])
+    return None if around is None or index is None else _items_of(around.values[index], around.places[index] + 1)
+
+
+def _items_of(value: Any, first: int) -> _Items:
+    keys = {str(key): index for index, key in reversed(list(enumerate(value)))} if isinstance(value, dict) else {}
+    values = list(value.values()) if isinstance(value, dict) else value if isinstance(value, list) else []
+    sizes = (1 + _items_in(each) for each in values[:-1])
+    return _Items(values, keys, list(accumulate(sizes, initial=first)))
 
 
 def _items_in(value: Any) -> int:

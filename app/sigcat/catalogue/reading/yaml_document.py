@@ -76,6 +76,7 @@ def _tag_of_plain(value: str) -> str:
 
 
 _RESOLVER = yaml.resolver.Resolver()
+_DIRECTIVES = 100
 _SHORT = 32
 """Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
 _plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
@@ -121,6 +122,7 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
     except UnicodeDecodeError as error:
         return _undecodable(data, name, error.start)
     try:
+        _refuse_directives(text)
         _refuse_deep_nesting(text, limits)
         with collector_paused():
             root = _Loader(text, limits.values).get_single_node()
@@ -314,6 +316,12 @@ class _BeyondLimit(Exception):
 
 def _too_many(values: int) -> _BeyondLimit:
     return _BeyondLimit(codes.NOT_A_VALUE, f"The file has more than {values:,} values, which is the limit.")
+
+
+def _refuse_directives(text: str) -> None:
+    """A parser compares each directive with all before it, and no tree needs one."""
+    if text.count("\n%") > _DIRECTIVES:
+        raise _BeyondLimit(codes.NOT_YAML, f"The file has more than {_DIRECTIVES} lines that begin with `%`.", 1, 1)
 
 
 def _refuse_deep_nesting(text: str, limits: Limits) -> None:

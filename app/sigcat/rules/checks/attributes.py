@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from sigcat.catalogue.composing.attribute_values import hashed
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest, parent_path
@@ -149,10 +150,13 @@ def distinct_items(rule: Rule, _tree: Tree) -> NodeTest:
             yield Problem(
                 definition, f"`{attribute}` must have at least one value.", attribute, "Add values, or remove it."
             )
+        seen = set()
         for i, item in enumerate(items):
-            if item in items[:i]:
+            key = hashed(item)
+            if key in seen:
                 message = f"{shown(item)} is listed twice in `{attribute}`."
                 yield Problem(definition, message, attribute, "Remove or correct one of the two.", within=(i,))
+            seen.add(key)
 
     return test
 

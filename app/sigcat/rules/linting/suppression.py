@@ -5,7 +5,8 @@ starts on the next line: all lines indented deeper than that one. `# sigcat: ign
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from sigcat import codes
@@ -49,11 +50,14 @@ class Kept(NamedTuple):
 
 def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppressions:
     """The suppressions in the text of a file. `known` are the codes of all rules."""
+    if MARK.decode() not in text:
+        return Suppressions(file, (), ())
     lines = text.splitlines()
+    blocks = _blocks_of(lines)
     entries: list[Suppression] = []
     findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
-        if "sigcat:" not in line:
+        if MARK.decode() not in line:
             continue
         for match in re.finditer(_COMMENT, line):
             named, problem = _codes(match, known)
@@ -61,7 +65,7 @@ def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppression
             if problem:
                 findings.append(codes.SUPPRESSION_MALFORMED.finding(problem, file, number, column))
             if named:
-                first, last = _reach(match, number, lines)
+                first, last = _reach(match, number, lines, blocks)
                 entries.append(Suppression(named, first, last, number, column))
     return Suppressions(file, tuple(entries), tuple(findings))
 
@@ -137,23 +141,36 @@ def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...],
     return good, f"No rule has the code {bad[0]!r}. {hint}".strip() if bad else ""
 
 
-def _reach(match: re.Match[str], number: int, lines: list[str]) -> tuple[int, int]:
+def _reach(match: re.Match[str], number: int, lines: Sequence[str], blocks: "_Blocks") -> tuple[int, int]:
     """First and last line that the comment concerns; 0 and 0 for the whole file."""
     if match["what"] == "ignore-file":
         return 0, 0
-    if lines[number - 1][: match.start()].strip():
+    start = blocks.following[number]
+    if lines[number - 1][: match.start()].strip() or start == len(lines):
         return number, number
-    start = next((i for i in range(number, len(lines)) if _says_something(lines[i])), None)
-    if start is None:
-        return number, number
-    indentation = _indentation(lines[start])
-    last = start
-    for i in range(start + 1, len(lines)):
-        if _says_something(lines[i]):
-            if _indentation(lines[i]) <= indentation:
-                break
-            last = i
-    return start + 1, last + 1
+    return start + 1, blocks.last[start] + 1
+
+
+class _Blocks(NamedTuple):
+    """Where blocks begin and end. Lines count from 0; their number is the line after the last one."""
+
+    following: Sequence[int]
+    """For each line, the first one from it on that says something."""
+    last: Mapping[int, int]
+    """For each line that says something, the last one below it that is indented more, or itself."""
+
+
+def _blocks_of(lines: Sequence[str]) -> _Blocks:
+    following, last, around = [len(lines)] * (len(lines) + 1), {}, list[int]()
+    for line in reversed(range(len(lines))):
+        following[line] = line if _says_something(lines[line]) else following[line + 1]
+    saying = [line for line in range(len(lines)) if following[line] == line]
+    for before, line in pairwise([-1, *saying, len(lines)]):
+        indentation = _indentation(lines[line]) if line < len(lines) else -1
+        while around and _indentation(lines[around[-1]]) >= indentation:
+            last[around.pop()] = before
+        around.append(line)
+    return _Blocks(following, last)
 
 
 def _says_something(line: str) -> bool:
