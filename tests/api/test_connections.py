@@ -1,9 +1,11 @@
 """Connections of a served process: what is no request is refused with a problem, and none keeps the others out."""
 
+import asyncio
 import json
 import socket
 import time
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -15,6 +17,7 @@ from sigcat.api.answers.problems import KINDS
 from sigcat.api.client_network import network_of
 from sigcat.api.connections.http import HEAD_BYTES, HEADERS
 from sigcat.api.connections.open_connections import OpenConnections
+from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.trusted_proxies import trusted_by
 from sigcat.api.connections.unread_answers import UnreadAnswers
 from tests import plain_http
@@ -449,6 +452,25 @@ def test_room_is_made_among_the_connections_of_the_same_client_first() -> None:
     connections = OpenConnections(10, 2, trusted_by(()))
     assert all(added(connections, ("10.0.0.1", first), ("10.0.0.2", other), ("10.0.0.1", second), ("10.0.0.1", third)))
     assert [each.is_open for each in (first, other, second, third)] == [False, True, True, True]
+
+
+def test_requests_of_one_client_are_no_wall_before_those_of_another() -> None:
+    begun: list[str] = []
+
+    async def crowd() -> None:
+        starts = RequestStarts()
+        for number in range(20):
+            starts.add("greedy", lambda number=number: begun.append(f"greedy {number}"))  # type: ignore[misc]
+        starts.add("modest", lambda: begun.append("modest"))
+        await asyncio.sleep(0)
+        asyncio.get_running_loop().call_soon(starts.add, "late", lambda: begun.append("late"))
+        await asyncio.sleep(0.01)
+
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, crowd()).result()
+    assert begun.index("modest") < 4
+    assert begun.index("late") < 10
+    assert [each for each in begun if each.startswith("greedy")] == [f"greedy {number}" for number in range(20)]
 
 
 def test_what_was_heard_from_last_gives_way_last() -> None:

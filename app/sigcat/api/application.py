@@ -4,6 +4,7 @@ import asyncio
 import logging
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
+from math import ceil
 
 from anyio.to_thread import current_default_thread_limiter
 from fastapi import Depends, FastAPI
@@ -16,6 +17,7 @@ from sigcat.api.connections.http import ConnectionRules
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.open_files import connections_allowed
 from sigcat.api.connections.refusals import Refusals
+from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.trusted_proxies import trusted_by
 from sigcat.api.connections.unread_answers import UnreadAnswers
 from sigcat.api.middleware import metrics
@@ -94,7 +96,7 @@ def create_app(
     app.state.work_queue = _queue(settings.heavy_requests, settings)
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
-    app.state.thread_turns = Turns(THREADS, settings.connections, settings.client_share)
+    app.state.thread_turns = Turns(THREADS, ceil(settings.connections / settings.client_share), settings.client_share)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
@@ -169,7 +171,9 @@ def _connection_rules(app: FastAPI) -> ConnectionRules:
     app.state.metrics.watch_connections(connections.__len__)
     refusals = Refusals(app.state.request_notes, settings.root_path)
     unread = UnreadAnswers(settings.unread_bytes)
-    return ConnectionRules(connections, unread, refusals, settings.head_seconds, settings.unread_seconds)
+    return ConnectionRules(
+        connections, RequestStarts(), unread, refusals, settings.head_seconds, settings.unread_seconds
+    )
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -12,8 +12,10 @@ from starlette.exceptions import HTTPException
 
 from sigcat.api.answers.problems import ANSWERED, answer_problem, headers_of, problem_from
 from sigcat.api.application import create_app
+from sigcat.api.requests.thread_turns import in_thread
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.work.references import Work
+from sigcat.api.work.refusals import Busy
 from sigcat.catalogue.hosting.library import Library
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import FunctionLibrary
@@ -86,4 +88,7 @@ async def _answer(request: Request, error: Exception) -> Response:
     problem = problem_from(error)
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
         await answer_problem(request, error)
-    return problem_page(request, problem, headers_of(error))
+    try:
+        return await in_thread(request, problem_page, request, problem, headers_of(error))
+    except Busy:  # pages cannot even say so
+        return await answer_problem(request, error)

@@ -11,8 +11,7 @@ from typing import Any
 
 import yaml
 from fastapi import Request
-from fastapi.concurrency import run_in_threadpool
-from fastapi.responses import Response, StreamingResponse
+from fastapi.responses import Response
 from pydantic import BaseModel
 from pydantic_core import to_json
 from starlette.exceptions import HTTPException
@@ -43,23 +42,15 @@ def answer(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | No
     return Response(written(model, media_type), media_type=media_type, headers=headers)
 
 
-async def answer_aside(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
-    """The same; what takes long to write, which is all but JSON, in a thread: other requests go on meanwhile."""
-    if request.headers.get("accept", "*/*") in ("*/*", JSON):
-        return answer(request, model, rows)
-    return await run_in_threadpool(answer, request, model, rows)
-
-
 def is_table(request: Request) -> bool:
     """Whether the client likes CSV best."""
     accepted = request.headers.get("accept", "*/*")
     return accepted != "*/*" and chosen_type(accepted, (JSON, YAML, CSV)) == CSV
 
 
-def csv_stream(request: Request, columns: Iterable[str], lines: Iterable[Iterable[Any]]) -> Response:
+def csv_parts(columns: Iterable[str], lines: Iterable[Iterable[Any]]) -> Iterator[bytes]:
     """A table that is sent while it is made."""
-    parts = (csv_lines(block) for block in _blocks(chain([columns], lines), 500))
-    return StreamingResponse(parts, media_type=CSV, headers=caching_headers(request))
+    return (csv_lines(block).encode() for block in _blocks(chain([columns], lines), 500))
 
 
 def rows(models: Iterable[BaseModel]) -> Iterator[dict[str, Any]]:

@@ -18,6 +18,7 @@ from uvicorn.server import ServerState
 from sigcat.api.client_network import network_of
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.refusals import Refusals, Refused
+from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.unread_answers import UnreadAnswers
 from sigcat.api.work.refusals import RETRY_SECONDS
 
@@ -59,6 +60,7 @@ class ConnectionRules(NamedTuple):
     """What holds for the connections of a process; in the state that the application gives its server."""
 
     open_connections: OpenConnections
+    request_starts: RequestStarts
     unread_answers: UnreadAnswers
     refusals: Refusals
     head_seconds: float
@@ -257,12 +259,18 @@ class HttpConnection(HttpToolsProtocol):
     # -- answers --------------------------------------------------------------------------------------------------
 
     def _start_asgi_task(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
+        """Have the application answer when it is the client's turn."""
+        self._rules.request_starts.add(network_of(self._address), lambda: self._start(cycle, app))
+
+    def _start(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer, as long as somebody is there who waits for it."""
 
         def has_left() -> bool:
             cycle.disconnected = cycle.disconnected or self.transport.is_closing()
             return cycle.disconnected
 
+        if has_left():
+            return
         cycle.scope["state"]["has_left"] = has_left
         task = self.loop.create_task(cycle.run_asgi(app))
         self._answering = cycle, task

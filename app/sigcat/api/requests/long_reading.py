@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterable
 from typing import ParamSpec, TypeVar
 
 from fastapi import Request
-from fastapi.concurrency import run_in_threadpool
 
 from sigcat.api.requests.clients import client_of
+from sigcat.api.requests.thread_turns import in_thread
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Node
 
@@ -26,10 +26,10 @@ async def in_turn(
     **options: _Arguments.kwargs,
 ) -> _Result:
     """What the function makes of nodes and `depth` levels below them, in a thread; many have turns of their own."""
-    is_long = has_more(nodes, depth, _MANY)
-    turns: Turns = request.app.state.reading_turns if is_long else request.app.state.thread_turns
-    run = asyncio.to_thread if is_long else run_in_threadpool
-    return await turns.to_the_end(client_of(request), lambda: run(function, *arguments, **options))
+    if not has_more(nodes, depth, _MANY):
+        return await in_thread(request, function, *arguments, **options)
+    turns: Turns = request.app.state.reading_turns
+    return await turns.to_the_end(client_of(request), lambda: asyncio.to_thread(function, *arguments, **options))
 
 
 def has_more(nodes: Iterable[Node], depth: int, limit: int) -> bool:

@@ -1,20 +1,23 @@
 """Pages and answers that a thread makes: clients take turns, so that one who asks for many keeps no other one waiting."""
 
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable, Iterable, Iterator, Mapping
 from inspect import Parameter, iscoroutinefunction, signature
-from typing import Annotated, Any
+from typing import Annotated, Any, ParamSpec, TypeVar
 
 from fastapi import Depends, Request
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import Response
 from fastapi.routing import APIRoute
 
+from sigcat.api.answers.negotiation import JSON, Data, answer
 from sigcat.api.requests.clients import client_of
 from sigcat.api.work.turns import Turns
 
 THREADS = 4
 """Of them are at work at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
 _ASKING = "asking"
+_Arguments = ParamSpec("_Arguments")
+_Result = TypeVar("_Result")
 
 
 class InThread(APIRoute):
@@ -22,6 +25,31 @@ class InThread(APIRoute):
 
     def __init__(self, path: str, endpoint: Callable[..., Any], **options: Any) -> None:
         super().__init__(path, endpoint if iscoroutinefunction(endpoint) else _in_turn(endpoint), **options)
+
+
+async def in_thread(
+    request: Request,
+    function: Callable[_Arguments, _Result],
+    /,
+    *arguments: _Arguments.args,
+    **options: _Arguments.kwargs,
+) -> _Result:
+    """What a function gives in a thread, when it is the turn of who asks. Raises Busy if too many wait."""
+    turns: Turns = request.app.state.thread_turns
+    return await turns.to_the_end(client_of(request), lambda: run_in_threadpool(function, *arguments, **options))
+
+
+async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterator[bytes]:
+    """An answer that is sent while it is made: each part of it has a turn of its own."""
+    while part := await in_thread(request, next, parts, b""):
+        yield part
+
+
+async def answer_aside(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
+    """The same as `answer`; what takes long to write, which is all but JSON, in a thread: other requests go on meanwhile."""
+    if request.headers.get("accept", "*/*") in ("*/*", JSON):
+        return answer(request, model, rows)
+    return await in_thread(request, answer, request, model, rows)
 
 
 async def _asking(request: Request) -> Request:
@@ -33,8 +61,7 @@ def _in_turn(function: Callable[..., Response]) -> Callable[..., Any]:
 
     async def answered(**values: Any) -> Response:
         request: Request = values.pop(_ASKING)
-        turns: Turns = request.app.state.thread_turns
-        return await turns.to_the_end(client_of(request), lambda: run_in_threadpool(function, **values))
+        return await in_thread(request, function, **values)
 
     asked = signature(function)
     asking = Parameter(_ASKING, Parameter.KEYWORD_ONLY, annotation=Annotated[Request, Depends(_asking)])

@@ -4,11 +4,11 @@ from collections.abc import Iterable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
-from fastapi.responses import Response
+from fastapi.responses import Response, StreamingResponse
 from pydantic import BaseModel, ConfigDict, Field
 
 from sigcat.api.answers import schemas, serializers
-from sigcat.api.answers.negotiation import answer, answer_aside, csv_stream, is_table, offered, rows
+from sigcat.api.answers.negotiation import CSV, answer, caching_headers, csv_parts, is_table, offered, rows
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import (
@@ -20,7 +20,7 @@ from sigcat.api.requests.dependencies import (
     rules_of,
 )
 from sigcat.api.requests.long_reading import has_more, in_turn
-from sigcat.api.requests.thread_turns import InThread
+from sigcat.api.requests.thread_turns import InThread, answer_aside, parts_in_turn
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -104,10 +104,10 @@ class RowQuery(SearchQuery):
 
 
 @listing.get("", response_model=schemas.CatalogueList, responses=offered("table") | problem_documentation(406))
-async def list_catalogues(request: Request, library: TheLibrary) -> Response:
+def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
     listed = [serializers.catalogue_summary(hosted) for hosted in library]
-    return await answer_aside(request, schemas.CatalogueList(catalogues=listed), rows(listed))
+    return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
 
 
 @router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
@@ -179,7 +179,8 @@ async def list_nodes(
     _refuse_repeated(request)
     _refuse_unknown_fields(request, hosted.catalogue, fields)
     if query.limit is None and query.cursor is None and is_table(request):
-        return csv_stream(request, fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
+        parts = csv_parts(fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
+        return StreamingResponse(parts_in_turn(request, parts), media_type=CSV, headers=caching_headers(request))
     result, cursor = found(hosted, settings, query)
     listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
     return await answer_aside(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)

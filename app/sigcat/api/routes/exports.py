@@ -13,7 +13,7 @@ from sigcat.api.answers.negotiation import caching_headers
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
 from sigcat.api.requests.export_options import export_query, given_options
-from sigcat.api.requests.thread_turns import InThread
+from sigcat.api.requests.thread_turns import InThread, parts_in_turn
 from sigcat.api.settings import Settings
 from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.exporting.export import exported, refuse_unfit
@@ -136,7 +136,7 @@ def _sent(
 ) -> Response:
     safe = "".join(sign if sign.isascii() and (sign.isalnum() or sign in "._-") else "_" for sign in name)
     headers = {**caching_headers(request), "Content-Disposition": f'attachment; filename="{safe}"', **more}
-    return StreamingResponse(parts, media_type=media_type, headers=headers)
+    return StreamingResponse(parts_in_turn(request, iter(parts)), media_type=media_type, headers=headers)
 
 
 def _blocks(data: bytes) -> Iterator[bytes]:

@@ -75,6 +75,9 @@ class WorkQueue:
         shared = self._shared.get(key)
         if shared is None:
             shared = self._shared[key] = _SharedWork(asyncio.create_task(self.work(client, work)))
+            shared.task.add_done_callback(
+                lambda done: done.cancelled() or done.exception()
+            )  # nobody may be left to hear of it
         shared.askers += 1
         try:
             return await asyncio.shield(shared.task)

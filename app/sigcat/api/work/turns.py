@@ -44,8 +44,13 @@ class Turns:
         self.refuse_more(client)
         await self._begin(client)
         task = asyncio.create_task(begin())
-        task.add_done_callback(lambda _: self._end(client))
+        task.add_done_callback(lambda done: self._end_of(client, done))
         return await asyncio.shield(task)
+
+    def _end_of(self, client: str, done: "asyncio.Task[Any]") -> None:
+        self._end(client)
+        if not done.cancelled():
+            done.exception()  # if who asked is gone, nobody has to hear of it
 
     def refuse_more(self, client: str) -> None:
         """Raises Busy where too many wait, BeyondShare where too many of this client do."""

@@ -3,11 +3,10 @@
 from typing import Annotated, NamedTuple
 
 from fastapi import APIRouter, Depends, Query, Request
-from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import FileResponse, JSONResponse, Response
 
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheWorkQueue
-from sigcat.api.requests.thread_turns import InThread
+from sigcat.api.requests.thread_turns import InThread, in_thread
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import InputRefused, NotFound
@@ -78,6 +77,7 @@ class ShownRun(NamedTuple):
 
 
 async def _shown_run(
+    request: Request,
     hosted: NamedCatalogue,
     functions: TheFunctions,
     queue: TheWorkQueue,
@@ -89,7 +89,7 @@ async def _shown_run(
     """The run that is asked for, read in a worker; None where another view is."""
     if view != "run":
         return None
-    chosen = await run_in_threadpool(_function, functions, hosted, function_id.removesuffix(".json"))
+    chosen = await in_thread(request, _function, functions, hosted, function_id.removesuffix(".json"))
     runs = functions.runs_of(chosen)
     if not runs or chosen.resolved is None:
         return None
