@@ -39,6 +39,13 @@ def test_hostile_text_is_one_finding(text, rule):
     assert [finding.rule for finding in findings] == [rule]
 
 
+@pytest.mark.parametrize("ending", ["\n", "\r\n", "\r", "\x85", "\u2028", "\u2029"])
+def test_directives_are_bounded_however_their_lines_end(ending):
+    directives = [f"%TAG !a{n}! b:" for n in range(200)]
+    findings = layer_from_text(ending.join([*directives, "---", "A: {type: branch}"]).encode(), "text").findings
+    assert [finding.rule for finding in findings] == ["R001"]
+
+
 def test_aliases_that_multiply_are_refused():
     lines = ["a0: &a0 [x, x, x, x, x, x, x, x, x]"]
     lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, 20)]

@@ -77,6 +77,8 @@ def _tag_of_plain(value: str) -> str:
 
 _RESOLVER = yaml.resolver.Resolver()
 _DIRECTIVES = 100
+_BREAKS = "\n\r\x85\u2028\u2029"
+"""Whatever ends a line in YAML 1.1."""
 _SHORT = 32
 """Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
 _plain_tag = lru_cache(maxsize=8192)(_tag_of_plain)
@@ -320,7 +322,7 @@ def _too_many(values: int) -> _BeyondLimit:
 
 def _refuse_directives(text: str) -> None:
     """A parser compares each directive with all before it, and no tree needs one."""
-    if text.count("\n%") > _DIRECTIVES:
+    if sum(text.count(f"{ending}%") for ending in _BREAKS) > _DIRECTIVES:
         raise _BeyondLimit(codes.NOT_YAML, f"The file has more than {_DIRECTIVES} lines that begin with `%`.", 1, 1)
 
 
