@@ -207,14 +207,15 @@ class HttpConnection(HttpToolsProtocol):
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
         version = self.parser.get_http_version()
-        hosts, encodings = self._values(b"host"), self._values(b"transfer-encoding")
+        hosts = [value for name, value in self.headers if name == b"host"]
+        encodings = [value.lower() for name, value in self.headers if name == b"transfer-encoding"]
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
         if len(hosts) != 1 and (version == "1.1" or hosts):
             raise _bad("The header `Host` must be there once.")
         if not all(map(_HOST.fullmatch, hosts)):
             raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
-        if encodings and (version == "1.0" or [each.lower() for each in encodings] != [b"chunked"]):
+        if encodings and (version == "1.0" or encodings != [b"chunked"]):
             raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
         path, method = httptools.parse_url(self.url).path, self.parser.get_method()
         if not path or b"#" in self.url or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
@@ -223,9 +224,6 @@ class HttpConnection(HttpToolsProtocol):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
-
-    def _values(self, wanted: bytes) -> list[bytes]:
-        return [value for name, value in self.headers if name == wanted]
 
     def _expect_head(self) -> None:
         self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
@@ -264,18 +262,20 @@ class HttpConnection(HttpToolsProtocol):
 
     def _start(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer, as long as somebody is there who waits for it."""
-
-        def has_left() -> bool:
-            cycle.disconnected = cycle.disconnected or self.transport.is_closing()
-            return cycle.disconnected
-
-        if has_left():
+        if self.transport.is_closing():
             return
-        cycle.scope["state"]["has_left"] = has_left
+        cycle.scope["state"]["has_left"] = self._has_left
         task = self.loop.create_task(cycle.run_asgi(app))
         self._answering = cycle, task
         self.tasks.add(task)
         task.add_done_callback(self.tasks.discard)
+
+    def _has_left(self) -> bool:
+        """Whether nobody waits any more for what is answered now."""
+        has_left = self.transport.is_closing()
+        if has_left and self._answering is not None:
+            self._answering[0].disconnected = True
+        return has_left
 
     def _give_up_answers(self) -> None:
         """Nobody will read them: not the one under way, which may not be the last request, nor those that wait for it."""

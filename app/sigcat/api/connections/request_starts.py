@@ -4,8 +4,10 @@ import asyncio
 from collections import Counter, deque
 from collections.abc import Callable
 
+_AT_ONCE = 32
+"""Requests of one client that begin before the others have a round; after half of them one is due."""
 _IN_ROUND = 2
-"""Of one client. Most answers are made on the event loop, and an ordinary request of another one takes about ten rounds of it."""
+"""Of a client that has more. Most answers are made on the event loop, and an ordinary request of another one takes ten rounds."""
 
 Start = Callable[[], None]
 
@@ -15,24 +17,33 @@ class RequestStarts:
 
     def __init__(self) -> None:
         self._begun: Counter[str] = Counter()
-        """In this round, by client."""
+        """Since the last round, by client. There is one only where a client asks for much: each costs some microseconds."""
         self._waiting: dict[str, deque[Start]] = {}
+        self._has_next_round = False
 
     def add(self, client: str, start: Start) -> None:
-        """Begin a request of a client, those before it first."""
-        if not self._begun:
-            asyncio.get_running_loop().call_soon(self._next_round)
-        if self._begun[client] < _IN_ROUND:
-            self._begun[client] += 1
-            start()
-        else:
+        """Begin a request of a client, or have it wait behind others of the same client."""
+        if client in self._waiting or self._begun[client] >= _AT_ONCE:
             self._waiting.setdefault(client, deque()).append(start)
+            self._expect_round()
+            return
+        self._begun[client] += 1
+        if self._begun[client] * 2 >= _AT_ONCE:
+            self._expect_round()
+        start()
 
-    def _next_round(self) -> None:
+    def _expect_round(self) -> None:
+        if not self._has_next_round:
+            self._has_next_round = True
+            asyncio.get_running_loop().call_soon(self._round)
+
+    def _round(self) -> None:
+        self._has_next_round = False
         self._begun.clear()
-        waiting, self._waiting = self._waiting, {}
-        for client, starts in waiting.items():
+        for client, starts in tuple(self._waiting.items()):
             for _ in range(min(len(starts), _IN_ROUND)):
-                self.add(client, starts.popleft())
-            if starts:
-                self._waiting[client] = starts
+                starts.popleft()()
+            if not starts:
+                del self._waiting[client]
+        if self._waiting:
+            self._expect_round()
