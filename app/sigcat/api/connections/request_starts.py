@@ -28,7 +28,7 @@ class RequestStarts:
             self._expect_round()
             return
         self._begun[client] += 1
-        if self._begun[client] * 2 >= _AT_ONCE:
+        if self._begun[client] * 2 >= _AT_ONCE or len(self._begun) >= _AT_ONCE:
             self._expect_round()
         start()
 
