@@ -158,6 +158,7 @@ BOMBS = {
     "a value that is allowed again and again": OVERLAY.format(f"allowed: [{'a, ' * 20_000}]").encode(),
     "many unknown attributes": b"Vehicle.X:\n  type: sensor\n" + b"".join(b"  x%d: 1\n" % n for n in range(20_000)),
     "many suppressions before one node": b"# sigcat: ignore[V001]\n" * 12_000 + b"Vehicle.X:\n  type: sensor\n" + b"  # a\n" * 12_000,
+    "structs of structs": b"".join(b"A.T%d: {type: struct, description: X.}\nA.T%d.P: {type: property, datatype: T%d, description: X.}\n" % (n, n, n + 1) for n in range(4_000)),
     "many directives": b"".join(b"%%TAG !a%d! b:\n" % n for n in range(200_000)) + b"---\nVehicle.X: {type: sensor}\n",
     "many functions with misspelled paths": json.dumps({"functions": [_misspelled_function(n) for n in range(300)]}).encode(),
     "many misspelled paths": b"".join(b"Vehicle.Sped%d: {min: 0}\n" % n for n in range(5_000)),

@@ -61,13 +61,14 @@ def checked_definition(
     return Definition(path, statements, values, tuple(problems), is_instance)
 
 
-def resolved_datatype(datatype: str, path: str, structs: Mapping[str, Any]) -> str | None:
+def resolved_datatype(datatype: str, path: str, scope: Scope) -> str | None:
     """The datatype with a struct's name made a full path, or None if there is no such datatype."""
     if datatype in DATATYPES:
         return datatype
     name, suffix = (element_of(datatype), "[]") if is_array(datatype) else (datatype, "")
-    near = {last_name(s): s for s in structs if not path.startswith(s) and path.startswith(parent_path(s))}
-    full = near.get(name, name if name in structs else None)
+    named = reversed(scope.struct_paths.get(name, ()))
+    near = next((s for s in named if not path.startswith(s) and path.startswith(parent_path(s))), None)
+    full = near or (name if name in scope.structs else None)
     return full + suffix if full else None
 
 
@@ -130,7 +131,7 @@ def _references_in_full(path: str, values: Mapping[str, Any], scope: Scope) -> I
             yield "unit", known.key
     datatype = values.get("datatype")
     if isinstance(datatype, str) and datatype not in DATATYPES:
-        resolved = resolved_datatype(datatype, path, scope.structs)
+        resolved = resolved_datatype(datatype, path, scope)
         if resolved is not None and resolved != datatype:
             yield "datatype", resolved
 
@@ -177,7 +178,7 @@ def _check_data(path: str, values: Mapping[str, Any], scope: Scope, problems: li
         return
     values = {name: value for name, value in values.items() if name not in unusable} if unusable else values
     datatype = values.get("datatype")
-    resolved = resolved_datatype(datatype, path, scope.structs) if isinstance(datatype, str) else None
+    resolved = resolved_datatype(datatype, path, scope) if isinstance(datatype, str) else None
     if resolved is not None:
         problems.extend(data_problems(values, resolved, scope))
         return

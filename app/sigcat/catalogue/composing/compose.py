@@ -4,7 +4,7 @@ The steps, each in the file of its name: `merge_layers` (which checks each node 
 `expand_instances`, and `build_tree` again to freeze the result.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -151,7 +151,14 @@ def scope_of(catalogue: Catalogue, limits: Limits) -> Scope:
     """The scope in which the signals of a catalogue were defined."""
     structs = (node for root in catalogue.roots[1:] for node in root.walk() if node.type == STRUCT)
     properties = {node.path: {child.name: child.definition for child in node.children} for node in structs}
-    return Scope(catalogue.vocabulary, Matching(limits.pattern_seconds), properties)
+    return Scope(catalogue.vocabulary, Matching(limits.pattern_seconds), properties, _by_last_name(properties))
+
+
+def _by_last_name(paths: Iterable[str]) -> Mapping[str, Sequence[str]]:
+    found: dict[str, list[str]] = {}
+    for path in paths:
+        found.setdefault(last_name(path), []).append(path)
+    return found
 
 
 def _type_tree(
@@ -163,10 +170,10 @@ def _type_tree(
         return None, Scope(vocabulary, matching)
     paths = merge_layers(types, Scope(vocabulary, matching), limits=limits).definitions
     structs: dict[str, dict[str, Definition]] = {path: {} for path, d in paths.items() if d.type == STRUCT}
-    merged = merge_layers(types, Scope(vocabulary, matching, structs), limits=limits)
+    scope = Scope(vocabulary, matching, structs, _by_last_name(structs))
+    merged = merge_layers(types, scope, limits=limits)
     for path, definition in merged.definitions.items():
         if parent_path(path) in structs:
             structs[parent_path(path)][last_name(path)] = definition
     findings.extend(merged.findings)
-    scope = Scope(vocabulary, matching, structs)
     return draft_tree(merged.definitions, limits, findings), scope

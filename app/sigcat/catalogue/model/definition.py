@@ -43,6 +43,8 @@ class Scope(NamedTuple):
     matching: Matching
     structs: Mapping[str, "Mapping[str, Definition]"] = {}
     """Properties by name, for each struct by path."""
+    struct_paths: Mapping[str, Sequence[str]] = {}
+    """Paths of structs, in their order, by last name."""
 
 
 class Definition:
