@@ -14,10 +14,15 @@ import time
 LONGEST = 4096
 
 
+def tell(line: str) -> None:
+    """Say a line at once: `print` would write its end by itself, and another thread a line of its own before it."""
+    os.write(sys.stdout.fileno(), f"{line}\n".encode())
+
+
 def listen(own: socket.socket) -> None:
     while True:
         data, (address, port) = own.recvfrom(65536)
-        print(f"{address} {port} {data.hex()}", flush=True)
+        tell(f"{address} {port} {data.hex()}")
 
 
 def spoilt(samples: list[bytes], chance: random.Random) -> bytes:
@@ -48,14 +53,14 @@ def fuzz(own: socket.socket, seed: str, count: str, address: str, port: str, *sa
         own.sendto(spoilt(kinds, chance), (address, int(port)))
         if number % 50 == 49:
             time.sleep(0.004)  # the receiver's buffer holds so many
-    print(f"sent {count}", flush=True)
+    tell(f"sent {count}")
 
 
 def main() -> None:
     own = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     own.bind((sys.argv[1], int(sys.argv[2])))
     threading.Thread(target=listen, args=[own], daemon=True).start()
-    print("ready", flush=True)
+    tell("ready")
     for line in sys.stdin:
         words = line.split()
         if words[0] == "quit":
@@ -64,7 +69,6 @@ def main() -> None:
             fuzz(own, *words[1:])
         else:
             own.sendto(bytes.fromhex(words[2]), (words[0], int(words[1])))
-    sys.stdout.flush()
     os._exit(0)
 
 
