@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ import httpx
 import pytest
 
 from sigcat.catalogue.exporting.export import export
+from sigcat.catalogue.exporting.vss_tools import processes
 from sigcat.catalogue.hosting.source import Source, load
 from tests.api.serving import Service, served
 from tests.processes import PROC, family
@@ -140,6 +142,15 @@ def test_an_exporter_that_somebody_kills_is_no_fault_of_the_tree(tree: Path) -> 
         assert (failed.status_code, failed.json()["type"]) == (500, "/problems/internal-error")
         assert "crashed while it exported id" in failed.json()["detail"]
         assert exported(service, "csv").status_code == 200
+
+
+def test_so_is_one_that_ended_before_it_was_asked(tmp_path: Path) -> None:
+    ours, theirs = socket.socketpair()
+    asked = processes._Forked(ours, tmp_path)
+    theirs.close()
+    with pytest.raises(processes.ExportEnded):
+        asked.status({"seconds": DEADLINE})
+    asked.close()
 
 
 def test_exporters_that_need_too_much_memory_are_ended(tree: Path) -> None:
