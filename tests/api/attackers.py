@@ -171,7 +171,7 @@ def _invented() -> Iterator[bytes]:
 
 def _repeated_headers() -> Iterator[bytes]:
     for number in count():
-        accepted = [f"Accept: text/a{number},b/{each}" for each in range(1000)]
+        accepted = [f"Accept: {','.join(f'text/a{number % 1000}b{each}' for each in range(24))}" for _ in range(90)]
         yield head("GET", f"{TREE}/nodes/Vehicle.S7", *accepted) + b"\r\n"
 
 
@@ -219,7 +219,7 @@ ATTACKS: Mapping[str, Callable[[Target], Awaitable[None]]] = {
     "thousands of pages": pages,
     "thousands of empty headers": empty_headers,
     "invented methods, paths, parameters": _asking(_invented),
-    "thousands of repeated headers": _asking(_repeated_headers),
+    "as many repeated headers as fit": _asking(_repeated_headers),
     "40 clients of long YAML": _asking(_long_answers, clients=40),
     "HEAD on every export": _asking(_heads_of_exports),
     "what is no request": _asking(_no_requests),

@@ -17,6 +17,7 @@ from urllib.parse import urlsplit
 
 import httpx
 import pytest
+from fastapi import Request
 from fastapi.routing import APIRoute, APIRouter
 
 from sigcat.api import routes
@@ -26,6 +27,7 @@ from sigcat.api.answers.schemas import RuleSummary
 from sigcat.api.answers.serializers import rule_summary
 from sigcat.api.application import create_app
 from sigcat.api.middleware import metrics
+from sigcat.api.requests.thread_turns import parts_in_turn
 from sigcat.api.routes import contract, rules
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
@@ -246,6 +248,16 @@ def test_one_client_does_not_keep_all_threads(monkeypatch: pytest.MonkeyPatch) -
 
     with ThreadPoolExecutor(1) as thread:
         assert thread.submit(asyncio.run, crowd()).result() == 200
+
+
+def test_an_answer_goes_on_behind_a_part_that_is_empty() -> None:
+    scope = {"type": "http", "app": create_app(Library(SOURCES)), "headers": [], "client": ("192.0.2.1", 1)}
+
+    async def sent() -> list[bytes]:
+        return [part async for part in parts_in_turn(Request(scope), iter((b"a", b"", b"b")))]
+
+    with ThreadPoolExecutor(1) as thread:
+        assert thread.submit(asyncio.run, sent()).result() == [b"a", b"", b"b"]
 
 
 _SERVE = """

@@ -6,7 +6,8 @@ from urllib.parse import quote
 
 import pytest
 
-from sigcat.api.answers.problems import KINDS
+from sigcat.api.answers.problems import KINDS, MEDIA_TYPE
+from sigcat.api.work.turns import Turns
 from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.web.security_headers import POLICY
 from sigcat.web.site import create_site
@@ -34,6 +35,14 @@ def test_every_page_stands_and_runs_nothing_inline(site: Ask, address: str) -> N
     assert page.status_code == 200
     assert page.headers["content-security-policy"] == POLICY
     assert not re.search(r"<style|\sstyle=|\son\w+=|<script(?! type=\"module\" src=)|https?://", page.text)
+
+
+def test_where_not_even_a_page_of_the_problem_can_be_made_the_problem_is_answered() -> None:
+    app = create_site(Library(SOURCES), SETTINGS)
+    app.state.thread_turns = Turns(at_once=0, waiting=0, share=1)
+    for address, status in (("/rules", 503), ("/nope", 404)):
+        answer = asker(app)(address)
+        assert (answer.status_code, answer.headers["content-type"]) == (status, MEDIA_TYPE)
 
 
 @pytest.mark.parametrize(

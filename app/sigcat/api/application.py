@@ -64,7 +64,7 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 
 
 _FILES = 4
-"""Threads that read files, or write parts of an answer that is sent meanwhile: pages leave these free."""
+"""Threads that read files: what takes turns leaves these free."""
 _log = logging.getLogger("sigcat")
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,

@@ -41,7 +41,7 @@ async def in_thread(
 
 async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterator[bytes]:
     """An answer that is sent while it is made: each part of it has a turn of its own."""
-    while part := await in_thread(request, next, parts, b""):
+    while (part := await in_thread(request, next, parts, None)) is not None:
         yield part
 
 

@@ -7,7 +7,7 @@ from typing import Any, ParamSpec, TypeVar
 
 from sigcat.api.work.references import Work
 from sigcat.api.work.refusals import Busy
-from sigcat.api.work.turns import Turns
+from sigcat.api.work.turns import Turns, pass_over
 from sigcat.api.work.workers import Workers
 
 _Arguments = ParamSpec("_Arguments")
@@ -75,9 +75,7 @@ class WorkQueue:
         shared = self._shared.get(key)
         if shared is None:
             shared = self._shared[key] = _SharedWork(asyncio.create_task(self.work(client, work)))
-            shared.task.add_done_callback(
-                lambda done: done.cancelled() or done.exception()
-            )  # nobody may be left to hear of it
+            shared.task.add_done_callback(pass_over)
         shared.askers += 1
         try:
             return await asyncio.shield(shared.task)

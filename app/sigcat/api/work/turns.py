@@ -12,6 +12,12 @@ _Result = TypeVar("_Result")
 _Waiting = deque["asyncio.Future[None]"]
 
 
+def pass_over(done: "asyncio.Task[Any]") -> None:
+    """Have nobody hear of an exception where all who asked are gone: asyncio would tell the log of it."""
+    if not done.cancelled():
+        done.exception()
+
+
 class Turns:
     """Clients take turns, so that one with much work does not keep others waiting. For one event loop."""
 
@@ -44,13 +50,9 @@ class Turns:
         self.refuse_more(client)
         await self._begin(client)
         task = asyncio.create_task(begin())
-        task.add_done_callback(lambda done: self._end_of(client, done))
+        task.add_done_callback(lambda _: self._end(client))
+        task.add_done_callback(pass_over)
         return await asyncio.shield(task)
-
-    def _end_of(self, client: str, done: "asyncio.Task[Any]") -> None:
-        self._end(client)
-        if not done.cancelled():
-            done.exception()  # if who asked is gone, nobody has to hear of it
 
     def refuse_more(self, client: str) -> None:
         """Raises Busy where too many wait, BeyondShare where too many of this client do."""
