@@ -1,5 +1,6 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import (
@@ -19,7 +20,7 @@ class Signal(WireModel):
     """A data interface: a value that a call reads (Consumer) or writes (Provider)."""
 
     name: str = described("Name", "Name of the signal inside the function.")
-    description: str = described("Description", "What the value means.")
+    description: Text = described("Description", "What the value means.")
     role: str = described("Role", "Consumer or Provider.")
     asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None)
     timeout: str | None = described(
@@ -116,7 +117,7 @@ class DataQueue(WireModel):
     """A data interface whose values are queued, so that none is lost."""
 
     name: str = described("Name", "Name of the queue inside the function.")
-    description: str = described("Description", "What the values mean.")
+    description: Text = described("Description", "What the values mean.")
     role: str = described("Role", "Consumer or Provider.")
     asil_level: str = described("AsilInfo", "ASIL: QM, A, B, C or D.")
     queue_length: Integer = described("QueueLength", "Number of values that the queue holds.", unit="values")
@@ -195,7 +196,7 @@ class ParameterInterface(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
 
     name: str = described("Name", "Name of the parameter inside the function.")
-    description: str = described("Description", "What the value means.")
+    description: Text = described("Description", "What the value means.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     asil_level: str = described("Asillevel", "ASIL: QM, A, B, C or D.")
     min: Number = described("Min", "Smallest valid value; 0 for a text.", unit=PHYSICAL)
@@ -206,7 +207,7 @@ class ParameterInterface(WireModel):
     interface_type: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
     attribute: str = described("Attribute", "Normal, LearningParameter or NA.")
     units: str = described("Units", "Unit of the value; empty if it has none.")
-    default_text: str | None = described(
+    default_text: Text | None = described(
         "DefaultText", "Default of a text; of an array its elements, as JSON.", default=None, source=OWN
     )
     vss_path: str | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReference, WireModel, described
 
 
@@ -18,7 +19,7 @@ class TypeField(WireModel):
     name: str = described("Name", "Name of the member.", source=OWN)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=OWN)
     units: str | None = described("Units", "Unit of the member.", default=None, source=OWN)
-    description: str | None = described("Description", "What the member means.", default=None, source=OWN)
+    description: Text | None = described("Description", "What the member means.", default=None, source=OWN)
     min: Number | None = described("Min", "Smallest value of the member.", default=None, source=OWN, unit="Units")
     max: Number | None = described("Max", "Largest value of the member.", default=None, source=OWN, unit="Units")
 
@@ -45,7 +46,7 @@ class Datatype(WireModel):
     fields: tuple[TypeField, ...] | None = described(
         "Fields", "Members of a struct, in order.", default=None, source=OWN, strict=False
     )
-    description: str | None = described("Description", "What a struct is.", default=None, source=OWN)
+    description: Text | None = described("Description", "What a struct is.", default=None, source=OWN)
 
 
 def innermost(reference: str, known: Mapping[str, Datatype]) -> Datatype | None:

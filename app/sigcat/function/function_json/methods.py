@@ -1,5 +1,6 @@
 """Methods of a call, with their arguments and return values."""
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import TypeReference, WireModel, described, own
 
 
@@ -16,7 +17,7 @@ class MethodInterface(WireModel):
     """A call that one function offers and others use."""
 
     name: str = described("Name", "Name of the method.")
-    description: str = described("Description", "What the method does.")
+    description: Text = described("Description", "What the method does.")
     role: str = described("Role", "Consumer or Provider.")
     inputs: tuple[Argument, ...] = described("InDataTypeList", "Arguments, in order.", strict=False)
     outputs: tuple[Argument, ...] = described("OutDataTypeList", "Return values, in order.", strict=False)

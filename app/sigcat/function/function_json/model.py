@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.provenance import Provenance
@@ -20,23 +21,23 @@ from sigcat.function.function_json.wire import OWN, TABLE, WireModel, described,
 class MetaInfo(WireModel):
     """Who is responsible for the document, and its version."""
 
-    authority: str | None = described("Authority", "Organization that the document belongs to.", default=None)
-    schema_author: str | None = described("SchemaAuthor", "Author of the document.", default=None)
+    authority: Text | None = described("Authority", "Organization that the document belongs to.", default=None)
+    schema_author: Text | None = described("SchemaAuthor", "Author of the document.", default=None)
     date: Annotated[str, Field(pattern=r"^\d{2}.\d{2}.\d{4}$")] | None = described(
         "Date", "Date of the document, as DD.MM.YYYY.", default=None
     )
     schema_version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = described(
         "SchemaVersion", "Version of the document's format, as three numbers.", default=None
     )
-    schema_description: str | None = described("SchemaDescription", "What the document is.", default=None)
+    schema_description: Text | None = described("SchemaDescription", "What the document is.", default=None)
 
 
 class FunctionInfo(WireModel):
     """Identity of the function."""
 
     function_name: str = described("FunctionName", "Name of the function.")
-    function_responsible: str = described("FunctionResponsible", "Team that answers for the function.")
-    description: str = described("Description", "What the function does.")
+    function_responsible: Text = described("FunctionResponsible", "Team that answers for the function.")
+    description: Text = described("Description", "What the function does.")
     version: str | None = described("Version", "Version of the function.", default=None, source=OWN)
 
 
@@ -51,7 +52,7 @@ class Mode(WireModel):
     """A mode of the function and what runs in it."""
 
     name: str = described("Name", "Name of the mode.")
-    description: str = described("Description", "What the mode means.")
+    description: Text = described("Description", "What the mode means.")
     runnables: tuple[str, ...] = described("RunnablesList", "Names of the calls that run in the mode.", strict=False)
 
 

@@ -1,5 +1,6 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
@@ -14,7 +15,7 @@ class WatchdogLimits(WireModel):
     max: Number = described("Max", "Most indications, or longest duration.", unit="cycles or ms")
     reference: Number = described("Ref", "Cycles in which indications are counted; 0 for a deadline.", unit="cycles")
     error_name: str = described("ErrorName", "Error interface that is set when a limit is broken.")
-    description: str | None = described("Description", "Explanation, if needed.", default=None, source=TABLE)
+    description: Text | None = described("Description", "Explanation, if needed.", default=None, source=TABLE)
 
 
 class Watchdog(WireModel):
@@ -22,7 +23,7 @@ class Watchdog(WireModel):
 
     alive: WatchdogLimits | None = described("AliveSupervision", "Limits in cycles.")
     deadline: WatchdogLimits | None = described("DeadlineSupervision", "Limits in ms.")
-    logical: str | None = described("LogicalSupervision", "Order relative to other calls, in words.")
+    logical: Text | None = described("LogicalSupervision", "Order relative to other calls, in words.")
     logical_error: str | None = described(
         "LogicalError", "Error interface that is set when the order is broken.", default=None, source=TABLE
     )
@@ -46,7 +47,7 @@ class Runnable(WireModel):
     """A call of the function: init, a step, terminate."""
 
     name: str = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
-    description: str = described("Description", "What the call does.")
+    description: Text = described("Description", "What the call does.")
     run_type: str = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
     cycle_time: Integer | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
     stack_size: str | None = described(

@@ -1,5 +1,6 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
@@ -9,7 +10,7 @@ class ErrorInterface(WireModel):
     """An error that the function reports to the fault management of the base software."""
 
     name: str = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
-    description: str = described("Description", "Condition that the error stands for.")
+    description: Text = described("Description", "Condition that the error stands for.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     dependencies: tuple[str, ...] = described(
         "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
@@ -31,7 +32,7 @@ class ErrorInterface(WireModel):
     reset_time: Number | None = described(
         "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
     )
-    reset_condition: str | None = described(
+    reset_condition: Text | None = described(
         "ResetCondition", "Condition that resets the error.", default=None, source=TABLE
     )
     asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
@@ -54,7 +55,7 @@ class SafetyReaction(WireModel):
     """A safety condition of which the base software informs the function."""
 
     name: str = described("Name", "Name of the interface: <SafetyCondition>_SftyCondSts.")
-    description: str = described("Description", "What the condition means for the function.")
+    description: Text = described("Description", "What the condition means for the function.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     errors: tuple[str, ...] = described("ErrorList", "Error interfaces, any of which sets the condition.", strict=False)
     asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
@@ -71,7 +72,7 @@ class ModeInterface(WireModel):
     """The interface over which a function receives its mode (In), or reports it (Out)."""
 
     name: str = described("Name", "Name of the interface: <FunctionName>_Mode_In or _Mode_Out.", source=TABLE)
-    description: str = described("Description", "What the interface says.", source=TABLE)
+    description: Text = described("Description", "What the interface says.", source=TABLE)
     direction: str = described("Direction", "In or Out.", source=TABLE)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
     modes: tuple[str, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)

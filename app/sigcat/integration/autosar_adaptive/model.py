@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument
@@ -45,8 +46,8 @@ def always(alias: str, description: str, **more: Any) -> Any:
 class MetaInformation(WireModel):
     """Who is responsible for the document, and its version."""
 
-    authority: str = published("Authority", "Organization that the document belongs to.")
-    author: str = published("Author", "Author of the document.")
+    authority: Text = published("Authority", "Organization that the document belongs to.")
+    author: Text = published("Author", "Author of the document.")
     date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$")] = published("Date", "Date of the document.")
     version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] = published("Version", "Version of the document.")
 
@@ -55,8 +56,8 @@ class FunctionInformation(WireModel):
     """Identity of the application: a function, or a set of them."""
 
     name: str = published("FunctionName", "Name of the application.")
-    responsible: str = published("Responsible", "Who answers for it.")
-    description: str = published("Description", "What it does.")
+    responsible: Text = published("Responsible", "Who answers for it.")
+    description: Text = published("Description", "What it does.")
     functions: tuple[str, ...] | None = own("Functions", "Names of the functions.", strict=False)
 
 
@@ -69,7 +70,7 @@ class Call(WireModel):
     cycle_time: Number | None = published("CycleTime", "Time from one call to the next.", unit="ms")
     scheduling: str | None = published("Scheduling", "Preemptive or Non-preemptive.")
     function: str | None = own("Function", "Name of the function that it belongs to.")
-    description: str | None = own("Description", "What the call does.")
+    description: Text | None = own("Description", "What the call does.")
     trigger: str | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
     events: str | None = own("EventList", "Events that trigger the call.")
     triggers: tuple[str, ...] | None = own(
@@ -98,7 +99,7 @@ class StructField(WireModel):
     name: str = published("Name", "Name of the member.")
     type: str = published("Type", "Word for a primitive, or the name of a datatype of the document.")
     unit: str | None = own("Unit", "Unit of the member.")
-    description: str | None = own("Description", "What the member means.")
+    description: Text | None = own("Description", "What the member means.")
     min: Number | None = own("MinValue", "Smallest value of the member.")
     max: Number | None = own("MaxValue", "Largest value of the member.")
 
@@ -129,7 +130,7 @@ class TypeEntry(WireModel):
     symbols: tuple[Symbol, ...] | None = published("EnumField", "Values, in order.", default=None, strict=False)
     storage: str | None = own("StorageType", "Word for the integer that holds an enumeration.")
     vss_datatype: str | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
-    description: str | None = own("Description", "What a struct is.")
+    description: Text | None = own("Description", "What a struct is.")
 
     @property
     def is_open(self) -> bool:
@@ -170,7 +171,7 @@ class ParameterEntry(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
 
     name: str = published("Name", "Name of the parameter.")
-    description: str = published("Description", "What the value means.")
+    description: Text = published("Description", "What the value means.")
     datatype: ParameterType = published("Datatype", "Datatype, range and values.")
     range_error_action: str | None = published("RangeErrorAction", "What replaces a value out of range.")
     interface_type: str = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
@@ -219,7 +220,7 @@ class Event(WireModel):
     data_mapping: tuple[str, ...] | None = published(
         "DataMappingList", "Expressions of the C code that hold the value.", strict=False
     )
-    description: str | None = own("Description", "What the value means.")
+    description: Text | None = own("Description", "What the value means.")
     event_id: Integer | None = own("EventID", "SOME/IP id of the event.")
     event_group: str | None = own("EventGroup", "Name of the event group.")
     unit: str | None = own("Unit", "Unit in which the value is sent.")
@@ -247,7 +248,7 @@ class Method(WireModel):
     """A call that a service offers."""
 
     name: str = published("Name", "Name of the method.")
-    description: str | None = own("Description", "What it does.")
+    description: Text | None = own("Description", "What it does.")
     method_id: Integer | None = own("MethodID", "SOME/IP id of the method.")
     inputs: tuple[MethodArgument, ...] | None = own("InArguments", "Arguments, in order.", strict=False)
     outputs: tuple[MethodArgument, ...] | None = own("OutArguments", "Return values, in order.", strict=False)
@@ -259,7 +260,7 @@ class ServiceField(WireModel):
     """A status that a service keeps, sends when it changes and returns on request: error, safety reaction or mode."""
 
     name: str = published("Name", "Name of the interface.")
-    description: str | None = own("Description", "What the status means.")
+    description: Text | None = own("Description", "What the status means.")
     datatype: str | None = own("DataType", "Word for a primitive, or the name of a datatype of the document.")
     notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that notifies of a change.")
     getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
@@ -299,7 +300,7 @@ class Provider(WireModel):
     name: str = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
     deployment: str = published("ServiceDeploymentType", "SOME/IP.")
     instance_id: Integer | None = published("ServiceInstanceID", "SOME/IP id of the instance.")
-    contract: str = published("ContractName", "Name of the middleware framework.")
+    contract: Text = published("ContractName", "Name of the middleware framework.")
 
 
 class ServiceInterface(WireModel):
@@ -324,7 +325,7 @@ class FunctionMode(WireModel):
 
     function: str = always("Function", "Name of the function.")
     name: str = always("Name", "Name of the mode.")
-    description: str | None = own("Description", "What the mode means.")
+    description: Text | None = own("Description", "What the mode means.")
     calls: tuple[str, ...] | None = own("Calls", "Calls that run in it.", strict=False)
 
 
@@ -356,7 +357,7 @@ class Component(WireModel):
     services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
     function: str | None = own("Function", "Name of the function.")
     version: str | None = own("Version", "Version of the function.")
-    description: str | None = own("Description", "What the function does.")
+    description: Text | None = own("Description", "What the function does.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
     startup: StartupSettings | None = own("Startup", "How the process is started.")

@@ -6,6 +6,7 @@ there: packages with messages and services, nodes with their life cycle, quality
 
 from typing import Any, Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
 from sigcat.integration.ros2.settings import SchedulingPolicy
@@ -112,7 +113,7 @@ class QualityOfService(WireModel):
     lease_duration: Number | None = described(
         "LeaseDuration", "Time after which a silent publisher is taken for dead.", default=None, unit="ms", source=OWN
     )
-    reasons: tuple[str, ...] = described("Reasons", "What led to it.", source=OWN, strict=False)
+    reasons: tuple[Text, ...] = described("Reasons", "What led to it.", source=OWN, strict=False)
 
 
 class RosTopic(WireModel):
@@ -181,7 +182,7 @@ class MessageField(WireModel):
 
     name: str = described("Name", "Name of the field.", source=OWN)
     datatype: str = described("DataType", "Its datatype, as a message file writes it.", source=OWN)
-    description: str = described("Description", "What it means.", source=OWN)
+    description: Text = described("Description", "What it means.", source=OWN)
     units: str | None = described("Units", "Its unit.", default=None, source=OWN)
     vss_path: str | None = described("VssPath", "Path in the catalogue.", default=None, source=OWN)
 
@@ -190,7 +191,7 @@ class Message(WireModel):
     """A message."""
 
     name: str = described("Name", "Name of the message.", source=OWN)
-    description: str = described("Description", "What it carries.", source=OWN)
+    description: Text = described("Description", "What it carries.", source=OWN)
     constants: tuple[MessageConstant, ...] = described("Constants", "Its constants.", source=OWN, strict=False)
     fields: tuple[MessageField, ...] = described("Fields", "Its fields, in order.", source=OWN, strict=False)
 
@@ -199,7 +200,7 @@ class Service(WireModel):
     """A service."""
 
     name: str = described("Name", "Name of the service.", source=OWN)
-    description: str = described("Description", "What it does.", source=OWN)
+    description: Text = described("Description", "What it does.", source=OWN)
     request: tuple[MessageField, ...] = described("Request", "Fields of the request.", source=OWN, strict=False)
     response: tuple[MessageField, ...] = described("Response", "Fields of the response.", source=OWN, strict=False)
 
@@ -239,7 +240,7 @@ class Schedule(WireModel):
     deadline_min: Number | None = described("DeadlineMin", "Shortest duration.", default=None, unit="ms", source=OWN)
     deadline_max: Number | None = described("DeadlineMax", "Longest duration.", default=None, unit="ms", source=OWN)
     deadline_error: str | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
-    logical: str | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
+    logical: Text | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
     logical_error: str | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
 
 
@@ -249,11 +250,11 @@ class RosParameter(WireModel):
     name: str = described("Name", "Name of the parameter of the node.", source=OWN)
     parameter: str = described("Parameter", "Name in the function.", source=OWN)
     type: str = described("Type", "bool, integer, double or string, or an array of them.", source=OWN)
-    description: str = described("Description", "What it means.", source=OWN)
+    description: Text = described("Description", "What it means.", source=OWN)
     default: Any = described("Default", "Value without a parameter file, in the unit of the parameter.", source=OWN)
     low: Number | None = described("From", "Smallest value.", default=None, source=OWN)
     high: Number | None = described("To", "Largest value.", default=None, source=OWN)
-    constraints: str | None = described("AdditionalConstraints", "What else holds.", default=None, source=OWN)
+    constraints: Text | None = described("AdditionalConstraints", "What else holds.", default=None, source=OWN)
     read_only: bool = described("ReadOnly", "Whether it is set at start-up only.", source=OWN)
     units: str | None = described("Units", "Its unit: the catalogue's.", default=None, source=OWN)
     variable: str = described("Variable", "Expression of the C code.", source=OWN)
@@ -273,7 +274,7 @@ class Diagnostic(WireModel):
 
     name: str = described("Name", "Name of the status: node and error interface.", source=OWN)
     error: str = described("Error", "Error interface.", source=OWN)
-    message: str = described("Message", "Text of the status while the error is present.", source=OWN)
+    message: Text = described("Message", "Text of the status while the error is present.", source=OWN)
     level: str = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
     severity: str = described("Severity", "What the error leads to.", source=OWN)
     maturation_time: Integer = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
@@ -282,7 +283,7 @@ class Diagnostic(WireModel):
         "IgnitionCountLimit", "Ignition cycles with the error until confirmed; each configuring begins one.", source=OWN
     )
     reset_time: Number | None = described("ResetTime", "Time until reset.", default=None, unit="ms", source=OWN)
-    reset_condition: str | None = described(
+    reset_condition: Text | None = described(
         "ResetCondition", "Condition of the reset, in words.", default=None, source=OWN
     )
     dependencies: tuple[str, ...] = described(
@@ -295,7 +296,7 @@ class ConditionMonitor(WireModel):
     """A safety condition: present while one of these statuses is FAILED, or while its provider says so."""
 
     condition: str = described("SafetyReaction", "Name of the interface.", source=OWN)
-    description: str = described("Description", "What the condition means.", source=OWN)
+    description: Text = described("Description", "What the condition means.", source=OWN)
     topic: str = described("TopicName", "Topic on which the node tells it.", source=OWN)
     statuses: tuple[str, ...] = described(
         "Statuses", "Names of the diagnostic statuses of its errors.", source=OWN, strict=False
@@ -358,10 +359,10 @@ class Package(WireModel):
 
     name: str = described("Name", "Name of the package.", source=OWN)
     version: str = described("Version", "Version, as three numbers.", source=OWN)
-    description: str = described("Description", "What it is.", source=OWN)
-    maintainer: str = described("Maintainer", "Who maintains it.", source=OWN)
+    description: Text = described("Description", "What it is.", source=OWN)
+    maintainer: Text = described("Maintainer", "Who maintains it.", source=OWN)
     email: str = described("MaintainerEmail", "Mail address of the maintainer.", source=OWN)
-    license: str = described("License", "License.", source=OWN)
+    license: Text = described("License", "License.", source=OWN)
     dependencies: tuple[str, ...] = described("Dependencies", "Packages that it needs.", source=OWN, strict=False)
 
 

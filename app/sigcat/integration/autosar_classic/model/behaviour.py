@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 
@@ -33,7 +34,7 @@ class Access(WireModel):
     element: str = always(
         "Element", "Name of the element, operation or mode prototype; of an internal trigger its runnable."
     )
-    reason: str | None = own("Reason", "Why it is accessed this way.")
+    reason: Text | None = own("Reason", "Why it is accessed this way.")
 
 
 class Runnable(WireModel):
@@ -46,7 +47,7 @@ class Runnable(WireModel):
     )
     call: str | None = own("Call", "Call of the function that it runs; absent where it runs none.")
     method: str | None = own("Method", "Method of the function that it offers, or whose answer it takes.")
-    description: str | None = own("Description", "What it does.")
+    description: Text | None = own("Description", "What it does.")
     concurrent: bool = always("CanBeInvokedConcurrently", "Whether it may run twice at the same time.")
     minimum_start_interval: Number = always("MinimumStartInterval", "Shortest time between two starts.", unit="s")
     accesses: tuple[Access, ...] = always("Accesses", "What it does with ports.", strict=False)
@@ -82,7 +83,7 @@ class ExclusiveArea(WireModel):
     """What only one runnable is in at a time."""
 
     name: str = always("Name", "Name of the area, as in Rte_Enter_<name>.")
-    description: str = always("Description", "What it protects.")
+    description: Text = always("Description", "What it protects.")
 
 
 class PerInstanceMemory(WireModel):
@@ -92,7 +93,7 @@ class PerInstanceMemory(WireModel):
     type: str = always("Type", "Datatype of C.")
     type_definition: str = always("TypeDefinition", "What the type is defined as, in C.")
     header: str | None = own("Header", "Header that defines it.")
-    description: str = always("Description", "What it holds.")
+    description: Text = always("Description", "What it holds.")
 
 
 class InternalParameter(WireModel):

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import Integer, WireModel, written
@@ -40,8 +41,8 @@ from sigcat.integration.source_functions import source_functions
 class MetaInformation(WireModel):
     """Who is responsible for the document, and its version."""
 
-    authority: str = always("Authority", "Organization that the document belongs to.")
-    author: str = always("Author", "Author of the document.")
+    authority: Text = always("Authority", "Organization that the document belongs to.")
+    author: Text = always("Author", "Author of the document.")
     date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$")] = always("Date", "Date of the document.")
     version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] = always("Version", "Version of the document.")
 
@@ -50,8 +51,8 @@ class ApplicationInformation(WireModel):
     """Identity of the application: a function, or a set of them."""
 
     name: str = always("Name", "Name of the application.")
-    responsible: str = always("Responsible", "Who answers for it.")
-    description: str = always("Description", "What it does.")
+    responsible: Text = always("Responsible", "Who answers for it.")
+    description: Text = always("Description", "What it does.")
     functions: tuple[str, ...] = always("Functions", "Names of the functions.", strict=False)
 
 
@@ -62,7 +63,7 @@ class Component(WireModel):
     kind: Literal["Application"] = always("Kind", "Application.")
     function: str = always("Function", "Name of the function.")
     version: str | None = own("Version", "Version of the function.")
-    description: str | None = own("Description", "What the function does.")
+    description: Text | None = own("Description", "What the function does.")
     ports: tuple[Port, ...] = always("Ports", "Ports, by name.", strict=False)
     runnables: tuple[Runnable, ...] = always("Runnables", "Runnables.", strict=False)
     events: tuple[Event, ...] = always("Events", "What starts them.", strict=False)

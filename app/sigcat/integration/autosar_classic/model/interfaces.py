@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 
@@ -14,7 +15,7 @@ class DataElement(WireModel):
 
     name: str = always("Name", "Name of the element.")
     type: str = always("Type", "Name of its application type; of an implementation type where there is none.")
-    description: str | None = own("Description", "What the value means.")
+    description: Text | None = own("Description", "What the value means.")
     queued: bool | None = own("Queued", "Whether values are queued; each is then an event that is not lost.")
     vss_path: str | None = own("VssPath", "Path in the catalogue.")
     unit: str | None = own("Unit", "Unit in which the value is sent, as the catalogue has it.")
@@ -25,7 +26,7 @@ class SenderReceiverInterface(WireModel):
 
     name: str = always("Name", "Name of the interface.")
     elements: tuple[DataElement, ...] = always("Elements", "Data elements.", strict=False)
-    description: str | None = own("Description", "What it carries.")
+    description: Text | None = own("Description", "What it carries.")
 
 
 class ParameterInterface(WireModel):
@@ -57,7 +58,7 @@ class Operation(WireModel):
     name: str = always("Name", "Name of the operation.")
     arguments: tuple[OperationArgument, ...] = always("Arguments", "Arguments, in order.", strict=False)
     errors: tuple[str, ...] | None = own("PossibleErrors", "Names of the errors that it can return.", strict=False)
-    description: str | None = own("Description", "What it does.")
+    description: Text | None = own("Description", "What it does.")
 
 
 class ClientServerInterface(WireModel):

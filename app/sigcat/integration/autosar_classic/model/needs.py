@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 
@@ -29,7 +30,7 @@ class DiagnosticEvent(WireModel):
     error: str = always("Error", "Name of the error interface.")
     port: str = always("Port", "Service port through which its status is set.")
     debouncing: Literal["MonitorInternal"] = always("Debouncing", "MonitorInternal: the core has matured it.")
-    description: str | None = own("Description", "What the error stands for.")
+    description: Text | None = own("Description", "What the error stands for.")
     severity: str | None = own("Severity", "What the error leads to.")
     occurrence_limit: Integer | None = own("OccurrenceCountLimit", "How often it has to occur to be confirmed.")
     ignition_limit: Integer | None = own("IgnitionCountLimit", "Ignition cycles after which it is confirmed.")

@@ -2,6 +2,7 @@
 
 from typing import Any, Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
@@ -50,4 +51,4 @@ class Port(WireModel):
     service: str | None = own(
         "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
     )
-    description: str | None = own("Description", "What goes through it.")
+    description: Text | None = own("Description", "What goes through it.")

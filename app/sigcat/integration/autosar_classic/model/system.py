@@ -2,6 +2,7 @@
 
 from typing import Any, Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
@@ -87,7 +88,7 @@ class Task(WireModel):
     offset: Number | None = own("Offset", "Offset of the first activation.", unit="s")
     stack_size: Integer | None = own("StackSize", "Largest stack that one of its runnables needs.", unit="bytes")
     events: tuple[TaskEvent, ...] = always("Events", "Events, in the order in which their runnables run.", strict=False)
-    reason: str = always("Reason", "What led to it.")
+    reason: Text = always("Reason", "What led to it.")
 
 
 class InitBatch(WireModel):
@@ -97,7 +98,7 @@ class InitBatch(WireModel):
     events: tuple[TaskEvent, ...] = always(
         "Events", "Init events, in the order in which their runnables run.", strict=False
     )
-    reason: str = always("Reason", "What led to it.")
+    reason: Text = always("Reason", "What led to it.")
 
 
 class Ecu(WireModel):

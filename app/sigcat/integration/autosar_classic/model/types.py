@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 
@@ -48,7 +49,7 @@ class TypeMember(WireModel):
     type: str = always(
         "Type", "Name of its datatype: an implementation type in one of these, an application type else."
     )
-    description: str | None = own("Description", "What the member means.")
+    description: Text | None = own("Description", "What the member means.")
 
 
 class ImplementationType(WireModel):
@@ -86,7 +87,7 @@ class ApplicationType(WireModel):
     element: str | None = own("ElementType", "Application type of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array.")
     members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
-    description: str | None = own("Description", "What the values mean.")
+    description: Text | None = own("Description", "What the values mean.")
 
 
 class ModeNumber(WireModel):
