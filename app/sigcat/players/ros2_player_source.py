@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CELLS
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
+from sigcat.adapter.text_filters import c_string
 
 _OWN = Path(__file__).with_name("ros2_player")
 _SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
@@ -196,7 +196,7 @@ def _told(field: _Field, message: Mapping[str, Any]) -> str:
 
 
 def _symbols(field: _Field) -> str:
-    names = ", ".join(f"{{{string(text)}, {number}}}" for text, number in field.symbols)
+    names = ", ".join(f"{{{c_string(text)}, {number}}}" for text, number in field.symbols)
     return f"{{{names}}}"
 
 
@@ -323,7 +323,7 @@ struct Cell<{type}, void> final {{
         {type} value;
 {reads}        return value;
     }}
-    static std::string Text(const {type}& value) {{ return std::string("{{") + {texts} + "}}"; }}
+    static std::string Text(const {type}& value) {{ return std::c_string("{{") + {texts} + "}}"; }}
 }};
 
 """

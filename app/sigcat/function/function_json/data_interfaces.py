@@ -231,3 +231,8 @@ class ParameterInterface(WireModel):
     storage: str | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
     range_error: str | None = own("RangeError", "Error interface that is set while the value is out of range.")
     init_elements: str | None = own("InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL)
+
+    @property
+    def default_elements(self) -> str | None:
+        """The default of an array, as a signal has it."""
+        return self.default_text.raw if self.default_text is not None else None

@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 
 WIDEST = 100
 _STEP = "  "
@@ -71,10 +71,10 @@ def literal(words: str, levels: int = 3) -> str:
     room = WIDEST - levels * len(_STEP) - 4
     rows = (
         textwrap.wrap(words, room - 4, drop_whitespace=False, break_on_hyphens=False)
-        if len(string(words)) > room
+        if len(c_string(words)) > room
         else []
     )
-    return "\n".join(string(row) for row in rows or [words])
+    return "\n".join(c_string(row) for row in rows or [words])
 
 
 _BREAKS = ("(", ", ", " = ")

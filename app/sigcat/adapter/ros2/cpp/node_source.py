@@ -1,6 +1,5 @@
 """The source of a node."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.calls import call_functions
 from sigcat.adapter.ros2.cpp.connections import connection_functions
@@ -14,6 +13,7 @@ from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
 from sigcat.adapter.ros2.cpp.tables import symbol_tables
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import c_string
 
 _CORE = "// The core of the function: what it is made of stays in this file."
 _STATE = "const rclcpp_lifecycle::State & state"
@@ -84,7 +84,7 @@ def _core(node: NodePlan) -> str:
         _CORE,
         f"struct {node.type}::Core\n{{",
         indented(spaced([
-            function("Core()", [f"if (is_held.exchange(true)) {{\n  constexpr char kOnce[] =\n    {string(once)};\n  throw std::runtime_error(kOnce);\n}}"]),
+            function("Core()", [f"if (is_held.exchange(true)) {{\n  constexpr char kOnce[] =\n    {c_string(once)};\n  throw std::runtime_error(kOnce);\n}}"]),
             "~Core() {is_held = false;}\nCore(const Core &) = delete;\nCore & operator=(const Core &) = delete;",
             text([f"{prefix} & adapter = {prefix}_Instance;", parameters, "static inline std::atomic<bool> is_held{false};"]),
         ])),
@@ -96,7 +96,7 @@ def _constructor(node: NodePlan) -> str:
     kind = "rclcpp::CallbackGroupType::MutuallyExclusive"
     return text([
         f"{node.type}::{node.type}(const rclcpp::NodeOptions & options)",
-        f": LifecycleNode({string(node.name)}, options),",
+        f": LifecycleNode({c_string(node.name)}, options),",
         indented(text([
             "core_(std::make_unique<Core>()),",
             f"receiving_(create_callback_group({kind}, false)),",

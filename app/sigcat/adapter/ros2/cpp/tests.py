@@ -1,9 +1,9 @@
 """Tests of the package, which `colcon test` runs: the life of each node, its parameters, lock-step, what it keeps."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, header_of
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import c_string
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -104,7 +104,7 @@ def _refused(parameter: NodeParameter) -> str:
     assert parameter.high is not None
     beyond = f"{parameter.high + 1}" if parameter.type == "double" else f"int64_t{{{int(parameter.high) + 1}}}"
     beyond = beyond if "." in beyond or "int64" in beyond else f"{beyond}.0"
-    name = string(parameter.name)
+    name = c_string(parameter.name)
     return f"""  const auto {parameter.name}_before = node->get_parameter({name});
   EXPECT_FALSE(node->set_parameter(rclcpp::Parameter({name}, {beyond})).successful);
   EXPECT_EQ(node->get_parameter({name}), {parameter.name}_before);"""

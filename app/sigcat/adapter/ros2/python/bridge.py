@@ -11,10 +11,10 @@ from sigcat.adapter.core.c.parameters import settable
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.types import struct, types
 from sigcat.adapter.core.c.values import declared
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan, Method
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.python.names import WIDEST
+from sigcat.adapter.text_filters import block_comment, c_string
 
 _INTERNAL = ("_Verdict;", "_Origin;", "_Reception;", "_Clock;", "_Error;")
 """Ends of the types that only the core itself uses."""
@@ -158,7 +158,7 @@ def _functions(scope: Scope) -> Iterator[tuple[str, Lines]]:
             for each in settable(scope)
         )  # fmt: skip
     yield from (_request(method, scope) for method in plan.requests)
-    yield f"const char *{b}_Digest(void)", lines(f"return {string(digest_mark(scope))};")
+    yield f"const char *{b}_Digest(void)", lines(f"return {c_string(digest_mark(scope))};")
     yield f"const size_t *{b}_Layout(size_t *count)", _layout(scope)
 
 
@@ -283,7 +283,7 @@ def _header(scope: Scope) -> Lines:
         lines(f"/* Copies of what it tells. */\n{_heads(scope, ('Copy',))}"),
         lines(f"/* What {b} was generated from; sizes of structs, and places and sizes of their members. */\n{_heads(scope, ('Digest', 'Layout'))}"),
         lines("#ifdef __cplusplus\n}\n#endif"),
-        lines(f"#endif /* {guard} */"),
+        lines(f"#endif {block_comment(guard)}"),
     ])  # fmt: skip
 
 
