@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.text_filters import AnyText, c_string, comment_rows
-from sigcat.adapter.text_filters import comment as filtered
 
 WIDEST = 120
 
@@ -13,7 +12,7 @@ def header(path: str, about: AnyText, includes: Iterable[str], body: Sequence[st
     """A header: what it is, its guard, includes and sections."""
     guard = re.sub(r"[^A-Za-z0-9]", "_", path).upper() + "_"
     opening = f"#ifndef {guard}\n#define {guard}"
-    return _sections([f"{comment(about)}\n{opening}", *_included(includes), *body, f"#endif  // {filtered(guard)}"])
+    return _sections([f"{comment(about)}\n{opening}", *_included(includes), *body, f"#endif  {comment(guard)}"])
 
 
 def source(about: AnyText, includes: Iterable[str], body: Sequence[str]) -> str:
@@ -32,7 +31,7 @@ def within(namespace: Sequence[str], sections: Sequence[str]) -> list[str]:
     if not namespace:
         return list(sections)
     name = "::".join(namespace)
-    return [f"namespace {name} {{", *sections, f"}}  // namespace {filtered(name)}"]
+    return [f"namespace {name} {{", *sections, f"}}  {comment(f'namespace {name}')}"]
 
 
 def _included(includes: Iterable[str]) -> list[str]:

@@ -4,7 +4,7 @@ from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.calls import call_functions
 from sigcat.adapter.ros2.cpp.connections import connection_functions
 from sigcat.adapter.ros2.cpp.diagnostics import tell_function
-from sigcat.adapter.ros2.cpp.layout import function, indented, spaced, text
+from sigcat.adapter.ros2.cpp.layout import comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.methods import method_functions
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, header_of, times_name
 from sigcat.adapter.ros2.cpp.node_header import messages_of
@@ -13,7 +13,7 @@ from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
 from sigcat.adapter.ros2.cpp.tables import symbol_tables
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.adapter.text_filters import c_format, c_string
 
 _CORE = "// The core of the function: what it is made of stays in this file."
 _STATE = "const rclcpp_lifecycle::State & state"
@@ -24,7 +24,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole source."""
     return spaced([
         copyright_line(workspace),
-        f'#include "{workspace.name}/{node.stem}.hpp"',
+        f"#include {c_string(f'{workspace.name}/{node.stem}.hpp')}",
         _includes(node, workspace),
         text([
             f"namespace {workspace.name}\n{{\n",
@@ -45,7 +45,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         publish_function(node),
         *method_functions(node),
         tell_function(node),
-        f"}}  // namespace {workspace.name}",
+        f"}}  {comment(f'namespace {workspace.name}')}",
         f'#include "rclcpp_components/register_node_macro.hpp"\n\nRCLCPP_COMPONENTS_REGISTER_NODE({workspace.name}::{node.type})',
     ]) + "\n"  # fmt: skip
 
@@ -63,7 +63,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     headers.append(node.core.header_file)
     return spaced([
         "\n".join(f"#include <{each}>" for each in sorted(standard)),
-        "\n".join(f'#include "{each}"' for each in sorted(set(headers))),
+        "\n".join(f"#include {c_string(each)}" for each in sorted(set(headers))),
     ])  # fmt: skip
 
 
@@ -139,7 +139,7 @@ def _configured(node: NodePlan) -> str:
 """ if node.is_stored else ""  # fmt: skip
     return f"""set_clock();
 {storage}if (!initialize()) {{
-  RCLCPP_ERROR(get_logger(), "the initialization of {node.core.function} has failed");
+  RCLCPP_ERROR(get_logger(), {c_format(f"the initialization of {node.core.function} has failed")});
   return CallbackReturn::FAILURE;
 }}
 advertise();

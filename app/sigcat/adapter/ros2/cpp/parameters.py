@@ -6,7 +6,7 @@ from typing import Any
 from sigcat.adapter.ros2.cpp.layout import call, function, literal, scope
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, table
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.adapter.text_filters import AnyText, c_string
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
 AS = {
@@ -46,7 +46,7 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     return found
 
 
-def _described(words: str, constraints: str, levels: int) -> str:
+def _described(words: AnyText, constraints: AnyText, levels: int) -> str:
     """A descriptor, on one line if it fits."""
     arguments = [literal(words, levels + 1), *([literal(constraints, levels + 1)] if constraints else [])]
     return call("described", arguments, ")", levels)

@@ -127,9 +127,7 @@ def _publish(scope: Scope) -> list[Lines]:
 def _types(scope: Scope) -> Iterator[Lines]:
     b, p = bridge_prefix(scope), scope.prefix
     if scope.plan.errors:
-        members = (
-            f"uint8_t state; /* {p}_ErrorState */\nbool is_confirmed;\nuint16_t occurrences;\nuint16_t ignition_cycles;"
-        )
+        members = f"uint8_t state; {block_comment(f'{p}_ErrorState')}\nbool is_confirmed;\nuint16_t occurrences;\nuint16_t ignition_cycles;"
         yield struct(f"{b}_Error", [lines(members)], "What is known of an error.")
     if scope.plan.steps:
         members = "uint32_t missed;\nuint32_t dropped;"
@@ -276,12 +274,12 @@ def _header(scope: Scope) -> Lines:
              */
         """),
         lines(f"#ifndef {guard}\n#define {guard}"),
-        lines(f'#include <stddef.h>\n\n#include "{scope.plan.header_file}"'),
+        lines(f"#include <stddef.h>\n\n#include {c_string(scope.plan.header_file)}"),
         lines('#ifdef __cplusplus\nextern "C" {\n#endif'),
         *_types(scope),
         lines(f"/* An object to work on; NULL: there can be no further one. */\n{_heads(scope, ('New', 'Free'))}"),
         lines(f"/* Copies of what it tells. */\n{_heads(scope, ('Copy',))}"),
-        lines(f"/* What {b} was generated from; sizes of structs, and places and sizes of their members. */\n{_heads(scope, ('Digest', 'Layout'))}"),
+        lines(f"{block_comment(f'What {b} was generated from; sizes of structs, and places and sizes of their members.')}\n{_heads(scope, ('Digest', 'Layout'))}"),
         lines("#ifdef __cplusplus\n}\n#endif"),
         lines(f"#endif {block_comment(guard)}"),
     ])  # fmt: skip
@@ -298,7 +296,7 @@ def _source(scope: Scope) -> Lines:
     is_global = plan.code.signature == GLOBALS
     standard = ["#include <new>"] if plan.code.signature == CLASS else [] if is_global else ["#include <stdlib.h>"]
     whole = spaced([
-        lines(f'#include "{plan.function}_bridge.h"'),
+        lines(f"#include {c_string(f'{plan.function}_bridge.h')}"),
         lines("\n".join([*standard, "#include <string.h>"])),
         lines(f"static bool {b}_IsTaken = false;") if is_global else (),
         *((Line(head), Line("{"), *indented(body), Line("}")) for head, body in _functions(scope)),
