@@ -1,7 +1,7 @@
 """Filters through which values of documents reach generated files: one for each place that a file has for text.
 
 Each takes any text and returns what is harmless in its place: it neither ends there nor begins anything else. Characters that
-nobody sees, or that change the order in which others are read, become their number: `[U+202E]`.
+nobody sees, or that change the order in which others are read, become an escape, or their number: `[U+202E]`.
 """
 
 import json
@@ -12,8 +12,6 @@ from xml.sax.saxutils import escape
 from sigcat.function.document.text import Text
 
 AnyText = Text | str
-_BREAKS = "\n\t"
-"""Characters that strings keep."""
 
 
 def comment(value: AnyText) -> str:
@@ -51,19 +49,19 @@ _NOT_IN_ROS = str.maketrans("[]\\", "()/")
 
 def ros_string(value: AnyText) -> str:
     """A constant of a ROS message that is text."""
-    text = _one_line(value).replace('"', r"\"")
+    text = _one_line(value).replace("\\", "[U+005C]").replace('"', r"\"")
     return f'"{text}"'
 
 
 def c_string(value: AnyText) -> str:
     """A string literal of C and C++. It has no quotation mark inside and begins no comment, so that lines can be broken."""
-    text = "".join(map(_c_character, _visible(value, _BREAKS))).replace("/*", r"/\052")
+    text = "".join(map(_c_character, _storable(value))).replace("/*", r"/\052")
     return f'"{text}"'
 
 
 def c_strings(value: AnyText, width: int) -> list[str]:
     """A string literal of C++, in pieces that are about so wide at most."""
-    text = _visible(value, _BREAKS)
+    text = _storable(value)
     if len(c_string(text)) <= width:
         return [c_string(text)]
     return [c_string(row) for row in textwrap.wrap(text, width - 4, drop_whitespace=False, break_on_hyphens=False)]
@@ -124,12 +122,18 @@ def xml_text(value: AnyText) -> str:
 
 def arxml_text(value: AnyText) -> str:
     """Text that the library for ARXML escapes: without characters that XML cannot have."""
-    return _visible(value, _BREAKS)
+    return _visible(value, "\n\t")
 
 
 def markdown(value: AnyText) -> str:
     """Text of a paragraph or of a cell in Markdown, on one line: it is no markup, also none of HTML."""
-    return re.sub(r"[\\`*_\[\]|#]", r"\\\g<0>", escape(_one_line(value)))
+    text = _MARKUP.sub(r"\\\g<0>", escape(_one_line(value)))
+    return _NUMBERED.sub(r"\1\\", text)
+
+
+_MARKUP = re.compile(r"[\\`*_\[\]|#~]|^[-+](?= |$)|^[-=]+$")
+_NUMBERED = re.compile(r"^(\d+)(?=[.)](?: |$))")
+"""The number of an item of a list."""
 
 
 def markdown_code(value: AnyText) -> str:
@@ -145,7 +149,8 @@ def mermaid_text(value: AnyText) -> str:
 
 def yaml_string(value: AnyText) -> str:
     """A string of YAML in double quotes."""
-    return json.dumps(_visible(value, _BREAKS), ensure_ascii=False)
+    text = json.dumps(_storable(value), ensure_ascii=False)
+    return "".join(each if each.isprintable() else f"\\U{ord(each):08X}" for each in text)
 
 
 def _raw(value: AnyText) -> str:
@@ -154,6 +159,11 @@ def _raw(value: AnyText) -> str:
 
 def _one_line(value: AnyText) -> str:
     return _visible(" ".join(_raw(value).split()))
+
+
+def _storable(value: AnyText) -> str:
+    """The text with numbers of characters instead of those that strings of C and UTF-8 cannot have."""
+    return re.sub("[\0\ud800-\udfff]", _number, _raw(value))
 
 
 def _visible(value: AnyText, kept: str = "") -> str:

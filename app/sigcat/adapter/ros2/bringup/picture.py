@@ -82,16 +82,12 @@ def _bundled(links: Iterator[Link]) -> Sequence[Link]:
 
 
 def _of_topics(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} --- topics{number}["{_lines(link)}"] --> {_all(link.targets, keys)}'
+    return f'  {_all(link.sources, keys)} --- topics{number}["{"<br>".join(map(mermaid_text, link.names))}"] --> {_all(link.targets, keys)}'
 
 
 def _of_services(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} -.- services{number}[["{_lines(link)}"]] -.-> {_all(link.targets, keys)}'
+    return f'  {_all(link.sources, keys)} -.- services{number}[["{"<br>".join(map(mermaid_text, link.names))}"]] -.-> {_all(link.targets, keys)}'
 
 
 def _all(ends: tuple[End, ...], keys: Mapping[End, str]) -> str:
     return " & ".join(keys[end] for end in ends)
-
-
-def _lines(link: Link) -> str:
-    return "<br>".join(map(mermaid_text, link.names))

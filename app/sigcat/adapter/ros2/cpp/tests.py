@@ -112,14 +112,14 @@ def _refused(parameter: NodeParameter) -> str:
 
 def _lock_step(node: NodePlan) -> str:
     cycles = [step.cycle for step in node.steps if step.cycle]
-    return _LOCK_STEP.format(type=node.type, name=node.name, cycle=min(cycles, default=10**7))
+    return _LOCK_STEP.format(type=node.type, service=c_string(f"/{node.name}/step"), cycle=min(cycles, default=10**7))
 
 
 _LOCK_STEP = """TEST_F({type}Test, RunsInLockStep)
 {{
   const auto node = make_node();
   const auto caller = std::make_shared<rclcpp::Node>("caller");
-  const auto client = caller->create_client<srv::Step>("/{name}/step");
+  const auto client = caller->create_client<srv::Step>({service});
   rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
   executor.add_node(node->get_node_base_interface());
   executor.add_node(caller->get_node_base_interface());

@@ -42,15 +42,16 @@ def number(value: object) -> str:
 
 
 def _float(value: float) -> str:
-    return repr(value) if isfinite(value) else f"float('{value}')"
+    return repr(value) if isfinite(value) else f"float({python_string(str(value))})"
 
 
 def docstring(summary: str, more: Sequence[AnyText] = ()) -> Lines:
     """A docstring: on one line if it fits, else with its summary on the second one."""
-    safe = [docstring_text(each) for each in (summary, *more)]
-    if not more and len(safe[0]) <= WIDEST - 14:
-        return (Line(f'"""{safe[0]}"""'),)
-    parts = [tuple(Line(row) for row in textwrap.wrap(each, WIDEST - 8, break_long_words=False)) for each in safe]
+    safe = docstring_text(summary)
+    if not more and len(safe) <= WIDEST - 14:
+        return (Line(f'"""{safe}"""'),)
+    texts = (safe, *map(docstring_text, more))
+    parts = [tuple(Line(row) for row in textwrap.wrap(each, WIDEST - 8, break_long_words=False)) for each in texts]
     rows = joined((*part, Line("")) for part in parts)[:-1]
     return (Line('"""'), *rows, Line('"""'))
 
