@@ -5,7 +5,6 @@ import io
 import json
 import re
 import tokenize
-from collections.abc import Callable
 from xml.parsers import expat
 
 import pytest
@@ -27,8 +26,7 @@ HOSTILE = (
 VISIBLE = re.compile(r"[^\n\t\0-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]*")
 
 
-def hostile(test: Callable[..., None]) -> Callable[..., None]:
-    return pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text)[:30])(test)
+hostile = pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text)[:30])
 
 
 def kinds(code: str, name: str) -> list[TokenKind]:

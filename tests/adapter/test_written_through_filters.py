@@ -87,7 +87,7 @@ def _joined(node: ast.JoinedStr) -> Iterator[Part]:
     for each in node.values:
         if isinstance(each, ast.FormattedValue):
             spec = "".join(
-                part.value for part in getattr(each.format_spec, "values", ()) if isinstance(part, ast.Constant)
+                str(part.value) for part in getattr(each.format_spec, "values", ()) if isinstance(part, ast.Constant)
             )
             yield Part("", each.value, bool(NUMBERS.fullmatch(spec)))
         elif isinstance(each, ast.Constant):
