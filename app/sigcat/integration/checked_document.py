@@ -14,6 +14,7 @@ from sigcat.function.document.read_json import read_json
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.document.unfit_texts import unfit_texts
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.agreement import missing_names
 from sigcat.integration.misspelled import misspelled_keys
 from sigcat.integration.source_functions import SOURCE_FUNCTIONS, errors_of_function
 from sigcat.limits import Limits
@@ -74,3 +75,5 @@ class DocumentKind(Generic[M]):
                 yield document.finding(self.rule, each.pointer, each.message, each.fix)
         for index in range(len(functions)):
             yield from errors_of_function(document, index)
+        for missing in missing_names(model, functions) if functions else ():
+            yield document.finding(self.rule, *missing)

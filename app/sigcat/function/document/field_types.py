@@ -26,6 +26,14 @@ class Grammar:
     fix: str = ""
 
 
+@dataclass(frozen=True)
+class Refers:
+    """The string is the name of something that a function of the document has."""
+
+    to: str
+    """What it is, in messages: `call`."""
+
+
 def _matching(expected: str, pattern: str, fix: str = "", longest: int = 500) -> Grammar:
     form = re.compile(pattern)
     return Grammar(expected, lambda text: len(text) <= longest and form.fullmatch(text) is not None, fix)
@@ -85,6 +93,14 @@ NAME = _matching(
 )
 Name = Annotated[str, NAME]
 """A name from which names for languages are made by rule."""
+FunctionName = Annotated[str, NAME, Refers("function")]
+ComponentName = Annotated[str, NAME, Refers("component")]
+CallName = Annotated[str, NAME, Refers("call")]
+MethodName = Annotated[str, NAME, Refers("method")]
+ParameterName = Annotated[str, NAME, Refers("parameter")]
+ErrorName = Annotated[str, NAME, Refers("error")]
+InterfaceName = Annotated[str, NAME, Refers("interface")]
+"""Names that an Integration JSON takes from the functions that it carries."""
 WORDS = Grammar(
     "words without the signs \" ' \\ ` $ # ; < > & { } @, comments and invisible characters",
     lambda text: len(text) <= 1_000 and is_inert(text),

@@ -1,4 +1,4 @@
-"""Strings of a document that the types of their fields refuse."""
+"""The strings of a document with the types of their fields, and those that their types refuse."""
 
 from collections.abc import Collection, Iterator
 from functools import cache
@@ -9,7 +9,7 @@ from pydantic.fields import FieldInfo
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import expression_of
-from sigcat.function.document.field_types import C_EXPRESSION, Grammar
+from sigcat.function.document.field_types import C_EXPRESSION, Grammar, Refers
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.names import did_you_mean
 
@@ -24,32 +24,80 @@ class Unfit(NamedTuple):
 
 
 class StringField(NamedTuple):
-    """A field, and the types of the strings in it and of the keys of its mappings."""
+    """A field, the types of the strings in it and of the keys of its mappings, and what the strings name."""
 
     name: str
     alias: str
     values: Grammar | None
     keys: Grammar | None
+    refers: Refers | None
 
 
-def unfit_texts(model: BaseModel, accessors: Collection[str] = (), pointer: Pointer = ()) -> Iterator[Unfit]:
+class TypedString(NamedTuple):
+    """A string of a document, with its type."""
+
+    pointer: Pointer
+    text: str
+    grammar: Grammar
+
+
+def unfit_texts(model: BaseModel, accessors: Collection[str] = ()) -> Iterator[Unfit]:
     """Every string of a model, and of all models in it, that its type refuses.
 
     `accessors` are the functions that expressions may call.
     """
+    for pointer, text, grammar in typed_strings(model):
+        if not grammar.accepts(text):
+            message = f"{titled(pointer)} must be {grammar.expected}, not {in_yaml(text)}."
+            yield Unfit(pointer, message, grammar.fix, grammar)
+        elif grammar is C_EXPRESSION:
+            yield from _unknown_calls(pointer, text, accessors)
+
+
+def _unknown_calls(pointer: Pointer, text: str, accessors: Collection[str]) -> Iterator[Unfit]:
+    read = expression_of(text)
+    for name in read.calls if read else ():
+        if name not in accessors:
+            message = f"{titled(pointer)} must call an accessor of the code, not {name!r}."
+            fix = did_you_mean(name, accessors) or f"List {name!r} under `accessors` of `code`."
+            yield Unfit(pointer, message, fix, C_EXPRESSION)
+
+
+def typed_strings(model: BaseModel, pointer: Pointer = ()) -> Iterator[TypedString]:
+    """Every string of a model and of all models in it, but for free text."""
     for field in string_fields(type(model)):
-        yield from _in_value(getattr(model, field.name), field, accessors, (*pointer, field.alias))
+        yield from _in_value(getattr(model, field.name), field, (*pointer, field.alias))
+
+
+def _in_value(value: Any, field: StringField, at: Pointer) -> Iterator[TypedString]:
+    if isinstance(value, BaseModel):
+        yield from typed_strings(value, at)
+    elif isinstance(value, str):
+        if field.values is not None:
+            yield TypedString(at, value, field.values)
+    elif isinstance(value, tuple | list):
+        for index, item in enumerate(value):
+            yield from _in_value(item, field, (*at, index))
+    elif isinstance(value, dict):
+        for key, item in value.items():
+            if field.keys is not None:
+                yield TypedString((*at, key), key, field.keys)
+            yield from _in_value(item, field, (*at, key))
 
 
 @cache
 def string_fields(model: type[BaseModel]) -> tuple[StringField, ...]:
     """The fields of a model with the types of their strings."""
     return tuple(
-        StringField(
-            name, info.alias or name, _grammar(annotation_of(info)), _grammar(annotation_of(info), of_keys=True)
-        )
-        for name, info in model.model_fields.items()
+        _string_field(name, info.alias or name, annotation_of(info)) for name, info in model.model_fields.items()
     )
+
+
+def _string_field(name: str, alias: str, annotation: Any) -> StringField:
+    grammars = list(_found(annotation, Grammar))
+    keys = list(_found(annotation, Grammar, of_keys=True))
+    refers = next(_found(annotation, Refers), None)
+    return StringField(name, alias, next(iter(grammars), None), next(iter(keys), None), refers)
 
 
 def annotation_of(info: FieldInfo) -> Any:
@@ -57,48 +105,20 @@ def annotation_of(info: FieldInfo) -> Any:
     return Annotated[info.annotation, *info.metadata] if info.metadata else info.annotation
 
 
-def _grammar(annotation: Any, *, of_keys: bool = False) -> Grammar | None:
-    """The first grammar in an annotation: of strings, or of the keys of a mapping."""
+def _found(annotation: Any, kind: type[Any], *, of_keys: bool = False) -> Iterator[Any]:
+    """What an annotation says of this kind: of its strings, or of the keys of its mappings."""
     parts = get_args(annotation)
     if get_origin(annotation) is dict:
-        return _grammar(parts[0] if of_keys else parts[1])
-    if of_keys and get_origin(annotation) is None:
-        return None
-    for part in parts:
-        found = part if isinstance(part, Grammar) and not of_keys else _grammar(part, of_keys=of_keys)
-        if found is not None:
-            return found
-    return None
-
-
-def _in_value(value: Any, field: StringField, accessors: Collection[str], at: Pointer) -> Iterator[Unfit]:
-    if isinstance(value, BaseModel):
-        yield from unfit_texts(value, accessors, at)
-    elif isinstance(value, str):
-        yield from _in_string(value, field.values, accessors, at)
-    elif isinstance(value, tuple | list):
-        for index, item in enumerate(value):
-            yield from _in_value(item, field, accessors, (*at, index))
-    elif isinstance(value, dict):
-        for key, item in value.items():
-            yield from _in_string(key, field.keys, (), (*at, key)) if isinstance(key, str) else ()
-            yield from _in_value(item, field, accessors, (*at, key))
-
-
-def _in_string(text: str, grammar: Grammar | None, accessors: Collection[str], at: Pointer) -> Iterator[Unfit]:
-    if grammar is None:
+        yield from _found(parts[0 if of_keys else 1], kind)
         return
-    if not grammar.accepts(text):
-        yield Unfit(at, f"{_titled(at)} must be {grammar.expected}, not {in_yaml(text)}.", grammar.fix, grammar)
-    elif grammar is C_EXPRESSION:
-        read = expression_of(text)
-        for name in read.calls if read else ():
-            if name not in accessors:
-                message = f"{_titled(at)} must call an accessor of the code, not {name!r}."
-                fix = did_you_mean(name, accessors) or f"List {name!r} under `accessors` of `code`."
-                yield Unfit(at, message, fix, grammar)
+    for part in parts:
+        if isinstance(part, kind):
+            yield from () if of_keys else (part,)
+        else:
+            yield from _found(part, kind, of_keys=of_keys)
 
 
-def _titled(at: Pointer) -> str:
-    key = next(part for part in reversed(at) if isinstance(part, str))
-    return f"`{key[:60]}`" if isinstance(at[-1], str) else f"An entry of `{key[:60]}`"
+def titled(pointer: Pointer) -> str:
+    """What a field is called in messages."""
+    key = next(part for part in reversed(pointer) if isinstance(part, str))
+    return f"`{key[:60]}`" if isinstance(pointer[-1], str) else f"An entry of `{key[:60]}`"

@@ -4,7 +4,17 @@ from typing import TypeVar
 
 from pydantic import BaseModel
 
-from sigcat.function.document.field_types import CIdentifier, Definer, JsonValue, Name, NumberText
+from sigcat.function.document.field_types import (
+    CallName,
+    CIdentifier,
+    ComponentName,
+    Definer,
+    ErrorName,
+    FunctionName,
+    JsonValue,
+    Name,
+    NumberText,
+)
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
@@ -25,7 +35,7 @@ class CallCode(WireModel):
         "PostProcessing", "C functions that run after it.", strict=False
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
-    overrun_error: Name | None = own("OverrunError", "Error interface that is set when activations were missed.")
+    overrun_error: ErrorName | None = own("OverrunError", "Error interface that is set when activations were missed.")
 
 
 class ParameterCode(WireModel):
@@ -37,16 +47,16 @@ class ParameterCode(WireModel):
     members: tuple[Member, ...] | None = own("Members", "Members of the struct in C.", strict=False)
     key: Name | None = own("Key", "Key under which the value is stored.")
     storage: Name | None = own("Storage", "Key-value storage that holds it.")
-    range_error: Name | None = own("RangeError", "Error interface that is set while the value is out of range.")
+    range_error: ErrorName | None = own("RangeError", "Error interface that is set while the value is out of range.")
     init_elements: JsonValue | None = own("InitElements", "Value of an array or struct at start-up, as JSON.")
 
 
 class MethodUse(WireModel):
     """One call's side of a method."""
 
-    function: Name = described("Function", "Name of the function.", source=OWN)
-    component: Name = described("Component", "Name of the component.", source=OWN)
-    call: Name = described("Call", "Name of the call.", source=OWN)
+    function: FunctionName = described("Function", "Name of the function.", source=OWN)
+    component: ComponentName = described("Component", "Name of the component.", source=OWN)
+    call: CallName = described("Call", "Name of the call.", source=OWN)
     method: MethodInterface = described("Method", "The method as it is in Function JSON.", source=OWN)
 
 

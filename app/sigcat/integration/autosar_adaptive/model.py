@@ -12,9 +12,12 @@ from sigcat.function.document.field_types import (
     DATE,
     NAME,
     VERSION,
+    CallName,
     Carried,
     CDefinition,
     CExpression,
+    ComponentName,
+    FunctionName,
     Name,
     NumberText,
     Quantity,
@@ -80,18 +83,18 @@ class FunctionInformation(WireModel):
     name: Name = published("FunctionName", "Name of the application.")
     responsible: Text = published("Responsible", "Who answers for it.")
     description: Text = published("Description", "What it does.")
-    functions: tuple[Name, ...] | None = own("Functions", "Names of the functions.", strict=False)
+    functions: tuple[FunctionName, ...] | None = own("Functions", "Names of the functions.", strict=False)
 
 
 class Call(WireModel):
     """A call of a function: init, a step, terminate."""
 
-    name: Name = published("Name", "Name of the call.")
+    name: CallName = published("Name", "Name of the call.")
     modes: tuple[Name, ...] = published("Modes", "Function group modes in which it runs.", strict=False)
     run_type: Name = published("RunType", "Init, Cyclic or Terminate.")
     cycle_time: Number | None = published("CycleTime", "Time from one call to the next.", unit="ms")
     scheduling: Name | None = published("Scheduling", "Preemptive or Non-preemptive.")
-    function: Name | None = own("Function", "Name of the function that it belongs to.")
+    function: FunctionName | None = own("Function", "Name of the function that it belongs to.")
     description: Text | None = own("Description", "What the call does.")
     trigger: Name | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
     events: Name | None = own("EventList", "Events that trigger the call.")
@@ -198,8 +201,8 @@ class ParameterEntry(WireModel):
     range_error_action: Name | None = published("RangeErrorAction", "What replaces a value out of range.")
     interface_type: Name = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
     attribute: Name = published("Attribute", "NA, Normal or LearningParameter.")
-    function: Name | None = own("Function", "Name of the function.")
-    calls: tuple[Name, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
+    function: FunctionName | None = own("Function", "Name of the function.")
+    calls: tuple[CallName, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
     asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
     code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
@@ -219,9 +222,9 @@ class ParameterEntry(WireModel):
 class Use(WireModel):
     """One call's side of an event: the interface of the function, and the datatype of its code."""
 
-    function: Name = always("Function", "Name of the function.")
-    component: Name = always("Component", "Name of the component.")
-    call: Name = always("Call", "Name of the call.")
+    function: FunctionName = always("Function", "Name of the function.")
+    component: ComponentName = always("Component", "Name of the component.")
+    call: CallName = always("Call", "Name of the call.")
     code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     code_symbols: tuple[Symbol, ...] | None = own(
         "CodeSymbols", "Numbers of an enumeration in the code, where others are sent.", strict=False
@@ -349,10 +352,10 @@ class ServiceInterface(WireModel):
 class FunctionMode(WireModel):
     """A mode of a function and what runs in it."""
 
-    function: Name = always("Function", "Name of the function.")
+    function: FunctionName = always("Function", "Name of the function.")
     name: Name = always("Name", "Name of the mode.")
     description: Text | None = own("Description", "What the mode means.")
-    calls: tuple[Name, ...] | None = own("Calls", "Calls that run in it.", strict=False)
+    calls: tuple[CallName, ...] | None = own("Calls", "Calls that run in it.", strict=False)
 
 
 class ProcessInstance(WireModel):
@@ -381,7 +384,7 @@ class Component(WireModel):
     calls: tuple[Call, ...] = published("FunctionList", "Calls.", strict=False)
     parameters: tuple[ParameterEntry, ...] | None = published("ParameterList", "Parameters.", strict=False)
     services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
-    function: Name | None = own("Function", "Name of the function.")
+    function: FunctionName | None = own("Function", "Name of the function.")
     version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")

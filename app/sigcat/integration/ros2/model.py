@@ -8,11 +8,18 @@ from typing import Any, Literal
 
 from sigcat.function.document.field_types import (
     AnyValue,
+    CallName,
     CDefinition,
     CExpression,
+    ComponentName,
     Email,
+    ErrorName,
+    FunctionName,
+    InterfaceName,
+    MethodName,
     Name,
     NumberText,
+    ParameterName,
     RosConstant,
     RosDatatype,
     RosInterface,
@@ -67,7 +74,7 @@ class Conversion(WireModel):
 class FieldMapping(WireModel):
     """Everything that the adapter has to know about one field of a topic."""
 
-    signal: Name = described("Signal", "Name of the signal in the function.", source=OWN)
+    signal: InterfaceName = described("Signal", "Name of the signal in the function.", source=OWN)
     field: RosName = described("Field", "Field of the message.", source=OWN)
     number_field: RosName | None = described(
         "NumberField", "Field that has the number of an enumeration, beside its text. A publisher fills both.",
@@ -91,7 +98,7 @@ class FieldMapping(WireModel):
     init_value: Number | None = described("InitValue", "Value before the first one.", default=None, source=OWN)
     range_error_action: Name | None = described("RangeErrorAction", "Default or Init.", default=None, source=OWN)
     timeout: Number | None = described("Timeout", "Longest age of a value.", default=None, unit="ms", source=OWN)
-    timeout_error: Name | None = described("TimeoutError", "Error that it sets.", default=None, source=OWN)
+    timeout_error: ErrorName | None = described("TimeoutError", "Error that it sets.", default=None, source=OWN)
     access: Name | None = described("Access", "Immediate or Buffered.", default=None, source=OWN)
     queue_length: Integer | None = described("QueueLength", "Values to queue.", default=None, source=OWN)
     external_provider: Words | None = described(
@@ -155,7 +162,7 @@ class RosTopic(WireModel):
     node: RosName | None = described(
         "NodeName", "Node that has the publisher or subscription.", default=None, source=OWN
     )
-    providers: tuple[Name, ...] | None = described(
+    providers: tuple[FunctionName, ...] | None = described(
         "Providers", "Functions of the set that publish it; empty if it comes from outside.", default=None, source=OWN,
         strict=False,
     )  # fmt: skip
@@ -177,7 +184,7 @@ class RosService(WireModel):
     """A service that a call offers or uses."""
 
     name: RosTopicName = described("ServiceName", "Name of the service.", source=OWN)
-    method: Name = described("MethodName", "Name of the method in the function.", source=OWN)
+    method: MethodName = described("MethodName", "Name of the method in the function.", source=OWN)
     role: Name = described("Role", "Server or Client.", source=OWN)
     service: RosInterface = described("ServiceType", "Package, `srv` and service.", source=OWN)
     node: RosName = described("NodeName", "Node that has the server or client.", source=OWN)
@@ -191,7 +198,7 @@ class RosService(WireModel):
 class Communication(WireModel):
     """What one call exchanges with others."""
 
-    runnable: Name = described("RunnableName", "Name of the call.", source=ROS2)
+    runnable: CallName = described("RunnableName", "Name of the call.", source=ROS2)
     topics: tuple[RosTopic, ...] = described("ROSTopicList", "Topics of the call.", source=ROS2, strict=False)
     services: tuple[RosService, ...] | None = described(
         "ROSServiceList", "Services of the call.", default=None, source=OWN, strict=False
@@ -241,15 +248,15 @@ class Transition(WireModel):
     callback: RosName = described("Callback", "Callback of the lifecycle node.", source=OWN)
     start: Name = described("From", "State or states before.", source=OWN)
     end: Name = described("To", "State after.", source=OWN)
-    runnables: tuple[Name, ...] = described("Runnables", "Calls that are made, in order.", source=OWN, strict=False)
-    starts: tuple[Name, ...] = described("Starts", "Calls whose timer or trigger starts.", source=OWN, strict=False)
-    stops: tuple[Name, ...] = described("Stops", "Calls whose timer or trigger stops.", source=OWN, strict=False)
+    runnables: tuple[CallName, ...] = described("Runnables", "Calls that are made, in order.", source=OWN, strict=False)
+    starts: tuple[CallName, ...] = described("Starts", "Calls whose timer or trigger starts.", source=OWN, strict=False)
+    stops: tuple[CallName, ...] = described("Stops", "Calls whose timer or trigger stops.", source=OWN, strict=False)
 
 
 class Schedule(WireModel):
     """When a call runs while the node is active."""
 
-    runnable: Name = described("RunnableName", "Name of the call.", source=OWN)
+    runnable: CallName = described("RunnableName", "Name of the call.", source=OWN)
     trigger: Name = described("Trigger", "Timer or Topics.", source=OWN)
     period: Number | None = described("Period", "Period of the timer.", default=None, unit="ms", source=OWN)
     offset: Number | None = described("Offset", "Delay of the timer's first call.", default=None, unit="ms", source=OWN)
@@ -267,19 +274,19 @@ class Schedule(WireModel):
     alive_min: Number | None = described("AliveMin", "Fewest calls in the reference.", default=None, source=OWN)
     alive_max: Number | None = described("AliveMax", "Most calls in the reference.", default=None, source=OWN)
     alive_reference: Number | None = described("AliveReference", "Cycles counted.", default=None, source=OWN)
-    alive_error: Name | None = described("AliveError", "Error that it sets.", default=None, source=OWN)
+    alive_error: ErrorName | None = described("AliveError", "Error that it sets.", default=None, source=OWN)
     deadline_min: Number | None = described("DeadlineMin", "Shortest duration.", default=None, unit="ms", source=OWN)
     deadline_max: Number | None = described("DeadlineMax", "Longest duration.", default=None, unit="ms", source=OWN)
-    deadline_error: Name | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
+    deadline_error: ErrorName | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
     logical: Text | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
-    logical_error: Name | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
+    logical_error: ErrorName | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
 
 
 class RosParameter(WireModel):
     """A parameter of a node."""
 
     name: RosName = described("Name", "Name of the parameter of the node.", source=OWN)
-    parameter: Name = described("Parameter", "Name in the function.", source=OWN)
+    parameter: ParameterName = described("Parameter", "Name in the function.", source=OWN)
     type: Name = described("Type", "bool, integer, double or string, or an array of them.", source=OWN)
     description: Text = described("Description", "What it means.", source=OWN)
     default: AnyValue = described(
@@ -306,7 +313,7 @@ class Diagnostic(WireModel):
     """A diagnostic status that stands for an error."""
 
     name: Name = described("Name", "Name of the status: node and error interface.", source=OWN)
-    error: Name = described("Error", "Error interface.", source=OWN)
+    error: ErrorName = described("Error", "Error interface.", source=OWN)
     message: Text = described("Message", "Text of the status while the error is present.", source=OWN)
     level: Name = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
     severity: Words = described("Severity", "What the error leads to.", source=OWN)
@@ -328,7 +335,7 @@ class Diagnostic(WireModel):
 class ConditionMonitor(WireModel):
     """A safety condition: present while one of these statuses is FAILED, or while its provider says so."""
 
-    condition: Name = described("SafetyReaction", "Name of the interface.", source=OWN)
+    condition: InterfaceName = described("SafetyReaction", "Name of the interface.", source=OWN)
     description: Text = described("Description", "What the condition means.", source=OWN)
     topic: RosTopicName = described("TopicName", "Topic on which the node tells it.", source=OWN)
     statuses: tuple[Name, ...] = described(
@@ -344,7 +351,7 @@ class ConditionMonitor(WireModel):
 class StatusTopic(WireModel):
     """The topic of a mode, an error or a safety reaction."""
 
-    interface: Name = described("InterfaceName", "Name of the interface.", source=OWN)
+    interface: InterfaceName = described("InterfaceName", "Name of the interface.", source=OWN)
     topic: RosTopicName = described("TopicName", "Name of the topic.", source=OWN)
     role: Name = described("Role", "Publisher or Subscription.", source=OWN)
     message: RosInterface = described("MessageType", "Package, `msg` and message.", source=OWN)
@@ -362,8 +369,8 @@ class RosNode(WireModel):
 
     name: RosName = described("NodeName", "Name of the node.", source=OWN)
     namespace: RosNamespace = described("Namespace", "Its namespace.", source=OWN)
-    function: Name = described("FunctionName", "Function that it belongs to.", source=OWN)
-    component: Name = described("ComponentName", "Component that it runs.", source=OWN)
+    function: FunctionName = described("FunctionName", "Function that it belongs to.", source=OWN)
+    component: ComponentName = described("ComponentName", "Component that it runs.", source=OWN)
     executable: RosName = described("Executable", "Executable that runs this node alone.", source=OWN)
     plugin: RosPlugin = described("Plugin", "Class of the node, as a component container loads it.", source=OWN)
     transitions: tuple[Transition, ...] = described("Lifecycle", "Transitions.", source=OWN, strict=False)

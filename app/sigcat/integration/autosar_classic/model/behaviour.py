@@ -2,7 +2,15 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import CIdentifier, Name, ShortName, SourceFile
+from sigcat.function.document.field_types import (
+    CallName,
+    CIdentifier,
+    MethodName,
+    Name,
+    ParameterName,
+    ShortName,
+    SourceFile,
+)
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -46,8 +54,8 @@ class Runnable(WireModel):
     role: Literal["Init", "Step", "Method", "Receive", "Supervise", "JudgeWindows", "Answer", "Terminate"] = always(
         "Role", "What it does with the core."
     )
-    call: Name | None = own("Call", "Call of the function that it runs; absent where it runs none.")
-    method: Name | None = own("Method", "Method of the function that it offers, or whose answer it takes.")
+    call: CallName | None = own("Call", "Call of the function that it runs; absent where it runs none.")
+    method: MethodName | None = own("Method", "Method of the function that it offers, or whose answer it takes.")
     description: Text | None = own("Description", "What it does.")
     concurrent: bool = always("CanBeInvokedConcurrently", "Whether it may run twice at the same time.")
     minimum_start_interval: Number = always("MinimumStartInterval", "Shortest time between two starts.", unit="s")
@@ -103,7 +111,7 @@ class InternalParameter(WireModel):
     name: ShortName = always("Name", "Name of the parameter, as in Rte_CData_<name>.")
     type: ShortName = always("Type", "Name of its application type.")
     init: object = own("InitValue", "Its value.")
-    uses: tuple[Name, ...] = always("Uses", "Names of the parameters of the function behind it.", strict=False)
+    uses: tuple[ParameterName, ...] = always("Uses", "Names of the parameters of the function behind it.", strict=False)
 
 
 class MemorySection(WireModel):

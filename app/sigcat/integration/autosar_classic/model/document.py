@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from sigcat.function.document.field_types import DATE, VERSION, Carried, Name, ShortName, Version
+from sigcat.function.document.field_types import DATE, VERSION, Carried, FunctionName, Name, ShortName, Version
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
@@ -54,7 +54,7 @@ class ApplicationInformation(WireModel):
     name: Name = always("Name", "Name of the application.")
     responsible: Text = always("Responsible", "Who answers for it.")
     description: Text = always("Description", "What it does.")
-    functions: tuple[Name, ...] = always("Functions", "Names of the functions.", strict=False)
+    functions: tuple[FunctionName, ...] = always("Functions", "Names of the functions.", strict=False)
 
 
 class Component(WireModel):
@@ -62,7 +62,7 @@ class Component(WireModel):
 
     name: ShortName = always("Name", "Name of the component type.")
     kind: Literal["Application"] = always("Kind", "Application.")
-    function: Name = always("Function", "Name of the function.")
+    function: FunctionName = always("Function", "Name of the function.")
     version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
     ports: tuple[Port, ...] = always("Ports", "Ports, by name.", strict=False)

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import Name, ShortName, Words
+from sigcat.function.document.field_types import CallName, ErrorName, Name, ParameterName, ShortName, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -14,8 +14,10 @@ class NvBlock(WireModel):
     name: ShortName = always("Name", "Name of the need.")
     memory: ShortName = always("PerInstanceMemory", "Memory of the component that is its RAM block.")
     port: ShortName = always("Port", "Service port through which its state is asked and set.")
-    parameters: tuple[Name, ...] = always("Parameters", "Parameters whose values are kept in it.", strict=False)
-    errors: tuple[Name, ...] = always("Errors", "Errors whose counts are kept in it.", strict=False)
+    parameters: tuple[ParameterName, ...] = always(
+        "Parameters", "Parameters whose values are kept in it.", strict=False
+    )
+    errors: tuple[ErrorName, ...] = always("Errors", "Errors whose counts are kept in it.", strict=False)
     reliability: Literal["NO-PROTECTION", "ERROR-DETECTION", "ERROR-CORRECTION"] = always(
         "Reliability", "How it is protected: a checksum, and a second copy above QM."
     )
@@ -28,7 +30,7 @@ class DiagnosticEvent(WireModel):
     """An event of the diagnostic event manager: an error of the function."""
 
     name: ShortName = always("Name", "Name of the need.")
-    error: Name = always("Error", "Name of the error interface.")
+    error: ErrorName = always("Error", "Name of the error interface.")
     port: ShortName = always("Port", "Service port through which its status is set.")
     debouncing: Literal["MonitorInternal"] = always("Debouncing", "MonitorInternal: the core has matured it.")
     description: Text | None = own("Description", "What the error stands for.")
@@ -43,7 +45,7 @@ class Inhibition(WireModel):
 
     name: ShortName = always("Name", "Name of the function identifier.")
     condition: Name = always("Condition", "Safety condition that it stands for.")
-    events: tuple[Name, ...] = always(
+    events: tuple[ErrorName, ...] = always(
         "Events", "Errors, each of which takes the permission away while it is failed.", strict=False
     )
     mask: Literal["LAST_FAILED"] = always("Mask", "LAST_FAILED: while the last test has failed.")
@@ -57,7 +59,7 @@ class AliveSupervision(WireModel):
     min_margin: Integer = always("MinMargin", "Indications that may be missing.")
     max_margin: Integer = always("MaxMargin", "Indications that may be too many.")
     reference_cycle: Number = always("ReferenceCycle", "Time in which indications are counted.", unit="s")
-    error: Name = always("Error", "Error that the core sets when a limit is broken.")
+    error: ErrorName = always("Error", "Error that the core sets when a limit is broken.")
 
 
 class DeadlineSupervision(WireModel):
@@ -67,7 +69,7 @@ class DeadlineSupervision(WireModel):
     end: ShortName = always("End", "Checkpoint at which it ends.")
     min: Number = always("Min", "Shortest time.", unit="s")
     max: Number = always("Max", "Longest time.", unit="s")
-    error: Name = always("Error", "Error that the core sets when a limit is broken.")
+    error: ErrorName = always("Error", "Error that the core sets when a limit is broken.")
 
 
 class LogicalTransition(WireModel):
@@ -83,7 +85,7 @@ class Checkpoint(WireModel):
     name: ShortName = always("Name", "Name of the checkpoint.")
     number: Integer = always("Number", "Its number.")
     port: ShortName = always("Port", "Service port through which it is reported.")
-    call: Name = always("Call", "Call that reports it.")
+    call: CallName = always("Call", "Call that reports it.")
     moment: Literal["Begin", "End"] = always("Moment", "When: before the call, or after it.")
     initial: bool | None = own("Initial", "Whether a sequence begins with it.")
     final: bool | None = own("Final", "Whether a sequence may end with it.")

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import AnyValue, Name, ShortName
+from sigcat.function.document.field_types import AnyValue, CallName, FunctionName, InterfaceName, Name, ShortName
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -12,12 +12,12 @@ from sigcat.integration.autosar_classic.model.interfaces import Kind
 class Use(WireModel):
     """An interface of the function that stands behind an element of a port."""
 
-    interface: Name = always("Interface", "Name of the interface in the function.")
+    interface: InterfaceName = always("Interface", "Name of the interface in the function.")
     kind: Literal["signal", "queue", "method", "parameter", "error", "safety reaction", "mode"] = always(
         "Kind", "Which of its lists it is in."
     )
-    function: Name = always("Function", "Name of the function that has the port.")
-    call: Name | None = own("Call", "Call that has it; absent for modes.")
+    function: FunctionName = always("Function", "Name of the function that has the port.")
+    call: CallName | None = own("Call", "Call that has it; absent for modes.")
     timeout: Number | None = own("Timeout", "Longest age of a value: the core judges it, not COM.", unit="ms")
 
 
