@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.function.checks.expression import may_hold_value, root_of
+from sigcat.function.document.expression import may_hold_value, root_of
 from sigcat.function.function_file import check_function
 from tests.function.shipped import interfaces
 
@@ -88,7 +88,7 @@ def test_a_function_that_is_renamed_beside_its_overlay_is_one_finding():
 @pytest.mark.parametrize(
     "text",
     ["in.speed", "in->speed", "x[3]", "(*p).x", "*p", "&x", "f(x)", "f()", "x[i+1]", "((const Bus *)in)->values[3].speed",
-     "(unsigned char)x", "(*f)(a, b)->c", "x[0x1F]", "x[-1]", "*(p + 3)", " a.b "],
+     "(unsigned char)x", "x[0x1F]", "x[-1]", " a.b ", "f(1, x)->c", "x[i][j.k + 1]", "(struct Bus *)p"],
 )  # fmt: skip
 def test_expressions_that_hold_a_value_are_taken(text):
     assert may_hold_value(text)
@@ -97,7 +97,8 @@ def test_expressions_that_hold_a_value_are_taken(text):
 @pytest.mark.parametrize(
     "text",
     ["a b", "a +", "1x", "3", "a..b", "a.", "->a", "a;b", "a = b", "x == 1", "'x'", '"abc"', "a,b", "a-b", "a * b", "int",
-     "return", "struct s", "in.3x", "x[", "x]", "(x]", "x[a b]", "a@b", "x++", "a/*x*/b", "-", "ä", " ", "[" * 5000],
+     "return", "struct s", "in.3x", "x[", "x]", "(x]", "x[a b]", "a@b", "x++", "a/*x*/b", "-", "ä", " ", "[" * 5000, "(" * 900, "(*f)(a, b)->c", "*(p + 3)", "f(g(x))", "f(a.b)", "f(x",
+     "x[f]()", "a\n.b", "a ? b : c", "x[y = 1]", "sizeof(x)", "typeof(x)", "(x, y)", "x[1 << 2]", "a.f()"],
 )  # fmt: skip
 def test_what_names_no_value_in_c_is_refused(text):
     assert not may_hold_value(text)

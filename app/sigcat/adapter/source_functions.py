@@ -5,7 +5,6 @@ from functools import cache
 
 from sigcat.errors import InputRefused
 from sigcat.findings import RuleCode
-from sigcat.function.checks.types import check_types
 from sigcat.function.document.document import Document, Pointer, Position
 from sigcat.function.document.read_json import read_json
 from sigcat.function.function_json.model import FunctionJson
@@ -17,10 +16,10 @@ from sigcat.limits import Limits
 def source_functions(
     functions: Sequence[FunctionJson] | None, data: bytes, name: str, limits: Limits, rule: RuleCode, platform: str
 ) -> tuple[ResolvedFunction, ...]:
-    """The functions of a document. Raises InputRefused if there are none, or they use datatypes that they do not have."""
+    """The functions of a document that was read and checked. Raises InputRefused if there are none."""
     if not functions:
         message = f"`{SOURCE_FUNCTIONS}` must have the functions that were integrated."
-        fix = f"Write the document anew with `sigcat integrate {platform}`."
+        fix = f"Write the document again with `sigcat integrate {platform}`."
         finding = rule.finding(message, name, 1, 1, pointer=f"/{SOURCE_FUNCTIONS}", fix=fix)
         raise InputRefused(f"{name} has no functions to generate adapters from.", (finding,))
 
@@ -34,11 +33,4 @@ def source_functions(
 
         return Document(name, "", None, (), position)
 
-    found = tuple(ResolvedFunction(function, of_function(index)) for index, function in enumerate(functions))
-    if findings := tuple(
-        finding._replace(pointer=f"/{SOURCE_FUNCTIONS}/{index}{finding.pointer}")
-        for index, each in enumerate(found)
-        for finding in each.findings(check_types(each.function))
-    ):
-        raise InputRefused(f"{name} has functions that lack datatypes.", findings)
-    return found
+    return tuple(ResolvedFunction(function, of_function(index)) for index, function in enumerate(functions))

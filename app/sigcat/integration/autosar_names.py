@@ -4,15 +4,15 @@ import re
 from collections.abc import Iterable, Mapping
 from hashlib import sha256
 
-from sigcat.integration.reserved_words import CPP_KEYWORDS
 from sigcat.names import camel_case
+from sigcat.reserved_words import is_reserved
 
 LONGEST_SHORT_NAME = 128
 """Characters of an AUTOSAR short name."""
 
 
 def short_name(text: str) -> str:
-    """An AUTOSAR short name: letters, digits and underscores, a letter first, 128 characters at most, no word of C++.
+    """An AUTOSAR short name: letters, digits and underscores, a letter first, 128 characters at most, not a reserved word.
 
     A name that is cut, or that has nothing left, ends in a digest of the whole, so that two long names stay two.
     """
@@ -21,7 +21,7 @@ def short_name(text: str) -> str:
         return f"N_{_digest(text)}"
     if not ("A" <= name[0] <= "Z" or "a" <= name[0] <= "z"):
         name = f"N_{name.lstrip('_')}"
-    if name in CPP_KEYWORDS:
+    if is_reserved(name):
         return f"{name}_Value"
     return name if len(name) <= LONGEST_SHORT_NAME else f"{name[: LONGEST_SHORT_NAME - 9]}_{_digest(text)}"
 

@@ -1,6 +1,6 @@
 """Integration JSON from anywhere, of whichever platform: the model, or everything that is wrong with it."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeVar
 
@@ -8,10 +8,15 @@ from pydantic import BaseModel, ValidationError
 
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, RuleCode, has_errors
-from sigcat.function.document.document import Pointer
+from sigcat.function.checks.unfit import accessors_of
+from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.read_json import read_json
 from sigcat.function.document.structure import structural_findings
+from sigcat.function.document.unfit_texts import unfit_texts
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.agreement import missing_names
 from sigcat.integration.misspelled import misspelled_keys
+from sigcat.integration.source_functions import SOURCE_FUNCTIONS, errors_of_function
 from sigcat.limits import Limits
 
 M = TypeVar("M", bound=BaseModel)
@@ -51,11 +56,24 @@ class DocumentKind(Generic[M]):
             except ValidationError as error:
                 findings = (*findings, *structural_findings(error, document, self.model))
             else:
-                whole = self.completed(model)
-                problems = (document.finding(self.rule, *problem) for problem in self.problems(whole))
-                findings = (*misspelled_keys(document, self.model), *problems)
+                findings = (*misspelled_keys(document, self.model), *self._at_the_door(model, document))
                 if not findings:
-                    return whole
+                    whole = self.completed(model)
+                    findings = tuple(document.finding(self.rule, *problem) for problem in self.problems(whole))
+                    if not findings:
+                        return whole
         raise InputRefused(
             f"{name} must be Integration JSON as `sigcat integrate {self.platform}` writes it.", findings
         )
+
+    def _at_the_door(self, model: M, document: Document) -> Iterator[Finding]:
+        """Strings that are not of the type of their field, and errors of the functions that the document carries."""
+        functions: Sequence[FunctionJson] = getattr(model, "functions", None) or ()
+        accessors = [name for function in functions for name in accessors_of(function)]
+        for each in unfit_texts(model, accessors):
+            if each.pointer[0] != SOURCE_FUNCTIONS:
+                yield document.finding(self.rule, each.pointer, each.message, each.fix)
+        for index in range(len(functions)):
+            yield from errors_of_function(document, index)
+        for missing in missing_names(model, functions) if functions else ():
+            yield document.finding(self.rule, *missing)

@@ -72,7 +72,7 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.ModeOutItem: _MODE,
     code.CodeSection: {key: f"Code: {target}" for key, target in {
         "signature": "Signature", "sources": "Sources", "headers": "Headers", "includeFolders": "IncludeFolders",
-        "definitions": "Macros", "class": "ClassName", "storage": "Storage",
+        "definitions": "Macros", "class": "ClassName", "storage": "Storage", "accessors": "Accessors",
     }.items()},
     code.ObjectItem: {key: f"Code: Objects: {target}" for key, target in {
         "name": "Name", "type": "Type", "member": "Member", "definedBy": "DefinedBy",

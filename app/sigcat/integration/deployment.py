@@ -8,6 +8,7 @@ from pydantic import Field, PrivateAttr
 from sigcat.findings import Finding, RuleCode
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.field_types import VERSION, Name, VssPath, Words
 
 
 class Deployment(DeclarationModel):
@@ -19,16 +20,16 @@ class Deployment(DeclarationModel):
     authority: Text | None = Field(None, description="Organization that the documents belong to.")
     author: Text | None = Field(None, description="Author of the documents.")
     date: dt.date | None = Field(None, description="Date of the documents, as 2025-09-12; the functions' if absent.")
-    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = Field(
+    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] | None = Field(
         None, description="Version of the documents, as 1.2.3."
     )
-    safety_manager: Text | None = Field(
+    safety_manager: Words | None = Field(
         None, description="Who informs functions of safety conditions: the provider of every safety reaction."
     )
-    mode_manager: Text | None = Field(
+    mode_manager: Words | None = Field(
         None, description="Who sends functions their mode: the provider of every mode in."
     )
-    paths: dict[str, Text] = Field(
+    paths: dict[Name, VssPath] = Field(
         {}, description="VSS paths of signals that name none, by `Function.Signal`; for Function JSON from elsewhere."
     )
     _document: Document | None = PrivateAttr(default=None)

@@ -4,10 +4,12 @@ from typing import Any
 
 from pydantic import Field, ValidationError, create_model
 
+from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors, in_order
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
+from sigcat.function.document.unfit_texts import unfit_texts
 from sigcat.integration.deployment import Deployment
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.platforms.table import PLATFORMS
@@ -31,9 +33,16 @@ def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> 
     findings = document.findings
     if not has_errors(findings):
         try:
-            return DEPLOYMENT_FILE.model_validate(document.value).read_from(document)
+            deployment = DEPLOYMENT_FILE.model_validate(document.value).read_from(document)
         except ValidationError as error:
             findings = (*findings, *structural_findings(error, document, DEPLOYMENT_FILE))
+        else:
+            unfit = unfit_texts(deployment)
+            findings = tuple(
+                document.finding(codes.VALUE_UNFIT, each.pointer, each.message, each.fix) for each in unfit
+            )
+            if not findings:
+                return deployment
     raise InputRefused(f"{name} cannot be used as a deployment file.", in_order(findings))
 
 

@@ -162,6 +162,13 @@ def test_a_function_whose_core_would_have_too_long_names_is_told_so_at_its_name(
     assert "K011" not in rules(derive([function(name[:-1], [at("Vehicle.Speed")])]))
 
 
+E2E_ERROR = {
+    "ErrorList": [{
+        "Name": "Demo_E2e_ErrorSts", "Description": "Rejected.", "Datatype": "DT_Bool", "Dependancy": [],
+        "OccurenceCountLimit": 0, "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "None.",
+    }]
+}  # fmt: skip
+
 # -- how values are read ----------------------------------------------------------------------------------------------
 
 
@@ -176,7 +183,7 @@ def test_a_function_whose_core_would_have_too_long_names_is_told_so_at_its_name(
     ],
 )
 def test_the_access_follows_from_what_the_core_must_know(more, kind):
-    (demo,) = derive([function(signals=[at("Vehicle.Speed", **more)])]).model.components
+    (demo,) = derive([function(signals=[at("Vehicle.Speed", **more)], contract=E2E_ERROR)]).model.components
     assert accesses(demo, "Step")["Vehicle_Speed"] == kind
 
 
@@ -202,7 +209,8 @@ def test_a_step_that_waits_for_its_debounce_time_is_looked_for_at_each_tick():
 
 
 def test_a_rejected_message_is_told_by_the_rte():
-    (demo,) = derive([function(signals=[at("Vehicle.Speed", E2eError="Demo_E2e_ErrorSts")])]).model.components
+    signals = [at("Vehicle.Speed", E2eError="Demo_E2e_ErrorSts")]
+    (demo,) = derive([function(signals=signals, contract=E2E_ERROR)]).model.components
     assert port(demo, "Vehicle_Speed").elements[0].transformer_errors
 
 

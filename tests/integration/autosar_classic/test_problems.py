@@ -115,9 +115,9 @@ def two_enumerations(document, prefix=""):
 CHANGES = {
     "two ports of one name": (lambda d: copied(first(d)["Ports"]), "is one already"),
     "two names that differ in case": (lambda d: first(d)["Runnables"][0].update(Name="STEP"), "is one already"),
-    "a name that is no identifier": (lambda d: d["ClassicDeployment"].update(Package="Eco Control"), "identifier of C"),
+    "a name that is no identifier": (lambda d: d["ClassicDeployment"].update(Package="Eco Control"), "short name"),
     "a name that is a word of C++": (lambda d: d["ClassicDeployment"].update(Package="class"), "identifier of C"),
-    "a name that is too long": (lambda d: d["ClassicDeployment"].update(Package="A" * 129), "128 characters"),
+    "a name that is too long": (lambda d: d["ClassicDeployment"].update(Package="A" * 129), "at most 128 characters"),
     "one C function for two runnables": (
         lambda d: first(d)["Runnables"][0].update(Symbol=first(d)["Runnables"][1]["Symbol"]), "function of one runnable",
     ),
@@ -221,14 +221,14 @@ CHANGES = {
     "one name for two numbers": (lambda d: literals(d)[1].update(Symbol=literals(d)[0]["Symbol"]), "name of one value"),
     "one number for two names": (lambda d: literals(d)[1].update(Value=literals(d)[0]["Value"]), "number of one value"),
     "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "no keyword"),
-    "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "identifier of C"),
+    "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "short name"),
     "one name for two enumerations of a component": (two_enumerations, "one number in the code of CoreAcc"),
     "a datatype that is called as a limit": (
         lambda d: copied(d["ImplementationTypes"], Name=f"{ranged(d)}_LowerLimit"), "the RTE calls a limit of",
     ),
     "a value that is called as a limit": (value_called_as_a_limit, "the RTE calls a limit of"),
     "a prefix that is a piece of C": (
-        lambda d: of(d["ImplementationTypes"], enumerated(d)).update(LiteralPrefix="A B"), "identifier of C",
+        lambda d: of(d["ImplementationTypes"], enumerated(d)).update(LiteralPrefix="A B"), "C identifier",
     ),
     "an enumeration of nothing": (lambda d: literals(d).clear(), "must have a value"),
     "a range upside down": (lambda d: d["DataConstraints"][0].update(Min=2, Max=1), "must be 1 or less"),
@@ -243,13 +243,13 @@ CHANGES = {
     ),
     "a function of the RTE": (lambda d: first(d)["Runnables"][0].update(Symbol="Rte_Start"), "of the base software"),
     "a memory with code for a type": (
-        lambda d: first(d)["PerInstanceMemories"][0].update(Type="int; int evil"), "identifier of C",
+        lambda d: first(d)["PerInstanceMemories"][0].update(Type="int; int evil"), "C identifier",
     ),
     "a memory with code for its definition": (
-        lambda d: first(d)["PerInstanceMemories"][0].update(TypeDefinition="int x; typedef int"), "identifier of C",
+        lambda d: first(d)["PerInstanceMemories"][0].update(TypeDefinition="int x; typedef int"), "C identifier",
     ),
     "a memory with code for a header": (
-        lambda d: first(d)["PerInstanceMemories"][0].update(Header='a.h"\n#define A'), "name of a file",
+        lambda d: first(d)["PerInstanceMemories"][0].update(Header='a.h"\n#define A'), "relative file name",
     ),
     "one type for two memories": (
         lambda d: copied(first(d)["PerInstanceMemories"], Name="Other", TypeDefinition="Other"), "must be defined once",
@@ -260,7 +260,7 @@ CHANGES = {
     "two signals for one port": (lambda d: copied(bus_signals(d), SystemSignal="Other"), "must have one signal"),
     "a signal of no length": (lambda d: bus_signals(d)[0].update(Length=0), "1 to 512 bits"),
     "a signal that a float does not fit into": (lambda d: bus_signals(d)[0].update(Length=16), "at least 32 bits"),
-    "a signal that is a piece of C": (lambda d: bus_signals(d)[0].update(SystemSignal="A B"), "identifier of C"),
+    "a signal that is a piece of C": (lambda d: bus_signals(d)[0].update(SystemSignal="A B"), "short name"),
     "one section for code and variables": (
         lambda d: first(d)["MemorySections"][1].update(Name="CODE_ASIL_B"), "must be of kind",
     ),

@@ -4,7 +4,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sigcat.integration.reserved_words import CPP_KEYWORDS, PYTHON_KEYWORDS
 from sigcat.integration.ros2.names import (
     CONSTANT,
     FIELD,
@@ -16,6 +15,7 @@ from sigcat.integration.ros2.names import (
     package_name,
     topic_name,
 )
+from sigcat.reserved_words import CPP_KEYWORDS, PYTHON_KEYWORDS
 
 HOSTILE = st.one_of(
     st.text(max_size=300), st.sampled_from(["*/ #include <x>", '"><script>', "a__b_", "9", "_", "Ä", ""])

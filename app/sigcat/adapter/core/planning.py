@@ -6,8 +6,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple, TypeVar
 
 from sigcat import codes
-from sigcat.function.checks.expression import may_hold_value
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds

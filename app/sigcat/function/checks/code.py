@@ -1,11 +1,11 @@
 """The C code of a function: its files, its objects, the calls in it, and who defines its variables."""
 
-import re
 from collections.abc import Iterator, Mapping
 
 from sigcat import codes
-from sigcat.function.checks.expression import is_identifier, root_of
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.expression import is_identifier, root_of
+from sigcat.function.document.field_types import C_MEMBER, C_TYPE, CPP_CLASS
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject, is_inside
 from sigcat.function.function_json.datatype import Datatype
@@ -17,9 +17,6 @@ from sigcat.names import did_you_mean, either
 
 Problems = Iterator[Problem]
 
-_CLASS = re.compile(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*", re.ASCII)
-_TYPE = re.compile(r"(const +)?((struct|union|enum) +)?[A-Za-z_]\w*( +[A-Za-z_]\w*){0,3}( *\*)?", re.ASCII)
-_MEMBER = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 ADAPTER = "Adapter"
 
 
@@ -76,7 +73,7 @@ def _class(code: CodeInterface) -> Problems:
     elif code.signature == POINTERS and not code.objects:
         message = "With pointers, the objects that calls take pointers to must be declared; there is none."
         yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message, "List them under `objects`.")
-    if code.class_name is not None and not _CLASS.fullmatch(code.class_name):
+    if code.class_name is not None and not CPP_CLASS.accepts(code.class_name):
         message = f"The class must have a name of C++, such as control::Acc, not {code.class_name!r}."
         yield Problem(codes.NAME_NO_C_NAME, ("Code", "ClassName"), message)
 
@@ -85,10 +82,7 @@ def _macros(code: CodeInterface) -> Problems:
     for index, each in enumerate(code.definitions or ()):
         at: Pointer = ("Code", "Macros", index)
         if not is_identifier(each.name):
-            yield _no_name(each.name, "A definition of the preprocessor", at)
-        if each.value is not None and not each.value.isprintable():
-            message = f"The value of {each.name} must be one line, not {each.value!r}."
-            yield Problem(codes.NAME_NO_C_NAME, at, message)
+            yield _no_name(each.name, "A definition of the preprocessor", (*at, "Name"))
 
 
 def _objects(code: CodeInterface) -> Problems:
@@ -105,10 +99,10 @@ def _objects(code: CodeInterface) -> Problems:
 
 
 def _object(each: CodeObject, index: int, signature: str, at: Pointer) -> Problems:
-    if not _TYPE.fullmatch(each.type):
+    if not C_TYPE.accepts(each.type):
         message = f"The type of {each.name!r} must be the name of one in C, not {each.type!r}."
         yield Problem(codes.OBJECT_UNFIT, (*at, "Type"), message, "Write it as the header does, such as ExtU_Acc_T.")
-    if each.member is not None and not _MEMBER.fullmatch(each.member):
+    if each.member is not None and not C_MEMBER.accepts(each.member):
         yield _no_name(each.member, "The member that points to an object", (*at, "Member"))
     if each.member is not None and (index == 0 or signature != POINTERS):
         message = "Only with pointers, an object after the first one is pointed to by a member of the first."
@@ -215,7 +209,7 @@ def _roots(function: FunctionJson) -> Problems:
     names = [each.name for each in function.code.objects]
     for each in variables(function):
         root = root_of(each.expression)
-        if root is not None and root not in names:
+        if root is not None and root not in names and root not in (function.code.accessors or ()):
             message = f"{each.expression!r} must begin with an object of the code, not with {root!r}."
             fix = did_you_mean(root, names) or f"Begin with {either(dict.fromkeys(names))}, or list it under `objects`."
             yield Problem(codes.EXPRESSION_OF_NO_OBJECT, each.pointer, message, fix, each.place.subject)

@@ -13,12 +13,26 @@ from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
 from sigcat.function.checks.supervision import check_supervision
 from sigcat.function.checks.types import check_types
+from sigcat.function.checks.unfit import check_texts
+from sigcat.function.checks.words import check_words
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.model import FunctionJson
 
 
 def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()) -> Iterator[Problem]:
-    """Every problem of a function. `known_errors` are names of errors that others declare."""
+    """Every problem of a function. `known_errors` are names of errors that others declare.
+
+    What is wrong with a string is said once: by the check that knows it as an error, else by its type.
+    """
+    problems = tuple(_problems(function, known_errors))
+    reported = {each.pointer for each in problems if each.rule.severity == "error"}
+    unfit = tuple(each for each in check_texts(function) if each.pointer not in reported)
+    told = {each.pointer for each in unfit}
+    yield from (each for each in problems if each.pointer not in told)
+    yield from unfit
+
+
+def _problems(function: FunctionJson, known_errors: Collection[str]) -> Iterator[Problem]:
     yield from check_names(function)
     yield from check_data_interfaces(function, known_errors)
     yield from check_calls(function)
@@ -30,3 +44,4 @@ def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()
     yield from check_elements(function)
     yield from check_error_causes(function, known_errors)
     yield from check_checkpoints(function)
+    yield from check_words(function)

@@ -12,7 +12,6 @@ from sigcat.asil import LEVELS, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
-from sigcat.function.checks.words import check_words
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text
@@ -57,7 +56,6 @@ def check_conventions(function: FunctionJson, catalogue: Catalogue | None = None
     """Every departure. With a catalogue, also from what it says about the signals."""
     for one in _CHECKS:
         yield from one(function)
-    yield from check_words(function)
     yield from _units(function, catalogue)
     if catalogue is not None:
         yield from check_against(function, catalogue)

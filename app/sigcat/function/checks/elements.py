@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.checks.expression import is_identifier
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -186,7 +186,7 @@ def _members(item: Item, pointer: Pointer, types: Types) -> Problems:
             yield Problem(codes.MEMBER_UNFIT, at, message, fix, subject)
         elif not is_identifier(each.member):
             message = f"The member {each.name!r} must have a name of C, not {each.member!r}."
-            yield Problem(codes.MEMBER_UNFIT, at, message, "Use letters, digits and underscores.", subject)
+            yield Problem(codes.MEMBER_UNFIT, (*at, "Member"), message, "Use letters, digits and underscores.", subject)
         elif (key := (each.name.rpartition(".")[0], each.member)) in seen:
             message = f"Two members of {item.name!r} have the name {each.member!r} in C."
             yield Problem(codes.MEMBER_UNFIT, at, message, "Give each a name of its own.", subject)

@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterable, Iterator
 
 from sigcat import codes
-from sigcat.function.checks.expression import may_hold_value
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER

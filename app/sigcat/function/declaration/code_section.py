@@ -40,6 +40,10 @@ class CodeSection(DeclarationModel):
     storage: Text | None = Field(
         None, description="Key-value storage of the parameters that name none; `Parameters` if absent."
     )
+    accessors: list[Text] = Field(
+        [],
+        description="Functions of C that variables may call, as `read_speed(1)`, with names and numbers as arguments.",
+    )
     objects: list[ObjectItem] = Field([], description="Objects of the code; with pointers the first is the instance.")
 
 

@@ -5,11 +5,12 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field
 
 from sigcat.asil import Level
+from sigcat.function.document.field_types import Free
 from sigcat.function.function_json.wire import Integer, Number
 from sigcat.names import camel_case
 
 Asil = Level
-Text = Annotated[str, Field(min_length=1)]
+Text = Free
 Natural = Annotated[Integer, Field(ge=0)]
 Duration = Annotated[Number, Field(ge=0)]
 

@@ -1,5 +1,16 @@
 """The C or C++ code of a function: its files, how it is called, and what its calls and variables are there."""
 
+from sigcat.function.document.field_types import (
+    CIdentifier,
+    CMember,
+    CppClass,
+    CType,
+    Definer,
+    MacroValue,
+    Name,
+    Signature,
+    SourceFile,
+)
 from sigcat.function.function_json.wire import OWN, WireModel, described, own
 
 GLOBALS = "Globals"
@@ -18,8 +29,8 @@ MEMBERS = "Members of the struct in C, where their names are not those of the ca
 class Macro(WireModel):
     """A macro of the preprocessor that the sources are compiled with."""
 
-    name: str = described("Name", "Name of the macro.", source=OWN)
-    value: str | None = own("Replacement", "Its value; absent if it has none.")
+    name: CIdentifier = described("Name", "Name of the macro.", source=OWN)
+    value: MacroValue | None = own("Replacement", "Its value; absent if it has none.")
 
     @property
     def as_option(self) -> str:
@@ -30,41 +41,48 @@ class Macro(WireModel):
 class CodeObject(WireModel):
     """An object that calls take a pointer to, or a global variable that is neither a signal nor a parameter."""
 
-    name: str = described("Name", "Name of the object; with it begin the expressions of what is in it.", source=OWN)
-    type: str = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
-    member: str | None = own("Member", "Member of the first object that is set to point to this one.")
-    defined_by: str | None = own("DefinedBy", f"{DEFINED_BY} With pointers always the adapter.")
+    name: CIdentifier = described(
+        "Name", "Name of the object; with it begin the expressions of what is in it.", source=OWN
+    )
+    type: CType = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
+    member: CMember | None = own("Member", "Member of the first object that is set to point to this one.")
+    defined_by: Definer | None = own("DefinedBy", f"{DEFINED_BY} With pointers always the adapter.")
 
 
 class CodeInterface(WireModel):
     """How the code is compiled and called."""
 
-    signature: str = described(
+    signature: Signature = described(
         "Signature",
         "Globals: calls take nothing and read and write global variables. Pointers: calls take pointers to objects that the "
         "adapter holds for each instance. Class: calls are members of a C++ class.",
         source=OWN,
     )
-    sources: tuple[str, ...] | None = own("Sources", "Files to compile, relative to the declaration.", strict=False)
-    headers: tuple[str, ...] | None = own("Headers", "Files to include, in order.", strict=False)
-    include_folders: tuple[str, ...] | None = own(
+    sources: tuple[SourceFile, ...] | None = own(
+        "Sources", "Files to compile, relative to the declaration.", strict=False
+    )
+    headers: tuple[SourceFile, ...] | None = own("Headers", "Files to include, in order.", strict=False)
+    include_folders: tuple[SourceFile, ...] | None = own(
         "IncludeFolders", "Folders in which headers are searched, relative to the declaration.", strict=False
     )
     definitions: tuple[Macro, ...] | None = own("Macros", "Macros of the preprocessor.", strict=False)
-    class_name: str | None = own("ClassName", "Name of the C++ class, with its namespaces.")
-    storage: str | None = own(
+    class_name: CppClass | None = own("ClassName", "Name of the C++ class, with its namespaces.")
+    storage: Name | None = own(
         "Storage", f"Key-value storage of the parameters that name none; {DEFAULT_STORAGE} if absent."
     )
     objects: tuple[CodeObject, ...] | None = own("Objects", "Objects of the code, in order.", strict=False)
+    accessors: tuple[CIdentifier, ...] | None = own(
+        "Accessors", "Functions of C that expressions may call, with names and numbers as arguments.", strict=False
+    )
 
 
 class Member(WireModel):
     """A member of a struct."""
 
-    name: str = described(
+    name: Name = described(
         "Name", "Name in the catalogue; of a struct within the struct, with points between.", source=OWN
     )
-    member: str = described("Member", "Name in C.", source=OWN)
+    member: CIdentifier = described("Member", "Name in C.", source=OWN)
 
 
 class Checkpoint(WireModel):
@@ -72,7 +90,7 @@ class Checkpoint(WireModel):
 
     initial: bool | None = own("BeginsSequence", "Whether a sequence begins with the call.")
     final: bool | None = own("EndsSequence", "Whether a sequence may end with the call.")
-    next: tuple[str, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
+    next: tuple[Name, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
 
 
 def is_inside(path: str) -> bool:

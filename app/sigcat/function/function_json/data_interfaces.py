@@ -1,5 +1,20 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from sigcat.function.document.field_types import (
+    CExpression,
+    Definer,
+    JsonValue,
+    Name,
+    NumberText,
+    Overflow,
+    Quantity,
+    TimeoutStart,
+    TimeoutValue,
+    UnitKey,
+    VssDatatype,
+    VssPath,
+    Words,
+)
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
@@ -19,17 +34,19 @@ from sigcat.function.function_json.wire import (
 class Signal(WireModel):
     """A data interface: a value that a call reads (Consumer) or writes (Provider)."""
 
-    name: str = described("Name", "Name of the signal inside the function.")
+    name: Name = described("Name", "Name of the signal inside the function.")
     description: Text = described("Description", "What the value means.")
-    role: str = described("Role", "Consumer or Provider.")
-    asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None)
-    timeout: str | None = described(
+    role: Name = described("Role", "Consumer or Provider.")
+    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None)
+    timeout: Quantity | None = described(
         "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms"
     )
-    access: str | None = described("Access", "Immediate, or buffered for the length of a call.", default=None)
+    access: Name | None = described("Access", "Immediate, or buffered for the length of a call.", default=None)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    factor: str | None = described("Factor", "Scaling: physical value = stored value × factor + offset.", default=None)
-    offset: str | None = described(
+    factor: NumberText | None = described(
+        "Factor", "Scaling: physical value = stored value × factor + offset.", default=None
+    )
+    offset: NumberText | None = described(
         "Offset", "Offset of the scaling, in the unit of the signal.", default=None, unit=PHYSICAL
     )
     min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None, unit=PHYSICAL)
@@ -40,22 +57,22 @@ class Signal(WireModel):
     init_value: Number | None = described(
         "InitValue", "Value before the first one arrives.", default=None, unit=PHYSICAL
     )
-    units: str | None = described("Units", "Unit of the physical value, by its key in the catalogue.", default=None)
-    range_error_action: str | None = described(
+    units: UnitKey | None = described("Units", "Unit of the physical value, by its key in the catalogue.", default=None)
+    range_error_action: Name | None = described(
         "RangeErrorAction", "What replaces a value out of range: Default or Init.", default=None
     )
-    timeout_error: str | None = described(
+    timeout_error: Name | None = described(
         "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source="paper, figure 7"
     )
-    type: str | None = described(
+    type: Name | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
     )
     resolution: Number | None = described(
         "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
     )
-    vss_path: str | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
-    vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_path: VssPath | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
+    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
+    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
     vss_min: Number | None = described(
         "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
     )
@@ -69,46 +86,48 @@ class Signal(WireModel):
         source=OWN,
         strict=False,
     )
-    conversion_factor: str | None = described(
+    conversion_factor: NumberText | None = described(
         "ConversionFactor",
         "Value in the catalogue's unit = physical value × factor + offset; absent where the units are the same. Exact: a "
         "decimal number, or where that has no end a fraction, 5/18.",
         default=None,
         source=OWN,
     )
-    conversion_offset: str | None = described(
+    conversion_offset: NumberText | None = described(
         "ConversionOffset",
         "Offset of the conversion, in the catalogue's unit; exact, too.",
         default=None,
         source=OWN,
         unit="that of `VssUnit`",
     )
-    external_provider: str | None = described(
+    external_provider: Words | None = described(
         "ExternalProvider", "Who provides a consumed signal, where no other function does.", default=None, source=OWN
     )
-    variable: str | None = described(
+    variable: CExpression | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
-    timeout_start: str | None = own(
+    timeout_start: TimeoutStart | None = own(
         "TimeoutStart",
         "Whether the time-out runs from the end of init (Init, also if absent) or the first value (First).",
     )
-    timeout_value: str | None = own(
+    timeout_value: TimeoutValue | None = own(
         "TimeoutValue", "Value after the time-out: the last one (Last, also if absent), Default or Init."
     )
     timeout_recovery: Integer | None = own(
         "TimeoutRecovery", "Valid values in a row that end the time-out; 1 if absent.", unit="values"
     )
-    range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
-    e2e_error: str | None = own("E2eError", "Error interface that is set while end-to-end protection rejects messages.")
-    init_elements: str | None = own(
+    range_error: Name | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: Name | None = own(
+        "E2eError", "Error interface that is set while end-to-end protection rejects messages."
+    )
+    init_elements: JsonValue | None = own(
         "InitElements",
         "Value of an array or struct before the first one arrives, as JSON: a list or an object.",
         unit=PHYSICAL,
     )
-    default_elements: str | None = own(
+    default_elements: JsonValue | None = own(
         "DefaultElements", "Value of an array or struct that stands in for a missing one, as JSON.", unit=PHYSICAL
     )
 
@@ -116,16 +135,16 @@ class Signal(WireModel):
 class DataQueue(WireModel):
     """A data interface whose values are queued, so that none is lost."""
 
-    name: str = described("Name", "Name of the queue inside the function.")
+    name: Name = described("Name", "Name of the queue inside the function.")
     description: Text = described("Description", "What the values mean.")
-    role: str = described("Role", "Consumer or Provider.")
-    asil_level: str = described("AsilInfo", "ASIL: QM, A, B, C or D.")
+    role: Name = described("Role", "Consumer or Provider.")
+    asil_level: Name = described("AsilInfo", "ASIL: QM, A, B, C or D.")
     queue_length: Integer = described("QueueLength", "Number of values that the queue holds.", unit="values")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     factor: Number = described("Factor", "Scaling: physical value = stored value × factor + offset.")
     offset: Number = described("Offset", "Offset of the scaling, in the unit of the signal.", unit=PHYSICAL)
     init_value: Number = described("InitValue", "Value before the first one arrives.", unit=PHYSICAL)
-    units: str = described("Units", "Unit of the physical value; empty if it has none.")
+    units: UnitKey = described("Units", "Unit of the physical value; empty if it has none.")
     min: Number | None = described(
         "Min", "Smallest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
     )
@@ -138,22 +157,22 @@ class DataQueue(WireModel):
     resolution: Number | None = described(
         "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
     )
-    access: str | None = described("Access", "As in a signal.", default=None, source=OWN)
-    timeout: str | None = described(
+    access: Name | None = described("Access", "As in a signal.", default=None, source=OWN)
+    timeout: Quantity | None = described(
         "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms", source=OWN
     )
-    timeout_error: str | None = described(
+    timeout_error: Name | None = described(
         "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source=OWN
     )
-    range_error_action: str | None = described(
+    range_error_action: Name | None = described(
         "RangeErrorAction", "What replaces a value out of range: Default or Init.", default=None, source=OWN
     )
-    type: str | None = described(
+    type: Name | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
     )
-    vss_path: str | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
-    vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_path: VssPath | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
+    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
+    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
     vss_min: Number | None = described(
         "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
     )
@@ -163,31 +182,33 @@ class DataQueue(WireModel):
     vss_symbols: tuple[EnumerationValue, ...] | None = described(
         "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
     )
-    conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: str | None = described(
+    conversion_factor: NumberText | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
+    conversion_offset: NumberText | None = described(
         "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
     )
-    external_provider: str | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
-    variable: str | None = described(
+    external_provider: Words | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
+    variable: CExpression | None = described(
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
-    timeout_start: str | None = own("TimeoutStart", "As in a signal.")
-    timeout_value: str | None = own("TimeoutValue", "As in a signal.")
+    timeout_start: TimeoutStart | None = own("TimeoutStart", "As in a signal.")
+    timeout_value: TimeoutValue | None = own("TimeoutValue", "As in a signal.")
     timeout_recovery: Integer | None = own("TimeoutRecovery", "As in a signal.", unit="values")
-    range_error: str | None = own("RangeError", "Error interface that is set while a value is out of range.")
-    e2e_error: str | None = own("E2eError", "Error interface that is set while end-to-end protection rejects messages.")
-    init_elements: str | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
-    default_elements: str | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
-    overflow: str | None = own(
+    range_error: Name | None = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: Name | None = own(
+        "E2eError", "Error interface that is set while end-to-end protection rejects messages."
+    )
+    init_elements: JsonValue | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
+    default_elements: JsonValue | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
+    overflow: Overflow | None = own(
         "Overflow", "What is lost when the queue is full: the oldest value (DropOldest, also if absent) or DropNewest."
     )
-    overflow_error: str | None = own("OverflowError", "Error interface that is set when a value is lost.")
+    overflow_error: Name | None = own("OverflowError", "Error interface that is set when a value is lost.")
     values_per_step: Integer | None = own(
         "ValuesPerStep", "Most values that a call takes at once; 1 if absent.", unit="values"
     )
-    count_variable: str | None = own(
+    count_variable: CExpression | None = own(
         "CountVariable", "Expression of the C code that holds how many values arrived for the call."
     )
 
@@ -195,42 +216,44 @@ class DataQueue(WireModel):
 class ParameterInterface(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
 
-    name: str = described("Name", "Name of the parameter inside the function.")
+    name: Name = described("Name", "Name of the parameter inside the function.")
     description: Text = described("Description", "What the value means.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    asil_level: str = described("Asillevel", "ASIL: QM, A, B, C or D.")
+    asil_level: Name = described("Asillevel", "ASIL: QM, A, B, C or D.")
     min: Number = described("Min", "Smallest valid value; 0 for a text.", unit=PHYSICAL)
     max: Number = described("Max", "Largest valid value; 0 for a text.", unit=PHYSICAL)
     default: Number = described("Default", "Value of a new vehicle; 0 for a text.", unit=PHYSICAL)
     init_value: Number = described("InitValue", "Value at start-up; 0 for a text.", unit=PHYSICAL)
-    range_error_action: str = described("RangeErrorAction", "What replaces a value out of range: Default or Init.")
-    interface_type: str = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
-    attribute: str = described("Attribute", "Normal, LearningParameter or NA.")
-    units: str = described("Units", "Unit of the value; empty if it has none.")
+    range_error_action: Name = described("RangeErrorAction", "What replaces a value out of range: Default or Init.")
+    interface_type: Name = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
+    attribute: Name = described("Attribute", "Normal, LearningParameter or NA.")
+    units: UnitKey = described("Units", "Unit of the value; empty if it has none.")
     default_text: Text | None = described(
         "DefaultText", "Default of a text; of an array its elements, as JSON.", default=None, source=OWN
     )
-    vss_path: str | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
-    vss_datatype: str | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: str | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
+    vss_path: VssPath | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
+    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
+    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
     vss_symbols: tuple[EnumerationValue, ...] | None = described(
         "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
     )
-    conversion_factor: str | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: str | None = described(
+    conversion_factor: NumberText | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
+    conversion_offset: NumberText | None = described(
         "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
     )
-    variable: str | None = described(
+    variable: CExpression | None = described(
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
-    factor: str | None = own("Factor", "As in a signal.")
-    offset: str | None = own("Offset", "As in a signal.", unit=PHYSICAL)
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    factor: NumberText | None = own("Factor", "As in a signal.")
+    offset: NumberText | None = own("Offset", "As in a signal.", unit=PHYSICAL)
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
-    key: str | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
-    storage: str | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
-    range_error: str | None = own("RangeError", "Error interface that is set while the value is out of range.")
-    init_elements: str | None = own("InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL)
+    key: Name | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
+    storage: Name | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
+    range_error: Name | None = own("RangeError", "Error interface that is set while the value is out of range.")
+    init_elements: JsonValue | None = own(
+        "InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL
+    )
 
     @property
     def default_elements(self) -> str | None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from sigcat.function.document.field_types import CDefinition, Name, UnitKey, VssDatatype
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReference, WireModel, described
 
@@ -9,16 +10,16 @@ from sigcat.function.function_json.wire import OWN, Integer, Number, TypeReferen
 class EnumerationValue(WireModel):
     """A named value of an enumeration."""
 
-    symbol: str = described("Symbol", "Name of the value.", source=OWN)
+    symbol: Name = described("Symbol", "Name of the value.", source=OWN)
     value: Integer = described("Value", "Number that stands for it.", source=OWN)
 
 
 class TypeField(WireModel):
     """A member of a struct."""
 
-    name: str = described("Name", "Name of the member.", source=OWN)
+    name: Name = described("Name", "Name of the member.", source=OWN)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=OWN)
-    units: str | None = described("Units", "Unit of the member.", default=None, source=OWN)
+    units: UnitKey | None = described("Units", "Unit of the member.", default=None, source=OWN)
     description: Text | None = described("Description", "What the member means.", default=None, source=OWN)
     min: Number | None = described("Min", "Smallest value of the member.", default=None, source=OWN, unit="Units")
     max: Number | None = described("Max", "Largest value of the member.", default=None, source=OWN, unit="Units")
@@ -28,12 +29,12 @@ class Datatype(WireModel):
     """A datatype that interfaces refer to."""
 
     reference: TypeReference = described("typeRef", "Name of the datatype, such as DT_UInt16.")
-    category: str = described("category", "primitive or userdefined.")
-    c_definition: str = described("cDef", "Definition in C.")
-    kind: str | None = described(
+    category: Name = described("category", "primitive or userdefined.")
+    c_definition: CDefinition = described("cDef", "Definition in C.")
+    kind: Name | None = described(
         "Kind", "enumeration, array or struct, where the datatype is one.", default=None, source=OWN
     )
-    vss_datatype: str | None = described("VssDatatype", "Datatype of VSS.", default=None, source=OWN)
+    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype of VSS.", default=None, source=OWN)
     symbols: tuple[EnumerationValue, ...] | None = described(
         "Symbols", "Values of an enumeration.", default=None, source=OWN, strict=False
     )

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.document.field_types import DATE, VERSION, Name, Version
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.datatype import Datatype
@@ -23,10 +24,10 @@ class MetaInfo(WireModel):
 
     authority: Text | None = described("Authority", "Organization that the document belongs to.", default=None)
     schema_author: Text | None = described("SchemaAuthor", "Author of the document.", default=None)
-    date: Annotated[str, Field(pattern=r"^\d{2}.\d{2}.\d{4}$")] | None = described(
+    date: Annotated[str, Field(pattern=r"^\d{2}.\d{2}.\d{4}$"), DATE] | None = described(
         "Date", "Date of the document, as DD.MM.YYYY.", default=None
     )
-    schema_version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] | None = described(
+    schema_version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] | None = described(
         "SchemaVersion", "Version of the document's format, as three numbers.", default=None
     )
     schema_description: Text | None = described("SchemaDescription", "What the document is.", default=None)
@@ -35,25 +36,25 @@ class MetaInfo(WireModel):
 class FunctionInfo(WireModel):
     """Identity of the function."""
 
-    function_name: str = described("FunctionName", "Name of the function.")
+    function_name: Name = described("FunctionName", "Name of the function.")
     function_responsible: Text = described("FunctionResponsible", "Team that answers for the function.")
     description: Text = described("Description", "What the function does.")
-    version: str | None = described("Version", "Version of the function.", default=None, source=OWN)
+    version: Version | None = described("Version", "Version of the function.", default=None, source=OWN)
 
 
 class Component(WireModel):
     """A part of the function that is deployed as a whole."""
 
-    name: str = described("Name", "Name of the component.")
+    name: Name = described("Name", "Name of the component.")
     runnables: tuple[Runnable, ...] = described("functionList", "Calls of the component.", strict=False)
 
 
 class Mode(WireModel):
     """A mode of the function and what runs in it."""
 
-    name: str = described("Name", "Name of the mode.")
+    name: Name = described("Name", "Name of the mode.")
     description: Text = described("Description", "What the mode means.")
-    runnables: tuple[str, ...] = described("RunnablesList", "Names of the calls that run in the mode.", strict=False)
+    runnables: tuple[Name, ...] = described("RunnablesList", "Names of the calls that run in the mode.", strict=False)
 
 
 class FunctionJson(WireModel):

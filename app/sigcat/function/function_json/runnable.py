@@ -1,5 +1,6 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+from sigcat.function.document.field_types import CIdentifier, Name, Quantity, VssPath, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -14,7 +15,7 @@ class WatchdogLimits(WireModel):
     min: Number = described("Min", "Fewest indications, or shortest duration.", unit="cycles or ms")
     max: Number = described("Max", "Most indications, or longest duration.", unit="cycles or ms")
     reference: Number = described("Ref", "Cycles in which indications are counted; 0 for a deadline.", unit="cycles")
-    error_name: str = described("ErrorName", "Error interface that is set when a limit is broken.")
+    error_name: Name = described("ErrorName", "Error interface that is set when a limit is broken.")
     description: Text | None = described("Description", "Explanation, if needed.", default=None, source=TABLE)
 
 
@@ -24,7 +25,7 @@ class Watchdog(WireModel):
     alive: WatchdogLimits | None = described("AliveSupervision", "Limits in cycles.")
     deadline: WatchdogLimits | None = described("DeadlineSupervision", "Limits in ms.")
     logical: Text | None = described("LogicalSupervision", "Order relative to other calls, in words.")
-    logical_error: str | None = described(
+    logical_error: Name | None = described(
         "LogicalError", "Error interface that is set when the order is broken.", default=None, source=TABLE
     )
 
@@ -32,7 +33,7 @@ class Watchdog(WireModel):
 class Contract(WireModel):
     """What a call reads and writes."""
 
-    type: str | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
+    type: Name | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
     signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
     queues: tuple[DataQueue, ...] | None = described("DataQList", "Queued data interfaces.", strict=False)
     methods: tuple[MethodInterface, ...] | None = described("MethodList", "Methods.", strict=False)
@@ -46,28 +47,28 @@ class Contract(WireModel):
 class Runnable(WireModel):
     """A call of the function: init, a step, terminate."""
 
-    name: str = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
+    name: Name = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
     description: Text = described("Description", "What the call does.")
-    run_type: str = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
+    run_type: Name = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
     cycle_time: Integer | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
-    stack_size: str | None = described(
+    stack_size: Quantity | None = described(
         "StackSize", "Stack that the call needs, as a number in a text.", default=None, unit="bytes"
     )
-    previous_runnable: str | None = described("PrevRunnable", "Call after which this one runs.", default=None)
-    execution_offset: str | None = described(
+    previous_runnable: Name | None = described("PrevRunnable", "Call after which this one runs.", default=None)
+    execution_offset: Quantity | None = described(
         "ExecOffset", "Offset of the first call, as a number in a text.", default=None, unit="ms"
     )
     parallel_processing: bool | None = described(
         "ParallelProcessing", "Whether calls may run at the same time.", default=None
     )
-    asil_level: str | None = described("AsilLevel", "ASIL that the call is implemented to.", default=None)
+    asil_level: Name | None = described("AsilLevel", "ASIL that the call is implemented to.", default=None)
     watchdog: Watchdog | None = described("Watchdog", "Supervision; null if there is none.")
-    scheduling: str = described("Scheduling", "Preemptive or Non-Preemptive.")
-    debounce_delay: str | None = described(
+    scheduling: Name = described("Scheduling", "Preemptive or Non-Preemptive.")
+    debounce_delay: Quantity | None = described(
         "DebounceDelay", "Shortest time between two calls, as a number in a text.", default=None, unit="ms"
     )
-    priority: str = described("Priority", "Priority relative to other calls; a higher number runs first.")
-    events: str | None = described(
+    priority: Words = described("Priority", "Priority relative to other calls; a higher number runs first.")
+    events: Name | None = described(
         "EventList",
         "Events that trigger the call: names or paths of signals that it consumes, separated by commas.",
         default=None,
@@ -75,22 +76,22 @@ class Runnable(WireModel):
     contracts: tuple[Contract, ...] | None = described(
         "funcContractList", "What the call reads and writes.", default=None, strict=False
     )
-    supervision_types: tuple[str, ...] | None = described(
+    supervision_types: tuple[Name, ...] | None = described(
         "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE, strict=False
     )
-    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
-    symbol: str | None = own("Symbol", "Function or member function in C; the name of the call if absent.")
-    arguments: tuple[str, ...] | None = own(
+    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    symbol: CIdentifier | None = own("Symbol", "Function or member function in C; the name of the call if absent.")
+    arguments: tuple[CIdentifier, ...] | None = own(
         "Arguments", "Names of the objects that it takes pointers to, in order.", strict=False
     )
     success_value: Integer | None = own(
         "SuccessValue", "Result that means success; absent if the call returns nothing."
     )
-    pre_processing: tuple[str, ...] | None = own(
+    pre_processing: tuple[CIdentifier, ...] | None = own(
         "PreProcessing", "C functions of the project that run before the call, in order.", strict=False
     )
-    post_processing: tuple[str, ...] | None = own(
+    post_processing: tuple[CIdentifier, ...] | None = own(
         "PostProcessing", "C functions of the project that run after the call, in order.", strict=False
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
-    overrun_error: str | None = own("OverrunError", "Error interface that is set when activations were missed.")
+    overrun_error: Name | None = own("OverrunError", "Error interface that is set when activations were missed.")

@@ -1,5 +1,6 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
+from sigcat.function.document.field_types import CExpression, Definer, Name, Quantity, UnknownAction, VssPath, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
@@ -9,10 +10,10 @@ from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, Type
 class ErrorInterface(WireModel):
     """An error that the function reports to the fault management of the base software."""
 
-    name: str = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
+    name: Name = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
     description: Text = described("Description", "Condition that the error stands for.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    dependencies: tuple[str, ...] = described(
+    dependencies: tuple[Name, ...] = described(
         "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
     )
     occurrence_count_limit: Integer = described(
@@ -28,23 +29,23 @@ class ErrorInterface(WireModel):
     maturation_time: Integer = described(
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
     )
-    severity: str = described("Severity", "What the error leads to.")
+    severity: Words = described("Severity", "What the error leads to.")
     reset_time: Number | None = described(
         "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
     )
     reset_condition: Text | None = described(
         "ResetCondition", "Condition that resets the error.", default=None, source=TABLE
     )
-    asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
-    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
-    variable: str | None = own(
+    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
+    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: CExpression | None = own(
         "Variable", "Expression of the C code in which the function says whether the error is present: not 0."
     )
-    status_variable: str | None = own(
+    status_variable: CExpression | None = own(
         "StatusVariable", "Expression of the C code that holds the state of the error, written before a call."
     )
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
-    reset: str | None = own(
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    reset: Name | None = own(
         "Reset",
         "What the error has to wait for: Restart, or the name of a signal that the function consumes and that is not 0 "
         "while the reset condition holds. If absent, the error is reset when it is no longer present.",
@@ -54,16 +55,20 @@ class ErrorInterface(WireModel):
 class SafetyReaction(WireModel):
     """A safety condition of which the base software informs the function."""
 
-    name: str = described("Name", "Name of the interface: <SafetyCondition>_SftyCondSts.")
+    name: Name = described("Name", "Name of the interface: <SafetyCondition>_SftyCondSts.")
     description: Text = described("Description", "What the condition means for the function.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    errors: tuple[str, ...] = described("ErrorList", "Error interfaces, any of which sets the condition.", strict=False)
-    asil_level: str | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
-    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
-    variable: str | None = own("Variable", "Expression of the C code that holds the condition, written before a call.")
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
-    initial: str | None = own("Initial", "Condition before any is known: one of the enumeration; INACTIVE if absent.")
-    timeout: str | None = own(
+    errors: tuple[Name, ...] = described(
+        "ErrorList", "Error interfaces, any of which sets the condition.", strict=False
+    )
+    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
+    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: CExpression | None = own(
+        "Variable", "Expression of the C code that holds the condition, written before a call."
+    )
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    initial: Name | None = own("Initial", "Condition before any is known: one of the enumeration; INACTIVE if absent.")
+    timeout: Quantity | None = own(
         "Timeout", "Longest time between two values from outside, as a number in a text.", unit="ms"
     )
 
@@ -71,19 +76,19 @@ class SafetyReaction(WireModel):
 class ModeInterface(WireModel):
     """The interface over which a function receives its mode (In), or reports it (Out)."""
 
-    name: str = described("Name", "Name of the interface: <FunctionName>_Mode_In or _Mode_Out.", source=TABLE)
+    name: Name = described("Name", "Name of the interface: <FunctionName>_Mode_In or _Mode_Out.", source=TABLE)
     description: Text = described("Description", "What the interface says.", source=TABLE)
-    direction: str = described("Direction", "In or Out.", source=TABLE)
+    direction: Name = described("Direction", "In or Out.", source=TABLE)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
-    modes: tuple[str, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)
-    vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
-    variable: str | None = own("Variable", "Expression of the C code that holds the mode.")
-    defined_by: str | None = own("DefinedBy", DEFINED_BY)
-    initial: str | None = own("Initial", "Mode before the first one is received; the first of `Modes` if absent.")
-    unknown_action: str | None = own(
+    modes: tuple[Name, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)
+    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    variable: CExpression | None = own("Variable", "Expression of the C code that holds the mode.")
+    defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    initial: Name | None = own("Initial", "Mode before the first one is received; the first of `Modes` if absent.")
+    unknown_action: UnknownAction | None = own(
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."
     )
-    unknown_error: str | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
+    unknown_error: Name | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
     values: tuple[EnumerationValue, ...] | None = own(
         "Values", "Numbers of the modes in the C code, where they are not those of the datatype.", strict=False
     )

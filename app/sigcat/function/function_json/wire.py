@@ -15,6 +15,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from sigcat.function.document.field_types import TYPE_REFERENCE
+
 PUBLISHED = "published function schema 1.0.0"
 TABLE = "paper, glossary, table of interface fields"
 OWN = "sigcat"
@@ -90,4 +92,4 @@ Number = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type":
 """A JSON number; whole numbers stay whole numbers, so that they are written as they were given."""
 Integer = Annotated[int, PlainValidator(_integer), WithJsonSchema({"type": "integer"})]
 """A JSON integer; as in JSON Schema, `1.0` is one."""
-TypeReference = Annotated[str, Field(pattern=r"^DT_[A-Za-z0-9]+$")]
+TypeReference = Annotated[str, Field(pattern=r"^DT_[A-Za-z0-9]+$"), TYPE_REFERENCE]

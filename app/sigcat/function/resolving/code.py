@@ -20,6 +20,7 @@ def code_interface(item: CodeSection, at: Pointer) -> Part[CodeInterface]:
         definitions=tuple(Macro(name=name, value=_text(value)) for name, value in item.definitions.items()) or None,
         class_name=item.class_name,
         storage=item.storage,
+        accessors=tuple(item.accessors) or None,
         objects=tuple(map(_object, item.objects)) or None,
     )
     return Part(made, Origin(at, {**written(item, at), "Objects": listed(item.objects, (*at, "objects"))}))

@@ -4,6 +4,17 @@ from typing import TypeVar
 
 from pydantic import BaseModel
 
+from sigcat.function.document.field_types import (
+    CallName,
+    CIdentifier,
+    ComponentName,
+    Definer,
+    ErrorName,
+    FunctionName,
+    JsonValue,
+    Name,
+    NumberText,
+)
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
@@ -12,34 +23,40 @@ from sigcat.function.function_json.wire import OWN, Integer, WireModel, describe
 class CallCode(WireModel):
     """A call in C, as it is in Function JSON."""
 
-    symbol: str | None = own("Symbol", "Function or member function; the name of the call if absent.")
-    arguments: tuple[str, ...] | None = own("Arguments", "Objects that it takes pointers to, in order.", strict=False)
+    symbol: CIdentifier | None = own("Symbol", "Function or member function; the name of the call if absent.")
+    arguments: tuple[CIdentifier, ...] | None = own(
+        "Arguments", "Objects that it takes pointers to, in order.", strict=False
+    )
     success_value: Integer | None = own("SuccessValue", "Result that means success.")
-    pre_processing: tuple[str, ...] | None = own("PreProcessing", "C functions that run before it.", strict=False)
-    post_processing: tuple[str, ...] | None = own("PostProcessing", "C functions that run after it.", strict=False)
+    pre_processing: tuple[CIdentifier, ...] | None = own(
+        "PreProcessing", "C functions that run before it.", strict=False
+    )
+    post_processing: tuple[CIdentifier, ...] | None = own(
+        "PostProcessing", "C functions that run after it.", strict=False
+    )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
-    overrun_error: str | None = own("OverrunError", "Error interface that is set when activations were missed.")
+    overrun_error: ErrorName | None = own("OverrunError", "Error interface that is set when activations were missed.")
 
 
 class ParameterCode(WireModel):
     """A parameter in C and in its storage, as it is in Function JSON."""
 
-    factor: str | None = own("Factor", "Scaling in the code: physical value = stored value × factor + offset.")
-    offset: str | None = own("Offset", "Offset of the scaling.")
-    defined_by: str | None = own("DefinedBy", "Function or Adapter: whose code defines the variable.")
+    factor: NumberText | None = own("Factor", "Scaling in the code: physical value = stored value × factor + offset.")
+    offset: NumberText | None = own("Offset", "Offset of the scaling.")
+    defined_by: Definer | None = own("DefinedBy", "Function or Adapter: whose code defines the variable.")
     members: tuple[Member, ...] | None = own("Members", "Members of the struct in C.", strict=False)
-    key: str | None = own("Key", "Key under which the value is stored.")
-    storage: str | None = own("Storage", "Key-value storage that holds it.")
-    range_error: str | None = own("RangeError", "Error interface that is set while the value is out of range.")
-    init_elements: str | None = own("InitElements", "Value of an array or struct at start-up, as JSON.")
+    key: Name | None = own("Key", "Key under which the value is stored.")
+    storage: Name | None = own("Storage", "Key-value storage that holds it.")
+    range_error: ErrorName | None = own("RangeError", "Error interface that is set while the value is out of range.")
+    init_elements: JsonValue | None = own("InitElements", "Value of an array or struct at start-up, as JSON.")
 
 
 class MethodUse(WireModel):
     """One call's side of a method."""
 
-    function: str = described("Function", "Name of the function.", source=OWN)
-    component: str = described("Component", "Name of the component.", source=OWN)
-    call: str = described("Call", "Name of the call.", source=OWN)
+    function: FunctionName = described("Function", "Name of the function.", source=OWN)
+    component: ComponentName = described("Component", "Name of the component.", source=OWN)
+    call: CallName = described("Call", "Name of the call.", source=OWN)
     method: MethodInterface = described("Method", "The method as it is in Function JSON.", source=OWN)
 
 

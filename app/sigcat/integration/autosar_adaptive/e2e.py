@@ -4,7 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.declaration.form import DeclarationModel
+from sigcat.function.document.field_types import ElementKey
 from sigcat.function.function_json.wire import OWN, Integer, WireModel, described
 
 Profile = Literal[4, 5, 6, 7]
@@ -31,7 +32,7 @@ class E2eSettings(DeclarationModel):
     max_delta_counter: Step = Field(
         1, description="Largest step from one counter to the next that passes: 1 passes no lost message, 3 passes two."
     )
-    events: dict[Text, EventE2eSettings] = Field(
+    events: dict[ElementKey, EventE2eSettings] = Field(
         {}, description="What differs, by `Service` for all of its events, or by `Service.Event`."
     )
 

@@ -8,6 +8,29 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from sigcat.function.document.field_types import (
+    DATE,
+    NAME,
+    VERSION,
+    CallName,
+    Carried,
+    CDefinition,
+    CExpression,
+    ComponentName,
+    FunctionName,
+    Name,
+    NumberText,
+    Quantity,
+    ServiceEvent,
+    ShortName,
+    SourceFile,
+    UnitKey,
+    Value,
+    Version,
+    VssDatatype,
+    VssPath,
+    Words,
+)
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
@@ -48,57 +71,59 @@ class MetaInformation(WireModel):
 
     authority: Text = published("Authority", "Organization that the document belongs to.")
     author: Text = published("Author", "Author of the document.")
-    date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$")] = published("Date", "Date of the document.")
-    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] = published("Version", "Version of the document.")
+    date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$"), DATE] = published("Date", "Date of the document.")
+    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] = published(
+        "Version", "Version of the document."
+    )
 
 
 class FunctionInformation(WireModel):
     """Identity of the application: a function, or a set of them."""
 
-    name: str = published("FunctionName", "Name of the application.")
+    name: Name = published("FunctionName", "Name of the application.")
     responsible: Text = published("Responsible", "Who answers for it.")
     description: Text = published("Description", "What it does.")
-    functions: tuple[str, ...] | None = own("Functions", "Names of the functions.", strict=False)
+    functions: tuple[FunctionName, ...] | None = own("Functions", "Names of the functions.", strict=False)
 
 
 class Call(WireModel):
     """A call of a function: init, a step, terminate."""
 
-    name: str = published("Name", "Name of the call.")
-    modes: tuple[str, ...] = published("Modes", "Function group modes in which it runs.", strict=False)
-    run_type: str = published("RunType", "Init, Cyclic or Terminate.")
+    name: CallName = published("Name", "Name of the call.")
+    modes: tuple[Name, ...] = published("Modes", "Function group modes in which it runs.", strict=False)
+    run_type: Name = published("RunType", "Init, Cyclic or Terminate.")
     cycle_time: Number | None = published("CycleTime", "Time from one call to the next.", unit="ms")
-    scheduling: str | None = published("Scheduling", "Preemptive or Non-preemptive.")
-    function: str | None = own("Function", "Name of the function that it belongs to.")
+    scheduling: Name | None = published("Scheduling", "Preemptive or Non-preemptive.")
+    function: FunctionName | None = own("Function", "Name of the function that it belongs to.")
     description: Text | None = own("Description", "What the call does.")
-    trigger: str | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
-    events: str | None = own("EventList", "Events that trigger the call.")
-    triggers: tuple[str, ...] | None = own(
+    trigger: Name | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
+    events: Name | None = own("EventList", "Events that trigger the call.")
+    triggers: tuple[ServiceEvent, ...] | None = own(
         "Triggers", "Events whose values trigger the call, as `Service/Event`.", strict=False
     )
-    function_modes: tuple[str, ...] | None = own(
+    function_modes: tuple[Name, ...] | None = own(
         "FunctionModes", "Modes of the function in which the call runs.", strict=False
     )
-    previous_runnable: str | None = own("PrevRunnable", "Call after which this one runs.")
-    execution_offset: str | None = own("ExecOffset", "Offset of the first call.", unit="ms")
-    debounce_delay: str | None = own("DebounceDelay", "Shortest time between two calls.", unit="ms")
-    priority: str | None = own("Priority", "Priority relative to other calls; a higher number runs first.")
+    previous_runnable: Name | None = own("PrevRunnable", "Call after which this one runs.")
+    execution_offset: Quantity | None = own("ExecOffset", "Offset of the first call.", unit="ms")
+    debounce_delay: Quantity | None = own("DebounceDelay", "Shortest time between two calls.", unit="ms")
+    priority: Words | None = own("Priority", "Priority relative to other calls; a higher number runs first.")
     parallel_processing: bool | None = own("ParallelProcessing", "Whether calls may run at the same time.")
-    stack_size: str | None = own("StackSize", "Stack that the call needs.", unit="bytes")
-    asil_level: str | None = own("AsilLevel", "ASIL that the call is implemented to.")
-    supervision_types: tuple[str, ...] | None = own("SupervisionType", "Alive, Deadline, Logical.", strict=False)
+    stack_size: Quantity | None = own("StackSize", "Stack that the call needs.", unit="bytes")
+    asil_level: Name | None = own("AsilLevel", "ASIL that the call is implemented to.")
+    supervision_types: tuple[Name, ...] | None = own("SupervisionType", "Alive, Deadline, Logical.", strict=False)
     watchdog: Watchdog | None = own("Watchdog", "Supervision by the watchdog.")
-    contracts: tuple[str, ...] | None = own("ContractTypes", "How data is handed over to the code.", strict=False)
+    contracts: tuple[Name, ...] | None = own("ContractTypes", "How data is handed over to the code.", strict=False)
     code: CallCode | None = own("Code", "The call in C.")
-    vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
 
 
 class StructField(WireModel):
     """A member of a structure."""
 
-    name: str = published("Name", "Name of the member.")
-    type: str = published("Type", "Word for a primitive, or the name of a datatype of the document.")
-    unit: str | None = own("Unit", "Unit of the member.")
+    name: Name = published("Name", "Name of the member.")
+    type: Name = published("Type", "Word for a primitive, or the name of a datatype of the document.")
+    unit: UnitKey | None = own("Unit", "Unit of the member.")
     description: Text | None = own("Description", "What the member means.")
     min: Number | None = own("MinValue", "Smallest value of the member.")
     max: Number | None = own("MaxValue", "Largest value of the member.")
@@ -107,7 +132,7 @@ class StructField(WireModel):
 class Symbol(WireModel):
     """A named value of an enumeration."""
 
-    symbol: str = published("Symbol", "Name of the value.")
+    symbol: Name = published("Symbol", "Name of the value.")
     value: Integer = published("Value", "Number that stands for it.")
 
 
@@ -118,18 +143,18 @@ class TypeEntry(WireModel):
     member, which that schema takes for a structure.
     """
 
-    name: str = published("Name", "Name of the datatype.")
-    kind: str = published("Class", "type_reference, structure, array or enumeration.")
-    c_definition: str | None = published("cDef", "Word for the primitive that is referred to.", default=None)
-    type: str | None = published("Type", "Word for the numbers of an array.", default=None)
-    dimension: Integer | str | None = published(
+    name: Name = published("Name", "Name of the datatype.")
+    kind: Name = published("Class", "type_reference, structure, array or enumeration.")
+    c_definition: Name | None = published("cDef", "Word for the primitive that is referred to.", default=None)
+    type: Name | None = published("Type", "Word for the numbers of an array.", default=None)
+    dimension: Integer | Name | None = published(
         "Dimension", "Number of elements of an array; `dynamic` if that is open.", default=None
     )
     fields: tuple[StructField, ...] | None = published("Field", "Members, in order.", default=None, strict=False)
-    reference: str | None = published("TypeRef", "Reference in Function JSON.", default=None)
+    reference: Name | None = published("TypeRef", "Reference in Function JSON.", default=None)
     symbols: tuple[Symbol, ...] | None = published("EnumField", "Values, in order.", default=None, strict=False)
-    storage: str | None = own("StorageType", "Word for the integer that holds an enumeration.")
-    vss_datatype: str | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
+    storage: Name | None = own("StorageType", "Word for the integer that holds an enumeration.")
+    vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
     description: Text | None = own("Description", "What a struct is.")
 
     @property
@@ -146,19 +171,19 @@ class TypeEntry(WireModel):
 class ParameterType(WireModel):
     """Datatype, range and values of a parameter, in one of the forms of the published schema."""
 
-    datatype: str | None = published("Datatype", "Word for a number, or boolean.", default=None)
-    text_datatype: str | None = published("DataType", "string.", default=None)
-    name: str | None = published("Name", "Name of a structure, array or enumeration.", default=None)
-    kind: str | None = published("Class", "structure.", default=None)
+    datatype: Name | None = published("Datatype", "Word for a number, or boolean.", default=None)
+    text_datatype: Name | None = published("DataType", "string.", default=None)
+    name: Name | None = published("Name", "Name of a structure, array or enumeration.", default=None)
+    kind: Name | None = published("Class", "structure.", default=None)
     fields: tuple[StructField, ...] | None = published("Field", "Members.", default=None, strict=False)
-    reference: str | None = published("TypeRef", "Name of a datatype of the document.", default=None)
+    reference: Name | None = published("TypeRef", "Name of a datatype of the document.", default=None)
     min: Number | None = published("MinValue", "Smallest valid value.", default=None)
     max: Number | None = published("MaxValue", "Largest valid value.", default=None)
     offset: Number | None = published("Offset", "Offset of the scaling.", default=None)
     scaling: Number | None = published("Scaling", "Factor of the scaling.", default=None)
-    unit: str | None = published("Unit", "Unit of the value; empty if it has none.", default=None)
-    default: bool | Number | str | None = published("Default", "Value of a new vehicle.", default=None)
-    init_value: bool | Number | str | None = published("InitValue", "Value at start-up.", default=None)
+    unit: UnitKey | None = published("Unit", "Unit of the value; empty if it has none.", default=None)
+    default: bool | Number | Value | None = published("Default", "Value of a new vehicle.", default=None)
+    init_value: bool | Number | Value | None = published("InitValue", "Value at start-up.", default=None)
 
     @property
     def word(self) -> str:
@@ -170,35 +195,37 @@ class ParameterType(WireModel):
 class ParameterEntry(WireModel):
     """A value that is set before the function runs, or that it learns and keeps."""
 
-    name: str = published("Name", "Name of the parameter.")
+    name: Name = published("Name", "Name of the parameter.")
     description: Text = published("Description", "What the value means.")
     datatype: ParameterType = published("Datatype", "Datatype, range and values.")
-    range_error_action: str | None = published("RangeErrorAction", "What replaces a value out of range.")
-    interface_type: str = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
-    attribute: str = published("Attribute", "NA, Normal or LearningParameter.")
-    function: str | None = own("Function", "Name of the function.")
-    calls: tuple[str, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
-    asil_level: str | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
-    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
-    variable: str | None = own("Variable", "Expression of the C code that holds the value.")
-    vss_path: str | None = own("VssPath", "Path of the parameter in the catalogue.")
-    vss_datatype: str | None = own("VssDatatype", "Datatype in the catalogue.")
-    vss_unit: str | None = own("VssUnit", "Unit in the catalogue.")
+    range_error_action: Name | None = published("RangeErrorAction", "What replaces a value out of range.")
+    interface_type: Name = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
+    attribute: Name = published("Attribute", "NA, Normal or LearningParameter.")
+    function: FunctionName | None = own("Function", "Name of the function.")
+    calls: tuple[CallName, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
+    asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
+    code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
+    variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
+    vss_path: VssPath | None = own("VssPath", "Path of the parameter in the catalogue.")
+    vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
+    vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
     vss_symbols: tuple[Symbol, ...] | None = own(
         "VssSymbols", "Numbers of an enumeration in the catalogue, where the code has others.", strict=False
     )
-    conversion_factor: str | None = own("ConversionFactor", "Value in the catalogue's unit = value × factor + offset.")
-    conversion_offset: str | None = own("ConversionOffset", "Offset of the conversion, in the catalogue's unit.")
+    conversion_factor: NumberText | None = own(
+        "ConversionFactor", "Value in the catalogue's unit = value × factor + offset."
+    )
+    conversion_offset: NumberText | None = own("ConversionOffset", "Offset of the conversion, in the catalogue's unit.")
     code: ParameterCode | None = own("Code", "The parameter in C and in its storage.")
 
 
 class Use(WireModel):
     """One call's side of an event: the interface of the function, and the datatype of its code."""
 
-    function: str = always("Function", "Name of the function.")
-    component: str = always("Component", "Name of the component.")
-    call: str = always("Call", "Name of the call.")
-    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    function: FunctionName = always("Function", "Name of the function.")
+    component: ComponentName = always("Component", "Name of the component.")
+    call: CallName = always("Call", "Name of the call.")
+    code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     code_symbols: tuple[Symbol, ...] | None = own(
         "CodeSymbols", "Numbers of an enumeration in the code, where others are sent.", strict=False
     )
@@ -215,58 +242,60 @@ class Use(WireModel):
 class Event(WireModel):
     """A value that a service sends. It travels in the catalogue's datatype and unit, whatever the code of a side has."""
 
-    name: str = published("Name", "Name of the event, from the VSS path.")
-    datatype: str = published("DataType", "Word for a primitive, or the name of a datatype of the document.")
-    data_mapping: tuple[str, ...] | None = published(
+    name: Name = published("Name", "Name of the event, from the VSS path.")
+    datatype: Name = published("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    data_mapping: tuple[CExpression, ...] | None = published(
         "DataMappingList", "Expressions of the C code that hold the value.", strict=False
     )
     description: Text | None = own("Description", "What the value means.")
     event_id: Integer | None = own("EventID", "SOME/IP id of the event.")
-    event_group: str | None = own("EventGroup", "Name of the event group.")
-    unit: str | None = own("Unit", "Unit in which the value is sent.")
+    event_group: Name | None = own("EventGroup", "Name of the event group.")
+    unit: UnitKey | None = own("Unit", "Unit in which the value is sent.")
     min: Number | None = own("Min", "Smallest value, in that unit.")
     max: Number | None = own("Max", "Largest value, in that unit.")
-    scaling: str | None = own("Scaling", "Factor, where the value is sent scaled: value = sent × factor + offset.")
-    offset: str | None = own("Offset", "Offset of that scaling.")
+    scaling: NumberText | None = own(
+        "Scaling", "Factor, where the value is sent scaled: value = sent × factor + offset."
+    )
+    offset: NumberText | None = own("Offset", "Offset of that scaling.")
     cycle_time: Number | None = own("CycleTime", "Time from one value to the next.", unit="ms")
     protection: E2eProtection | None = own("E2eProtection", "How it is protected end to end, if it is.")
-    vss_path: str | None = own("VssPath", "Path of the signal in the catalogue.")
+    vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
     uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
 
 
 class MethodArgument(WireModel):
     """An argument or a return value of a method."""
 
-    name: str = always("Name", "Name of the argument.")
-    datatype: str = always("DataType", "Word for a primitive, or the name of a datatype of the document.")
-    unit: str | None = own("Unit", "Unit of the value.")
-    code_datatype: str | None = own("CodeDatatype", "Datatype of the C code.")
+    name: Name = always("Name", "Name of the argument.")
+    datatype: Name = always("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    unit: UnitKey | None = own("Unit", "Unit of the value.")
+    code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     argument: Argument | None = own("Argument", "The argument as it is in Function JSON.")
 
 
 class Method(WireModel):
     """A call that a service offers."""
 
-    name: str = published("Name", "Name of the method.")
+    name: Name = published("Name", "Name of the method.")
     description: Text | None = own("Description", "What it does.")
     method_id: Integer | None = own("MethodID", "SOME/IP id of the method.")
     inputs: tuple[MethodArgument, ...] | None = own("InArguments", "Arguments, in order.", strict=False)
     outputs: tuple[MethodArgument, ...] | None = own("OutArguments", "Return values, in order.", strict=False)
-    calls: tuple[str, ...] | None = own("Calls", "Calls that use or offer it.", strict=False)
+    calls: tuple[Name, ...] | None = own("Calls", "Calls that use or offer it.", strict=False)
     uses: tuple[MethodUse, ...] | None = own("Uses", "The sides of the method within this component.", strict=False)
 
 
 class ServiceField(WireModel):
     """A status that a service keeps, sends when it changes and returns on request: error, safety reaction or mode."""
 
-    name: str = published("Name", "Name of the interface.")
+    name: Name = published("Name", "Name of the interface.")
     description: Text | None = own("Description", "What the status means.")
-    datatype: str | None = own("DataType", "Word for a primitive, or the name of a datatype of the document.")
+    datatype: Name | None = own("DataType", "Word for a primitive, or the name of a datatype of the document.")
     notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that notifies of a change.")
     getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
-    event_group: str | None = own("EventGroup", "Name of the event group of the notifier.")
-    calls: tuple[str, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
-    vss_path: str | None = own("VssPath", "Path of the interface in the catalogue.")
+    event_group: Name | None = own("EventGroup", "Name of the event group of the notifier.")
+    calls: tuple[Name, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     error: ErrorInterface | None = own("Error", "The error interface as it is in Function JSON.")
     safety_reaction: SafetyReaction | None = own(
         "SafetyReaction", "The safety reaction interface as it is in Function JSON."
@@ -290,15 +319,15 @@ class Services(WireModel):
 class EventGroup(WireModel):
     """Events that are subscribed to together."""
 
-    name: str = always("Name", "Name of the group.")
+    name: Name = always("Name", "Name of the group.")
     id: Integer = always("EventGroupID", "SOME/IP id of the group.")
 
 
 class Provider(WireModel):
     """Who offers a service, and how it is reached."""
 
-    name: str = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
-    deployment: str = published("ServiceDeploymentType", "SOME/IP.")
+    name: Name = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
+    deployment: Name = published("ServiceDeploymentType", "SOME/IP.")
     instance_id: Integer | None = published("ServiceInstanceID", "SOME/IP id of the instance.")
     contract: Text = published("ContractName", "Name of the middleware framework.")
 
@@ -306,8 +335,8 @@ class Provider(WireModel):
 class ServiceInterface(WireModel):
     """A service that a component consumes or provides."""
 
-    name: str = published("Name", "Name of the service interface.")
-    role: Annotated[str, Field(pattern="^(Consumer|Provider)$")] = published("Role", "Consumer or Provider.")
+    name: Name = published("Name", "Name of the service interface.")
+    role: Annotated[str, Field(pattern="^(Consumer|Provider)$"), NAME] = published("Role", "Consumer or Provider.")
     services: tuple[Services, ...] = published("ServiceList", "What is used of it.", strict=False)
     providers: tuple[Provider, ...] | None = published("Provider", "Who offers it.", strict=False)
     service_id: Integer | None = own("ServiceID", "SOME/IP id of the service.")
@@ -317,29 +346,29 @@ class ServiceInterface(WireModel):
     transformation: TransformationSettings | None = own(
         "Transformation", "How SOME/IP lays out what the service sends; as for all if absent."
     )
-    origin: str | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
+    origin: Name | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 
 
 class FunctionMode(WireModel):
     """A mode of a function and what runs in it."""
 
-    function: str = always("Function", "Name of the function.")
-    name: str = always("Name", "Name of the mode.")
+    function: FunctionName = always("Function", "Name of the function.")
+    name: Name = always("Name", "Name of the mode.")
     description: Text | None = own("Description", "What the mode means.")
-    calls: tuple[str, ...] | None = own("Calls", "Calls that run in it.", strict=False)
+    calls: tuple[CallName, ...] | None = own("Calls", "Calls that run in it.", strict=False)
 
 
 class ProcessInstance(WireModel):
     """The instance of a service that a further process offers or uses."""
 
-    service: str = always("Service", "Name of the service interface.")
+    service: Name = always("Service", "Name of the service interface.")
     instance_id: Integer = always("ServiceInstanceID", "SOME/IP id of the instance.")
 
 
 class FurtherProcess(WireModel):
     """Another process of the executable, with instances of its own."""
 
-    name: str = always("Name", "Name of the process.")
+    name: ShortName = always("Name", "Name of the process.")
     instances: tuple[ProcessInstance, ...] = always(
         "Instances", "Instances that are not those of the component.", strict=False
     )
@@ -348,15 +377,15 @@ class FurtherProcess(WireModel):
 class Component(WireModel):
     """A component, its calls and its services; one executable each."""
 
-    name: str = published("Name", "Name of the component.")
-    executable: str = published("ExecutableName", "Name of the executable.")
-    header_files: tuple[str, ...] | None = published("HeaderFiles", "Header files of the code.", strict=False)
-    modes: tuple[str, ...] = published("FunctionGroupModes", "Function group modes in which it runs.", strict=False)
+    name: Name = published("Name", "Name of the component.")
+    executable: Name = published("ExecutableName", "Name of the executable.")
+    header_files: tuple[SourceFile, ...] | None = published("HeaderFiles", "Header files of the code.", strict=False)
+    modes: tuple[Name, ...] = published("FunctionGroupModes", "Function group modes in which it runs.", strict=False)
     calls: tuple[Call, ...] = published("FunctionList", "Calls.", strict=False)
     parameters: tuple[ParameterEntry, ...] | None = published("ParameterList", "Parameters.", strict=False)
     services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
-    function: str | None = own("Function", "Name of the function.")
-    version: str | None = own("Version", "Version of the function.")
+    function: FunctionName | None = own("Function", "Name of the function.")
+    version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
@@ -375,8 +404,8 @@ class Component(WireModel):
 class ArxmlDeployment(WireModel):
     """What the ARXML takes beside the elements, as the deployment file has it."""
 
-    package: str = always("Package", "Outermost package of the ARXML.")
-    function_group: str = always("FunctionGroup", "Function group of the executables.")
+    package: Name = always("Package", "Outermost package of the ARXML.")
+    function_group: Name = always("FunctionGroup", "Function group of the executables.")
     release: ReleaseName = described(
         "Release", "Release of AUTOSAR that the ARXML is of.", default=DEFAULT_RELEASE, source=OWN
     )
@@ -394,7 +423,7 @@ class ArxmlDeployment(WireModel):
         default=DEFAULT_SERVICE_DISCOVERY,
         source=OWN,
     )
-    units: dict[str, UnitSettings] | None = own("Units", "Units that are not those of VSS, in SI units.")
+    units: dict[UnitKey, UnitSettings] | None = own("Units", "Units that are not those of VSS, in SI units.")
 
 
 class IntegrationModel(WireModel):
@@ -405,7 +434,9 @@ class IntegrationModel(WireModel):
     components: tuple[Component, ...] = published("ComponentList", "Components.", strict=False)
     datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
-    provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
+    provenance: tuple[dict[Name, Carried], ...] | None = own(
+        "Provenance", "What each function was made from.", strict=False
+    )
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

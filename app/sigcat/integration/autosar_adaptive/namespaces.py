@@ -5,9 +5,10 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
+from sigcat.function.document.field_types import CPP_NAMESPACE
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.reserved_words import CPP_KEYWORDS
 from sigcat.names import snake_case
+from sigcat.reserved_words import is_reserved
 
 HeaderFolders = Literal["namespaces", "none"]
 DEFAULT_HEADER_FOLDERS: HeaderFolders = "namespaces"
@@ -29,7 +30,7 @@ def namespace_of(application: str) -> str:
 
 def _is_reserved(namespace: str) -> bool:
     names = parts(namespace)
-    return names[0] in _TAKEN or any(name in CPP_KEYWORDS for name in names)
+    return names[0] in _TAKEN or any(is_reserved(name) for name in names)
 
 
 def _unreserved(namespace: str) -> str:
@@ -43,5 +44,6 @@ Namespace = Annotated[
     str,
     Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}(::[A-Za-z][A-Za-z0-9_]{0,127})*$", max_length=300),
     AfterValidator(_unreserved),
+    CPP_NAMESPACE,
 ]
 """Namespaces within each other, as `eco::control`."""

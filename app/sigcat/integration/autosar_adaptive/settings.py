@@ -5,6 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.document.field_types import SHORT_NAME, ElementKey, Name, SourceFile, UnitKey, VssPath
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_adaptive.e2e import NO_E2E, E2eSettings
 from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
@@ -18,7 +19,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_si_units import UnitSettings
 
-Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
+Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), SHORT_NAME]
 """An AUTOSAR short name."""
 
 
@@ -26,11 +27,11 @@ class ComponentSettings(DeclarationModel):
     """What differs for one component."""
 
     executable: Identifier | None = Field(None, description="Name of the executable; <Component>Executable if absent.")
-    header_files: list[Text] | None = Field(
+    header_files: list[SourceFile] | None = Field(
         None, description="Header files of the code; <Component>.h if the code's variables are known, else none."
     )
     startup: StartupSettings = Field(NO_STARTUP, description="How the process is started.")
-    processes: dict[Identifier, dict[Text, Annotated[Integer, Field(ge=1, le=0xFFFE)]]] = Field(
+    processes: dict[Identifier, dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]]] = Field(
         {},
         description="Further processes of the executable, by name: the SOME/IP ids of their instances of services, by the "
         "name of the service. What they offer has an id of its own in each; what they use and do not name is that of the "
@@ -43,7 +44,7 @@ class ServiceSettings(DeclarationModel):
 
     name: Identifier = Field(description="Name of the service interface.")
     namespace: Namespace | None = Field(None, description="C++ namespace of the service; that of all if absent.")
-    paths: list[Text] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
+    paths: list[VssPath] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
     transformation: TransformationSettings | None = Field(
         None, description="How SOME/IP lays out what this service sends; as for all if absent."
     )
@@ -77,7 +78,7 @@ class AutosarAdaptiveSettings(DeclarationModel):
         None, description="Function group of the executables; <Application>FunctionGroup if absent."
     )
     modes: RunModes = Field(RunModes.model_validate({}), description="Function group modes in which calls run.")
-    components: dict[str, ComponentSettings] = Field({}, description="What differs for components, by name.")
+    components: dict[Name, ComponentSettings] = Field({}, description="What differs for components, by name.")
     services: list[ServiceSettings] = Field(
         [], description="Service interfaces of signals that no function of the set provides; by first branch if absent."
     )
@@ -89,14 +90,14 @@ class AutosarAdaptiveSettings(DeclarationModel):
         DEFAULT_SERVICE_DISCOVERY, description="When services are offered, looked for and subscribed to."
     )
     e2e: E2eSettings = Field(NO_E2E, description="Which events are protected end to end, and how.")
-    units: dict[Text, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
-    identifiers: dict[str, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+    units: dict[UnitKey, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
+    identifiers: dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
         "method, field or eventgroup); the others follow the rule. Data ids of end-to-end protection: "
         "`Service.Event:dataId`.",
     )
-    identifier_catalogue: dict[Text, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+    identifier_catalogue: dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
         {},
         description="SOME/IP ids that are given away, by the same keys: a name of the set has its own, and nothing else "
         "gets them. `identifiers` go before. `--identifiers` adds those of files.",

@@ -5,7 +5,8 @@ from typing import Any, Literal, NamedTuple, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from sigcat.function.declaration.form import DeclarationModel, Duration, Natural, Text
+from sigcat.function.declaration.form import DeclarationModel, Duration, Natural
+from sigcat.function.document.field_types import CIdentifier, Value
 from sigcat.function.document.structure import unfit
 from sigcat.function.function_json.wire import Integer
 
@@ -29,8 +30,8 @@ class StartupSettings(DeclarationModel):
     )
     enter_timeout: Duration | None = Field(None, description="Longest time until the process runs, in ms.")
     exit_timeout: Duration | None = Field(None, description="Longest time until the process has ended, in ms.")
-    arguments: list[Text] | None = Field(None, description="Arguments of the executable.")
-    environment: dict[Text, str] | None = Field(None, description="Environment variables of the process.")
+    arguments: list[Value] | None = Field(None, description="Arguments of the executable.")
+    environment: dict[CIdentifier, Value] | None = Field(None, description="Environment variables of the process.")
     restart_attempts: Natural | None = Field(None, description="How often a process that fails is started again.")
 
     @model_serializer(mode="wrap")

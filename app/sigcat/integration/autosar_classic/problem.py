@@ -7,8 +7,8 @@ from typing import Protocol
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
 from sigcat.integration.checked_document import Problem
-from sigcat.integration.reserved_words import CPP_KEYWORDS
 from sigcat.names import IDENTIFIER
+from sigcat.reserved_words import is_reserved
 
 _C_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
 
@@ -48,13 +48,13 @@ def name(at: Pointer, given: str) -> Iterator[Problem]:
     if len(given) > LONGEST_SHORT_NAME:
         message = f"{given[:40]}… must have {LONGEST_SHORT_NAME} characters at most, not {len(given)}."
         yield Problem(at, message, "Shorten it.")
-    elif not IDENTIFIER.fullmatch(given) or given in CPP_KEYWORDS:
+    elif not IDENTIFIER.fullmatch(given) or is_reserved(given):
         yield Problem(at, f"A name must be an identifier of C, a letter first, not {given!r}.", "Rename it.")
 
 
 def identifier(at: Pointer, given: str) -> Iterator[Problem]:
     """Text that becomes a word of C, though it is no short name."""
-    if not _C_IDENTIFIER.fullmatch(given) or given in CPP_KEYWORDS:
+    if not _C_IDENTIFIER.fullmatch(given) or is_reserved(given):
         yield Problem(at, f"It must be an identifier of C that is no keyword, not {given[:60]!r}.", "Rename it.")
 
 

@@ -5,23 +5,24 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
-from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.declaration.form import DeclarationModel
+from sigcat.function.document.field_types import C_IDENTIFIER, SHORT_NAME, FileTitle, Name
 from sigcat.function.document.structure import unfit
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_classic.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_names import event_name
-from sigcat.integration.reserved_words import CPP_KEYWORDS
+from sigcat.reserved_words import is_reserved
 
 
 def _no_keyword(name: str) -> str:
-    if name in CPP_KEYWORDS:
+    if is_reserved(name):
         raise PydanticCustomError("keyword", "Input should be no keyword of C or C++")
     return name
 
 
-Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), AfterValidator(_no_keyword)]
+Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), AfterValidator(_no_keyword), SHORT_NAME]
 """An AUTOSAR short name."""
-BusName = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_]{0,127}$")]
+BusName = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_]{0,127}$"), C_IDENTIFIER]
 """A name in a CAN database."""
 
 
@@ -32,7 +33,9 @@ class SignalSettings(DeclarationModel):
     message: BusName | None = Field(
         None, description="Message that has it; its name is part of that of the system signal."
     )
-    database: Text | None = Field(None, description="File name of the CAN database, for those who read the document.")
+    database: FileTitle | None = Field(
+        None, description="File name of the CAN database, for those who read the document."
+    )
     length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(
         None, description="Length of the signal, in bits: room for every value (K013)."
     )
@@ -62,7 +65,7 @@ class AutosarClassicSettings(DeclarationModel):
         "ports",
         description="Where calibration parameters are: in a component of their own, over ports, or within each component.",
     )
-    signals: Annotated[dict[str, SignalSettings], AfterValidator(_each_once)] = Field(
+    signals: Annotated[dict[Name, SignalSettings], AfterValidator(_each_once)] = Field(
         {}, description="Signals of buses that carry data elements, by VSS path or by the name of the port."
     )
     tick: Annotated[Integer, Field(ge=1)] = Field(

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.reserved_words import C_MACROS, CPP_KEYWORDS, IDL_KEYWORDS, PYTHON_KEYWORDS
 from sigcat.names import camel_case, screaming_snake_case, snake_case
+from sigcat.reserved_words import C_KEYWORDS, CPP_KEYWORDS, IDL_KEYWORDS, PYTHON_KEYWORDS, is_of_headers
 
 FIELD = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*")
@@ -100,11 +100,11 @@ def _like(digest: str, text: str) -> str:
 
 
 def _reserved(text: str) -> str:
-    if text in CPP_KEYWORDS:
+    if text in CPP_KEYWORDS or text in C_KEYWORDS:
         return "C++"
     if text in PYTHON_KEYWORDS:
         return "Python"
-    if text in C_MACROS:
+    if is_of_headers(text):
         return "the C library"
     if text in GENERATED:
         return "rosidl"

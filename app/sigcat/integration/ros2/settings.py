@@ -7,6 +7,7 @@ from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from sigcat.function.declaration.form import DeclarationModel, Natural, Text
+from sigcat.function.document.field_types import E_MAIL, ROS_NAME, ROS_NAMESPACE, Name
 from sigcat.integration.ros2.names import PACKAGES_OF_ROS
 
 EMAIL = re.compile(r"[^@\s<>\"&]+@[^@\s<>\"&]+")
@@ -19,7 +20,7 @@ def _not_of_ros(name: str) -> str:
     return name
 
 
-RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100), AfterValidator(_not_of_ros)]
+RosName = Annotated[str, Field(pattern=r"^[a-z](_?[a-z0-9]+)*$", max_length=100), AfterValidator(_not_of_ros), ROS_NAME]
 Topics = Literal["cycle", "signal", "branch", "function"]
 
 
@@ -52,7 +53,7 @@ class Ros2Settings(DeclarationModel):
         description="How messages hold an enumeration of texts: its number, with a constant for each, beside the text; "
         "or one of the two alone. The numbers are the catalogue's.",
     )
-    namespace: Annotated[str, Field(pattern=f"^{NAMESPACE.pattern}$", max_length=100)] = Field(
+    namespace: Annotated[str, Field(pattern=f"^{NAMESPACE.pattern}$", max_length=100), ROS_NAMESPACE] = Field(
         "", description="Namespace of the nodes, as /ego. Names of topics and services are relative to it."
     )
     message_package: RosName | None = Field(
@@ -66,11 +67,11 @@ class Ros2Settings(DeclarationModel):
         "other, without. The parameter `scheduling_policy` of a node goes before.",
     )
     maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")
-    email: Annotated[str, Field(pattern=f"^{EMAIL.pattern}$", max_length=200)] = Field(
+    email: Annotated[str, Field(pattern=f"^{EMAIL.pattern}$", max_length=200), E_MAIL] = Field(
         "maintainer@example.com", description="Mail address of the maintainer; package.xml requires one."
     )
     license: Text = Field("Proprietary", description="License of the packages, as package.xml states it.")
-    quality: dict[Text, QualitySettings] = Field(
+    quality: dict[Name, QualitySettings] = Field(
         {}, description="Quality of service by VSS path or name of a topic, where it differs from the derived one."
     )
 

@@ -2,6 +2,15 @@
 
 from typing import Literal
 
+from sigcat.function.document.field_types import (
+    CallName,
+    CIdentifier,
+    MethodName,
+    Name,
+    ParameterName,
+    ShortName,
+    SourceFile,
+)
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -28,10 +37,10 @@ AsynchronousCall: Rte_Call; Result: Rte_Result; Parameter: Rte_Prm; InternalTrig
 class Access(WireModel):
     """What a runnable does with an element of a port, which decides which functions the RTE gives it."""
 
-    name: str = always("Name", "Name of the access point, unique in the runnable.")
+    name: ShortName = always("Name", "Name of the access point, unique in the runnable.")
     kind: AccessKind = always("Kind", "Which functions of the RTE it stands for.")
-    port: str | None = own("Port", "Name of the port; absent for an internal trigger.")
-    element: str = always(
+    port: ShortName | None = own("Port", "Name of the port; absent for an internal trigger.")
+    element: ShortName = always(
         "Element", "Name of the element, operation or mode prototype; of an internal trigger its runnable."
     )
     reason: Text | None = own("Reason", "Why it is accessed this way.")
@@ -40,76 +49,76 @@ class Access(WireModel):
 class Runnable(WireModel):
     """A function in C that the RTE starts."""
 
-    name: str = always("Name", "Name of the runnable.")
-    symbol: str = always("Symbol", "Name of the function in C, unique on the ECU.")
+    name: ShortName = always("Name", "Name of the runnable.")
+    symbol: CIdentifier = always("Symbol", "Name of the function in C, unique on the ECU.")
     role: Literal["Init", "Step", "Method", "Receive", "Supervise", "JudgeWindows", "Answer", "Terminate"] = always(
         "Role", "What it does with the core."
     )
-    call: str | None = own("Call", "Call of the function that it runs; absent where it runs none.")
-    method: str | None = own("Method", "Method of the function that it offers, or whose answer it takes.")
+    call: CallName | None = own("Call", "Call of the function that it runs; absent where it runs none.")
+    method: MethodName | None = own("Method", "Method of the function that it offers, or whose answer it takes.")
     description: Text | None = own("Description", "What it does.")
     concurrent: bool = always("CanBeInvokedConcurrently", "Whether it may run twice at the same time.")
     minimum_start_interval: Number = always("MinimumStartInterval", "Shortest time between two starts.", unit="s")
     accesses: tuple[Access, ...] = always("Accesses", "What it does with ports.", strict=False)
-    exclusive_areas: tuple[str, ...] = always("ExclusiveAreas", "Exclusive areas that it enters.", strict=False)
-    parameters: tuple[str, ...] | None = own(
+    exclusive_areas: tuple[ShortName, ...] = always("ExclusiveAreas", "Exclusive areas that it enters.", strict=False)
+    parameters: tuple[ShortName, ...] | None = own(
         "Parameters", "Internal calibration parameters that it reads.", strict=False
     )
     stack_size: Integer | None = own("StackSize", "Stack that the call needs.", unit="bytes")
-    asil_level: str | None = own("AsilLevel", "ASIL that it is implemented to.")
-    section: str = always("Section", "Memory section of its code: CODE, or with its ASIL.")
+    asil_level: Name | None = own("AsilLevel", "ASIL that it is implemented to.")
+    section: ShortName = always("Section", "Memory section of its code: CODE, or with its ASIL.")
 
 
 class Event(WireModel):
     """What starts a runnable."""
 
-    name: str = always("Name", "Name of the event.")
+    name: ShortName = always("Name", "Name of the event.")
     kind: Literal[
         "Init", "Timing", "DataReceived", "ModeSwitch", "OperationInvoked", "CallReturns", "InternalTrigger"
     ] = always("Kind", "Kind of the event.")
-    runnable: str = always("Runnable", "Runnable that it starts.")
+    runnable: ShortName = always("Runnable", "Runnable that it starts.")
     period: Number | None = own("Period", "Period of a timing event.", unit="s")
     offset: Number | None = own("Offset", "Offset of a timing event.", unit="s")
-    port: str | None = own("Port", "Port of what is received, called or switched.")
-    element: str | None = own(
+    port: ShortName | None = own("Port", "Port of what is received, called or switched.")
+    element: ShortName | None = own(
         "Element", "Data element, operation or mode prototype; of an internal trigger its access point."
     )
-    source: str | None = own("Source", "Runnable that has the access point which triggers or whose call returns.")
-    mode: str | None = own("Mode", "Mode that is entered or left.")
+    source: ShortName | None = own("Source", "Runnable that has the access point which triggers or whose call returns.")
+    mode: ShortName | None = own("Mode", "Mode that is entered or left.")
     activation: Literal["OnEntry", "OnExit"] | None = own("Activation", "OnEntry or OnExit of the mode.")
 
 
 class ExclusiveArea(WireModel):
     """What only one runnable is in at a time."""
 
-    name: str = always("Name", "Name of the area, as in Rte_Enter_<name>.")
+    name: ShortName = always("Name", "Name of the area, as in Rte_Enter_<name>.")
     description: Text = always("Description", "What it protects.")
 
 
 class PerInstanceMemory(WireModel):
     """Memory of the component that the RTE holds, in a datatype of C."""
 
-    name: str = always("Name", "Name of the memory, as in Rte_Pim_<name>.")
-    type: str = always("Type", "Datatype of C.")
-    type_definition: str = always("TypeDefinition", "What the type is defined as, in C.")
-    header: str | None = own("Header", "Header that defines it.")
+    name: ShortName = always("Name", "Name of the memory, as in Rte_Pim_<name>.")
+    type: CIdentifier = always("Type", "Datatype of C.")
+    type_definition: CIdentifier = always("TypeDefinition", "What the type is defined as, in C.")
+    header: SourceFile | None = own("Header", "Header that defines it.")
     description: Text = always("Description", "What it holds.")
 
 
 class InternalParameter(WireModel):
     """A calibration parameter that stays within the component."""
 
-    name: str = always("Name", "Name of the parameter, as in Rte_CData_<name>.")
-    type: str = always("Type", "Name of its application type.")
+    name: ShortName = always("Name", "Name of the parameter, as in Rte_CData_<name>.")
+    type: ShortName = always("Type", "Name of its application type.")
     init: object = own("InitValue", "Its value.")
-    uses: tuple[str, ...] = always("Uses", "Names of the parameters of the function behind it.", strict=False)
+    uses: tuple[ParameterName, ...] = always("Uses", "Names of the parameters of the function behind it.", strict=False)
 
 
 class MemorySection(WireModel):
     """A section into which code or variables of the component are placed."""
 
-    name: str = always("Name", "Name, as in <Component>_START_SEC_<name>.")
+    name: ShortName = always("Name", "Name, as in <Component>_START_SEC_<name>.")
     kind: Literal["CODE", "VAR_CLEARED", "VAR_INIT", "CONST", "CALIB"] = always("Kind", "What is in it.")
-    asil_level: str = always("AsilLevel", "ASIL of what is in it: QM, A, B, C or D.")
+    asil_level: Name = always("AsilLevel", "ASIL of what is in it: QM, A, B, C or D.")
     alignment: Literal["UNSPECIFIED", "8", "32", "BOOLEAN"] = always("Alignment", "Alignment in bits.")
     stack_size: Integer | None = own("StackSize", "Largest stack that a runnable in it needs.", unit="bytes")

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from sigcat.function.document.field_types import DATE, VERSION, Carried, FunctionName, Name, ShortName, Version
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
@@ -43,26 +44,26 @@ class MetaInformation(WireModel):
 
     authority: Text = always("Authority", "Organization that the document belongs to.")
     author: Text = always("Author", "Author of the document.")
-    date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$")] = always("Date", "Date of the document.")
-    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$")] = always("Version", "Version of the document.")
+    date: Annotated[str, Field(pattern=r"^\d{4}-\d{2}-\d{2}$"), DATE] = always("Date", "Date of the document.")
+    version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] = always("Version", "Version of the document.")
 
 
 class ApplicationInformation(WireModel):
     """Identity of the application: a function, or a set of them."""
 
-    name: str = always("Name", "Name of the application.")
+    name: Name = always("Name", "Name of the application.")
     responsible: Text = always("Responsible", "Who answers for it.")
     description: Text = always("Description", "What it does.")
-    functions: tuple[str, ...] = always("Functions", "Names of the functions.", strict=False)
+    functions: tuple[FunctionName, ...] = always("Functions", "Names of the functions.", strict=False)
 
 
 class Component(WireModel):
     """A software component type: a component of a function."""
 
-    name: str = always("Name", "Name of the component type.")
+    name: ShortName = always("Name", "Name of the component type.")
     kind: Literal["Application"] = always("Kind", "Application.")
-    function: str = always("Function", "Name of the function.")
-    version: str | None = own("Version", "Version of the function.")
+    function: FunctionName = always("Function", "Name of the function.")
+    version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
     ports: tuple[Port, ...] = always("Ports", "Ports, by name.", strict=False)
     runnables: tuple[Runnable, ...] = always("Runnables", "Runnables.", strict=False)
@@ -79,21 +80,21 @@ class Component(WireModel):
         "Inhibitions", "Function identifiers that its safety conditions inhibit.", strict=False
     )
     sections: tuple[MemorySection, ...] = always("MemorySections", "Memory sections.", strict=False)
-    asil_level: str = always("AsilLevel", "Highest ASIL of its calls and interfaces.")
+    asil_level: Name = always("AsilLevel", "Highest ASIL of its calls and interfaces.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
 
 
 class ParameterComponent(WireModel):
     """A component that has nothing but the values of calibration parameters."""
 
-    name: str = always("Name", "Name of the component type.")
+    name: ShortName = always("Name", "Name of the component type.")
     ports: tuple[Port, ...] = always("Ports", "Ports that provide parameters.", strict=False)
 
 
 class ClassicDeployment(WireModel):
     """What ARXML and code take beside the elements, as the deployment file has it."""
 
-    package: str = always("Package", "Outermost package of the ARXML.")
+    package: ShortName = always("Package", "Outermost package of the ARXML.")
     release: ReleaseName = always("Release", "Release of AUTOSAR that the ARXML is of.", default=DEFAULT_RELEASE)
     tick: Integer = always("Tick", "Period of the counter that starts timing events.", unit="µs")
 
@@ -132,7 +133,9 @@ class ClassicIntegration(WireModel):
     )
     composition: Composition = always("Composition", "How components are connected.")
     ecu: Ecu = always("Ecu", "The ECU, its signals and tasks.")
-    provenance: tuple[dict[str, Any], ...] | None = own("Provenance", "What each function was made from.", strict=False)
+    provenance: tuple[dict[Name, Carried], ...] | None = own(
+        "Provenance", "What each function was made from.", strict=False
+    )
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

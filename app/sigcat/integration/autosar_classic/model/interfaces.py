@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.field_types import Name, ShortName, UnitKey, VssPath
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -13,18 +14,18 @@ Kind = Literal["SenderReceiver", "ClientServer", "ModeSwitch", "Parameter"]
 class DataElement(WireModel):
     """A variable of a sender-receiver interface, or a parameter of a parameter interface."""
 
-    name: str = always("Name", "Name of the element.")
-    type: str = always("Type", "Name of its application type; of an implementation type where there is none.")
+    name: ShortName = always("Name", "Name of the element.")
+    type: ShortName = always("Type", "Name of its application type; of an implementation type where there is none.")
     description: Text | None = own("Description", "What the value means.")
     queued: bool | None = own("Queued", "Whether values are queued; each is then an event that is not lost.")
-    vss_path: str | None = own("VssPath", "Path in the catalogue.")
-    unit: str | None = own("Unit", "Unit in which the value is sent, as the catalogue has it.")
+    vss_path: VssPath | None = own("VssPath", "Path in the catalogue.")
+    unit: UnitKey | None = own("Unit", "Unit in which the value is sent, as the catalogue has it.")
 
 
 class SenderReceiverInterface(WireModel):
     """Data that one component sends and others receive."""
 
-    name: str = always("Name", "Name of the interface.")
+    name: ShortName = always("Name", "Name of the interface.")
     elements: tuple[DataElement, ...] = always("Elements", "Data elements.", strict=False)
     description: Text | None = own("Description", "What it carries.")
 
@@ -32,44 +33,44 @@ class SenderReceiverInterface(WireModel):
 class ParameterInterface(WireModel):
     """Calibration parameters."""
 
-    name: str = always("Name", "Name of the interface.")
+    name: ShortName = always("Name", "Name of the interface.")
     elements: tuple[DataElement, ...] = always("Elements", "Parameters.", strict=False)
 
 
 class OperationArgument(WireModel):
     """An argument of an operation."""
 
-    name: str = always("Name", "Name of the argument.")
-    type: str = always("Type", "Name of its implementation type.")
+    name: ShortName = always("Name", "Name of the argument.")
+    type: ShortName = always("Type", "Name of its implementation type.")
     direction: Literal["IN", "OUT", "INOUT"] = always("Direction", "IN, OUT or INOUT.")
-    unit: str | None = own("Unit", "Unit of the value.")
+    unit: UnitKey | None = own("Unit", "Unit of the value.")
 
 
 class ApplicationError(WireModel):
     """An error that an operation can return."""
 
-    name: str = always("Name", "Name of the error.")
+    name: ShortName = always("Name", "Name of the error.")
     value: Integer = always("Value", "Its number: 1 to 63.")
 
 
 class Operation(WireModel):
     """An operation of a client-server interface."""
 
-    name: str = always("Name", "Name of the operation.")
+    name: ShortName = always("Name", "Name of the operation.")
     arguments: tuple[OperationArgument, ...] = always("Arguments", "Arguments, in order.", strict=False)
-    errors: tuple[str, ...] | None = own("PossibleErrors", "Names of the errors that it can return.", strict=False)
+    errors: tuple[Name, ...] | None = own("PossibleErrors", "Names of the errors that it can return.", strict=False)
     description: Text | None = own("Description", "What it does.")
 
 
 class ClientServerInterface(WireModel):
     """Operations that one component offers and others call; or a service of the base software."""
 
-    name: str = always("Name", "Name of the interface.")
+    name: ShortName = always("Name", "Name of the interface.")
     operations: tuple[Operation, ...] = always("Operations", "Operations.", strict=False)
     errors: tuple[ApplicationError, ...] | None = own(
         "ApplicationErrors", "Errors that operations return.", strict=False
     )
-    service: str | None = own(
+    service: Name | None = own(
         "ServiceKind",
         "Module of the base software that offers it: DiagnosticEventManager, NvRamManager, WatchdogManager, FunctionInhibitionManager; "
         "absent if a component does.",
@@ -79,7 +80,9 @@ class ClientServerInterface(WireModel):
 class ModeSwitchInterface(WireModel):
     """A mode that one component switches and others follow."""
 
-    name: str = always("Name", "Name of the interface.")
-    group: str = always("ModeGroup", "Name of its mode declaration group.")
-    prototype: str = always("Prototype", "Name of the mode within the interface, as in Rte_Mode_<port>_<prototype>.")
-    service: str | None = own("ServiceKind", "Module of the base software that switches it: EcuManager.")
+    name: ShortName = always("Name", "Name of the interface.")
+    group: ShortName = always("ModeGroup", "Name of its mode declaration group.")
+    prototype: ShortName = always(
+        "Prototype", "Name of the mode within the interface, as in Rte_Mode_<port>_<prototype>."
+    )
+    service: Name | None = own("ServiceKind", "Module of the base software that switches it: EcuManager.")

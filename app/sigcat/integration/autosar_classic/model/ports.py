@@ -1,7 +1,8 @@
 """Ports of a component."""
 
-from typing import Any, Literal
+from typing import Literal
 
+from sigcat.function.document.field_types import AnyValue, CallName, FunctionName, InterfaceName, Name, ShortName
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -11,20 +12,20 @@ from sigcat.integration.autosar_classic.model.interfaces import Kind
 class Use(WireModel):
     """An interface of the function that stands behind an element of a port."""
 
-    interface: str = always("Interface", "Name of the interface in the function.")
+    interface: InterfaceName = always("Interface", "Name of the interface in the function.")
     kind: Literal["signal", "queue", "method", "parameter", "error", "safety reaction", "mode"] = always(
         "Kind", "Which of its lists it is in."
     )
-    function: str = always("Function", "Name of the function that has the port.")
-    call: str | None = own("Call", "Call that has it; absent for modes.")
+    function: FunctionName = always("Function", "Name of the function that has the port.")
+    call: CallName | None = own("Call", "Call that has it; absent for modes.")
     timeout: Number | None = own("Timeout", "Longest age of a value: the core judges it, not COM.", unit="ms")
 
 
 class Element(WireModel):
     """What a port says of an element of its interface: its communication specification."""
 
-    name: str = always("Name", "Name of the data element, operation, mode or parameter.")
-    init: Any = own(
+    name: ShortName = always("Name", "Name of the data element, operation, mode or parameter.")
+    init: AnyValue = own(
         "InitValue",
         "Value before the first one, in the unit of the interface: a number, a list, an object; of an enumeration its number.",
     )
@@ -41,14 +42,14 @@ class Element(WireModel):
 class Port(WireModel):
     """A port prototype of a component."""
 
-    name: str = always("Name", "Name of the port.")
+    name: ShortName = always("Name", "Name of the port.")
     direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")
     kind: Kind = always("Kind", "Kind of its interface.")
-    interface: str = always("Interface", "Name of its interface.")
+    interface: ShortName = always("Interface", "Name of its interface.")
     elements: tuple[Element, ...] = always(
         "Elements", "Elements that are used, with what holds for each.", strict=False
     )
-    service: str | None = own(
+    service: Name | None = own(
         "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
     )
     description: Text | None = own("Description", "What goes through it.")

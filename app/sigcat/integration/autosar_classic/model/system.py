@@ -1,7 +1,8 @@
 """The components together: composition, ECU, system signals and tasks."""
 
-from typing import Any, Literal
+from typing import Literal
 
+from sigcat.function.document.field_types import AnyValue, FileTitle, ShortName, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -11,32 +12,32 @@ from sigcat.integration.autosar_classic.model.interfaces import Kind
 class Prototype(WireModel):
     """A component of the composition."""
 
-    name: str = always("Name", "Name of the component prototype.")
-    type: str = always("Type", "Name of the component type.")
+    name: ShortName = always("Name", "Name of the component prototype.")
+    type: ShortName = always("Type", "Name of the component type.")
 
 
 class OuterPort(WireModel):
     """A port of the composition: what comes from outside of the set, or goes there."""
 
-    name: str = always("Name", "Name of the port.")
+    name: ShortName = always("Name", "Name of the port.")
     direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")
     kind: Kind = always("Kind", "Kind of its interface.")
-    interface: str = always("Interface", "Name of its interface.")
-    init: Any = own("InitValue", "Value before the first one, of the data element that the interface has.")
-    provider: str | None = own("ExternalProvider", "Who provides it, as the functions or the deployment say.")
+    interface: ShortName = always("Interface", "Name of its interface.")
+    init: AnyValue = own("InitValue", "Value before the first one, of the data element that the interface has.")
+    provider: Words | None = own("ExternalProvider", "Who provides it, as the functions or the deployment say.")
 
 
 class PortReference(WireModel):
     """A port of a component of the composition."""
 
-    component: str = always("Component", "Name of the component prototype.")
-    port: str = always("Port", "Name of its port.")
+    component: ShortName = always("Component", "Name of the component prototype.")
+    port: ShortName = always("Port", "Name of its port.")
 
 
 class Assembly(WireModel):
     """A connection between two components."""
 
-    name: str = always("Name", "Name of the connector.")
+    name: ShortName = always("Name", "Name of the connector.")
     provider: PortReference = always("Provider", "The port that provides.")
     requester: PortReference = always("Requester", "The port that requires.")
 
@@ -44,15 +45,15 @@ class Assembly(WireModel):
 class Delegation(WireModel):
     """A connection between a component and a port of the composition."""
 
-    name: str = always("Name", "Name of the connector.")
+    name: ShortName = always("Name", "Name of the connector.")
     inner: PortReference = always("Inner", "The port of the component.")
-    outer: str = always("Outer", "Name of the port of the composition.")
+    outer: ShortName = always("Outer", "Name of the port of the composition.")
 
 
 class Composition(WireModel):
     """The components and how they are connected."""
 
-    name: str = always("Name", "Name of the composition.")
+    name: ShortName = always("Name", "Name of the composition.")
     prototypes: tuple[Prototype, ...] = always("Components", "Components.", strict=False)
     ports: tuple[OuterPort, ...] = always("Ports", "Ports to the outside.", strict=False)
     assemblies: tuple[Assembly, ...] = always("Assemblies", "Connections between components.", strict=False)
@@ -62,26 +63,26 @@ class Composition(WireModel):
 class SystemSignal(WireModel):
     """A data element of the composition that travels over a bus."""
 
-    port: str = always("Port", "Port of the composition.")
-    element: str = always("Element", "Data element.")
-    signal: str = always("SystemSignal", "Name of the system signal.")
-    message: str | None = own("Message", "Message of the CAN database that has it.")
-    database: str | None = own("Database", "File name of the database.")
+    port: ShortName = always("Port", "Port of the composition.")
+    element: ShortName = always("Element", "Data element.")
+    signal: ShortName = always("SystemSignal", "Name of the system signal.")
+    message: ShortName | None = own("Message", "Message of the CAN database that has it.")
+    database: FileTitle | None = own("Database", "File name of the database.")
     length: Integer | None = own("Length", "Length of the signal.", unit="bits")
 
 
 class TaskEvent(WireModel):
     """An event that is mapped to a task."""
 
-    component: str = always("Component", "Name of the component prototype.")
-    event: str = always("Event", "Name of the event.")
+    component: ShortName = always("Component", "Name of the component prototype.")
+    event: ShortName = always("Event", "Name of the event.")
     position: Integer = always("Position", "Place of the event in the task, from 1: no two have one.")
 
 
 class Task(WireModel):
     """A task of the operating system: a proposal from cycles and priorities."""
 
-    name: str = always("Name", "Name of the task.")
+    name: ShortName = always("Name", "Name of the task.")
     priority: Integer = always("Priority", "Priority; a higher number runs first.")
     preemptable: bool = always("Preemptable", "Whether others may interrupt it.")
     period: Number | None = own("Period", "Period, if it is cyclic.", unit="s")
@@ -94,7 +95,7 @@ class Task(WireModel):
 class InitBatch(WireModel):
     """Runnables that run one after the other before anything else does: `Rte_Init_<Name>`, which the ECU's state manager calls."""
 
-    name: str = always("Name", "Name of the batch.")
+    name: ShortName = always("Name", "Name of the batch.")
     events: tuple[TaskEvent, ...] = always(
         "Events", "Init events, in the order in which their runnables run.", strict=False
     )
@@ -104,7 +105,7 @@ class InitBatch(WireModel):
 class Ecu(WireModel):
     """The ECU that runs the components."""
 
-    name: str = always("Name", "Name of the ECU.")
+    name: ShortName = always("Name", "Name of the ECU.")
     signals: tuple[SystemSignal, ...] = always("Signals", "Data elements that travel over a bus.", strict=False)
     init_batches: tuple[InitBatch, ...] = always(
         "InitBatches", "What runs before the tasks do.", default=(), strict=False

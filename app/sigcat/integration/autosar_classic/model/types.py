@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from sigcat.function.document.field_types import CIdentifier, NumberText, ShortName, UnitKey
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -10,34 +11,36 @@ from sigcat.integration.autosar_classic.model.fields import always, own
 class Symbol(WireModel):
     """A named value of an enumeration."""
 
-    symbol: str = always("Symbol", "Name of the value.")
+    symbol: ShortName = always("Symbol", "Name of the value.")
     value: Integer = always("Value", "Number that stands for it.")
 
 
 class Unit(WireModel):
     """A unit."""
 
-    name: str = always("Name", "Short name of the unit.")
-    display_name: str = always("DisplayName", "Unit as the catalogue has it: km/h.")
+    name: ShortName = always("Name", "Short name of the unit.")
+    display_name: UnitKey = always("DisplayName", "Unit as the catalogue has it: km/h.")
 
 
 class CompuMethod(WireModel):
     """What the numbers of a datatype mean. Values travel in the unit of the catalogue: no number is scaled."""
 
-    name: str = always("Name", "Name of the method.")
+    name: ShortName = always("Name", "Name of the method.")
     category: Literal["IDENTICAL", "LINEAR", "TEXTTABLE"] = always(
         "Category", "IDENTICAL: the number itself; LINEAR: scaled; TEXTTABLE: an enumeration."
     )
-    unit: str | None = own("Unit", "Name of the unit.")
-    factor: str | None = own("Factor", "Value = number × factor + offset; exact: a decimal number or a fraction.")
-    offset: str | None = own("Offset", "Offset of that.")
+    unit: ShortName | None = own("Unit", "Name of the unit.")
+    factor: NumberText | None = own(
+        "Factor", "Value = number × factor + offset; exact: a decimal number or a fraction."
+    )
+    offset: NumberText | None = own("Offset", "Offset of that.")
     symbols: tuple[Symbol, ...] | None = own("Symbols", "Values of an enumeration.", strict=False)
 
 
 class DataConstraint(WireModel):
     """The range of a datatype."""
 
-    name: str = always("Name", "Name of the constraint.")
+    name: ShortName = always("Name", "Name of the constraint.")
     min: Number | None = own("Min", "Smallest value, in the unit of the datatype.")
     max: Number | None = own("Max", "Largest value.")
 
@@ -45,8 +48,8 @@ class DataConstraint(WireModel):
 class TypeMember(WireModel):
     """A member of a structure."""
 
-    name: str = always("Name", "Name of the member.")
-    type: str = always(
+    name: ShortName = always("Name", "Name of the member.")
+    type: ShortName = always(
         "Type", "Name of its datatype: an implementation type in one of these, an application type else."
     )
     description: Text | None = own("Description", "What the member means.")
@@ -55,36 +58,36 @@ class TypeMember(WireModel):
 class ImplementationType(WireModel):
     """A datatype of the code, as the RTE generates it into Rte_Type.h."""
 
-    name: str = always("Name", "Name of the datatype, which is its name in C.")
+    name: ShortName = always("Name", "Name of the datatype, which is its name in C.")
     category: Literal["VALUE", "TYPE_REFERENCE", "ARRAY", "STRUCTURE"] = always(
         "Category",
         "VALUE: a platform type, which the vendor has; TYPE_REFERENCE: another name for one; ARRAY, STRUCTURE.",
     )
-    base: str | None = own(
+    base: ShortName | None = own(
         "Base", "Platform type of a value (uint8, sint16, float32, boolean, ...), or the one that is referred to."
     )
-    element: str | None = own("ElementType", "Implementation type of the elements of an array.")
+    element: ShortName | None = own("ElementType", "Implementation type of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array.")
     members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
-    compu_method: str | None = own("CompuMethod", "Name of the method of an enumeration.")
-    literal_prefix: str | None = own(
+    compu_method: ShortName | None = own("CompuMethod", "Name of the method of an enumeration.")
+    literal_prefix: CIdentifier | None = own(
         "LiteralPrefix", "What the names of its values begin with in C, where two enumerations may have one name."
     )
-    reference: str | None = own("TypeRef", "Reference in Function JSON.")
+    reference: ShortName | None = own("TypeRef", "Reference in Function JSON.")
 
 
 class ApplicationType(WireModel):
     """What the values of a data element mean: unit, range, names."""
 
-    name: str = always("Name", "Name of the datatype.")
+    name: ShortName = always("Name", "Name of the datatype.")
     category: Literal["VALUE", "BOOLEAN", "ARRAY", "STRUCTURE"] = always(
         "Category", "VALUE, BOOLEAN, ARRAY or STRUCTURE."
     )
-    implementation: str = always("ImplementationType", "Name of the datatype of the code that it is mapped to.")
-    compu_method: str | None = own("CompuMethod", "Name of the method; absent for arrays and structures.")
-    constraint: str | None = own("DataConstraint", "Name of the range.")
-    unit: str | None = own("Unit", "Name of the unit.")
-    element: str | None = own("ElementType", "Application type of the elements of an array.")
+    implementation: ShortName = always("ImplementationType", "Name of the datatype of the code that it is mapped to.")
+    compu_method: ShortName | None = own("CompuMethod", "Name of the method; absent for arrays and structures.")
+    constraint: ShortName | None = own("DataConstraint", "Name of the range.")
+    unit: ShortName | None = own("Unit", "Name of the unit.")
+    element: ShortName | None = own("ElementType", "Application type of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array.")
     members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
     description: Text | None = own("Description", "What the values mean.")
@@ -93,15 +96,15 @@ class ApplicationType(WireModel):
 class ModeNumber(WireModel):
     """A mode of a group."""
 
-    name: str = always("Name", "Name of the mode.")
+    name: ShortName = always("Name", "Name of the mode.")
     value: Integer = always("Value", "Number of the mode, which the core takes and gives.")
 
 
 class ModeGroup(WireModel):
     """A mode declaration group: the modes of an interface."""
 
-    name: str = always("Name", "Name of the group.")
+    name: ShortName = always("Name", "Name of the group.")
     modes: tuple[ModeNumber, ...] = always("Modes", "Modes, in the order of the declaration.", strict=False)
-    initial: str = always("InitialMode", "Mode in which the mode machine starts.")
-    type: str = always("Type", "Implementation type that holds a mode.")
+    initial: ShortName = always("InitialMode", "Mode in which the mode machine starts.")
+    type: ShortName = always("Type", "Implementation type that holds a mode.")
     on_transition: Integer = always("OnTransitionValue", "Number that Rte_Mode returns during a transition.")
