@@ -10,6 +10,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     METHODS,
     SERVICES,
     Span,
+    data_ids,
 )
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
@@ -192,26 +193,25 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                     )
 
 
-_WITH_16_BITS = (5, 6)
-"""Profiles whose data ids have 16 bits; those of the others have 32."""
-_IDS_OF_16_BITS, _IDS_OF_32_BITS = Span(0, 0xFFFF), Span(0, 0xFFFFFFFF)
-
-
 def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
     assert interface.service_id is not None
     assert interface.instance_id is not None
     yield ("", "service"), name, interface.service_id, SERVICES
-    yield ("", "instance"), name, interface.instance_id, INSTANCES
+    yield (name, "instance"), name, interface.instance_id, INSTANCES
     for group in interface.event_groups or ():
         yield (name, "group"), f"{name}.{group.name}", group.id, EVENT_GROUPS
     for services in interface.services:
         for event in services.events:
             yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
             if event.protection is not None:
-                span = _IDS_OF_16_BITS if event.protection.profile in _WITH_16_BITS else _IDS_OF_32_BITS
-                yield ("", "data id"), f"{name}.{event.name}", event.protection.data_id, span
+                yield (
+                    ("", "data id"),
+                    f"{name}.{event.name}",
+                    event.protection.data_id,
+                    data_ids(event.protection.profile),
+                )
         for field in services.fields:
             yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
             yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS

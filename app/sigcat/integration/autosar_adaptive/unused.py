@@ -8,7 +8,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_adaptive.protection import DATA_ID
+from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
