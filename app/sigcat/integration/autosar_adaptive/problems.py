@@ -23,6 +23,7 @@ from sigcat.integration.autosar_adaptive.model import (
 from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
+from sigcat.integration.autosar_adaptive.versions import Version, version_of
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
@@ -50,6 +51,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
         yield from _in_component(component, (*at, index), types)
     yield from _names(_storage_interfaces(model), "storage interface")
     yield from _identifiers(model)
+    yield from _versions(model)
     for component, problem in process_problems(model.components):
         position = model.components.index(component)
         yield Problem((*at, position, "Processes"), problem.message, problem.fix)
@@ -171,6 +173,18 @@ def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
     yield from _names((((*at, "EnumField", i), item.symbol) for i, item in enumerate(entry.symbols or ())), "value")
     if entry.kind == "array" and not entry.element:
         yield Problem(at, f"The array {entry.name} must have the datatype of its elements.", "Set its `Type`.")
+
+
+def _versions(model: IntegrationModel) -> Iterator[Problem]:
+    """Services that components of the set have in different versions."""
+    known: dict[str, tuple[Version, str]] = {}
+    for index, component in enumerate(model.components):
+        for number, interface in enumerate(component.services):
+            version, owner = known.setdefault(interface.name, (version_of(interface), component.name))
+            if version != version_of(interface):
+                message = f"{interface.name} must have one version, not {version} in {owner} and {version_of(interface)} in {component.name}."
+                at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number, "MajorVersion")
+                yield Problem(at, message, "Write the same version in each component.")
 
 
 def _identifiers(model: IntegrationModel) -> Iterator[Problem]:

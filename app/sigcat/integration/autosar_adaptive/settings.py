@@ -23,6 +23,10 @@ Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$")]
 """An AUTOSAR short name."""
 
 
+_VERSION = r"^(25[0-4]|2[0-4][0-9]|1?[0-9]?[0-9])\.[0-9]{1,9}$"
+"""Major and minor version of a service; a major version of 255 stands for any in service discovery."""
+
+
 class ComponentSettings(DeclarationModel):
     """What differs for one component."""
 
@@ -97,6 +101,11 @@ class AutosarAdaptiveSettings(DeclarationModel):
         "method, field or eventgroup); the others follow the rule. Data ids of end-to-end protection: "
         "`Service.Event:dataId`, of 32 bits with profiles 4 and 7. vsomeip protects by profile 4 only instances up to "
         "255, with the instance in the highest byte of the data id: ids by rule are so.",
+    )
+    versions: dict[Text, Annotated[str, Field(pattern=_VERSION)]] = Field(
+        {},
+        description="Versions of services, by name, as 2.1: major and minor. Others have 1.0, or with `--previous` the "
+        "version of the previous document, raised by what changed.",
     )
     identifier_catalogue: dict[Text, Annotated[Integer, Field(ge=1, le=LARGEST_ID)]] = Field(
         {},

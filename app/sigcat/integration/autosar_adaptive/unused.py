@@ -23,6 +23,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
         ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
     )
     _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
+    _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
     _report_unknown(("autosarAdaptive", "e2e", "events"), settings.e2e.events, set(_events(services)), context)
     paths = {context.path_of(item) for item in signals}
     for index, service in enumerate(settings.services):
