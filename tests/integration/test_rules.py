@@ -35,13 +35,20 @@ def findings_of(rule, example, folder):
         return findings_of_document(parts["document"].encode(), rule)
     members, _ = read_set([(text.encode(), name) for name, text in parts["files"].items()], interfaces())
     read = [member.resolved for member in members if member.resolved is not None]
+    before = read_set([(parts["previous"].encode(), "previous.json")], interfaces())[0] if "previous" in parts else ()
     deployment = (
         read_deployment(parts["deployment"].encode(), "deployment.yaml")
         if "deployment" in parts
         else DEFAULT_DEPLOYMENT
     )
     platform = PLATFORMS[PLATFORM_OF[rule.id[0]]]
-    integrated = platform.derive(read, deployment, getattr(deployment, platform.section))
+    settings = getattr(deployment, platform.section)
+    integrated = platform.derive(read, deployment, settings)
+    if platform.with_previous is not None and before:
+        previous = platform.derive([each.resolved for each in before if each.resolved], deployment, settings)
+        integrated = platform.with_previous(
+            integrated, (previous.document, "previous.json"), deployment, DEFAULT_LIMITS
+        )
     return (
         integrated.findings if rule.id != codes.NOT_WRITABLE_AS_ROS2.id else findings_of_packages(integrated.document)
     )

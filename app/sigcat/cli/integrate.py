@@ -42,6 +42,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                 metavar="FILE",
                 help="ids that are given away, as CSV or ARXML; may be repeated",
             )
+        if platform.with_previous is not None:
+            one.add_argument(
+                "--previous",
+                type=Path,
+                metavar="FILE",
+                help="the Integration JSON before: services that changed get a new version",
+            )
         add_tree_options(one)
         one.set_defaults(run=run, platform=platform)
 
@@ -52,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.platforms.integrate import integrate
 
     functions = _functions(arguments)
-    integrated = integrate(arguments.platform, functions, _deployment(arguments))
+    integrated = integrate(arguments.platform, functions, _deployment(arguments), _previous(arguments))
     _print(integrated.findings)
     write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
@@ -78,6 +85,11 @@ def _deployment(arguments: argparse.Namespace) -> "Deployment":
     deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(existing_file(path).read_bytes(), str(path))
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
     return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
+
+
+def _previous(arguments: argparse.Namespace) -> tuple[bytes, str] | None:
+    path: Path | None = getattr(arguments, "previous", None)
+    return None if path is None else (existing_file(path).read_bytes(), str(path))
 
 
 def _print(findings: "Iterable[Finding]") -> None:

@@ -69,6 +69,19 @@ def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, st
     return deployment.model_copy(update={"autosar_adaptive": settings.model_copy(update={"identifier_catalogue": ids})})
 
 
+def _with_previous(
+    integrated: Integrated, previous: tuple[bytes, str], deployment: "Deployment", limits: "Limits"
+) -> Integrated:
+    from sigcat.integration.autosar_adaptive.document import read_integration
+    from sigcat.integration.autosar_adaptive.model import IntegrationModel, to_json
+    from sigcat.integration.autosar_adaptive.versions import raised
+
+    settings: AutosarAdaptiveSettings = deployment.autosar_adaptive  # type: ignore[attr-defined]
+    model = IntegrationModel.model_validate_json(integrated.document)
+    made = raised(model, read_integration(*previous, limits), settings.versions)
+    return integrated._replace(document=to_json(made.model), findings=(*integrated.findings, *made.findings))
+
+
 def _report_of_arxml(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
     from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
     from sigcat.integration.autosar_adaptive.document import read_integration
@@ -99,5 +112,12 @@ APPLICATION = Generator(
     view="application",
 )
 AUTOSAR_ADAPTIVE = Platform(
-    "autosar-adaptive", "AUTOSAR adaptive", _settings, _derive, _schema, (ARXML, APPLICATION), _with_identifiers
+    "autosar-adaptive",
+    "AUTOSAR adaptive",
+    _settings,
+    _derive,
+    _schema,
+    (ARXML, APPLICATION),
+    _with_identifiers,
+    _with_previous,
 )

@@ -77,6 +77,10 @@ class Platform(NamedTuple):
     """A deployment with the ids of files, given as content and name; None if the platform has no ids. Raises
     InputRefused if a file cannot be used."""
 
+    with_previous: "Callable[[Integrated, tuple[bytes, str], Deployment, Limits], Integrated] | None" = None
+    """An integration with the versions that follow from the previous Integration JSON, given as content and name; None
+    if the platform has no versions. Raises InputRefused if that document cannot be used."""
+
     @property
     def section(self) -> str:
         """Name of its section among the fields of a deployment."""

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from sigcat.comparison.recording import CallTime
-from sigcat.comparison.running.end_to_end import read_end_to_end
+from sigcat.comparison.running.end_to_end import drive_start, read_end_to_end
 from tests.comparison.ecocontrol import subject
 
 TRACE = """\
@@ -53,6 +53,12 @@ def test_statuses_are_left_out_as_they_come_when_they_change(tmp_path):
 def test_a_line_that_was_cut_off_is_left_out(tmp_path):
     times = ("1000,,0", f"2700,{STATUS},", "28")
     assert ages(tmp_path, *times, calls=(call(2100, 2600),))["CoreAcc"] == (1700,)
+
+
+def test_the_drive_starts_at_the_time_of_its_first_row(tmp_path):
+    (tmp_path / "times").write_text("at,name,row\n5000000100,,100\n5000000350,,300\n")
+    assert drive_start(tmp_path / "times") == 5_000_000_000
+    assert drive_start(tmp_path / "none") == 0
 
 
 def test_a_run_that_was_not_timed_has_none(tmp_path):

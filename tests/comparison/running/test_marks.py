@@ -127,6 +127,16 @@ def test_safety_reactions_are_those_that_the_core_has_after_each_call(program, t
     assert reactions[0][0] == 0 < reactions[1][0] < 1_000_000_000
 
 
+def test_reactions_have_the_time_of_the_drive_whatever_the_clock_of_the_platform(program, tmp_path):
+    subprocess.run([program], check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    connections = subject().prepared.connections
+    (as_marked,), (in_drive,) = (
+        [time for time, _ in read_marks(connections, tmp_path, 0, clock).reactions["AccReqInvalid_SftyCondSts"][1:]]
+        for clock in (0, 1000)
+    )
+    assert in_drive == as_marked - 1000
+
+
 def test_without_a_folder_nothing_is_measured(program, tmp_path):
     environment = {name: value for name, value in os.environ.items() if name != FOLDER}
     subprocess.run([program], check=True, env=environment, cwd=tmp_path)

@@ -104,6 +104,27 @@ def test_an_id_that_the_catalogue_has_for_another_event_is_not_given_away():
     assert moved != own
 
 
+@pytest.mark.parametrize(("profile", "number"), [(4, 0xFFFF_FFFF), (7, 0x0001_0000), (5, 0xFFFF), (6, 65535)])
+def test_a_data_id_has_the_bits_of_its_profile(profile, number):
+    made = derived({"profile": profile}, identifiers={f"{SPEED}:dataId": number})
+    assert data_ids(made) == [number]
+    assert [finding.rule for finding in made.findings if finding.severity == "error"] == []
+    read_integration(to_json(made.model), "integration.json")
+
+
+@pytest.mark.parametrize("profile", [5, 6])
+def test_a_data_id_that_its_profile_does_not_have_is_refused(profile):
+    made = derived({"profile": profile}, identifiers={f"{SPEED}:dataId": 65536})
+    assert [finding.rule for finding in made.findings if finding.severity == "error"] == ["A009"]
+
+
+def test_data_ids_of_profile_4_have_the_instance_in_their_highest_byte():
+    made = derived({"profile": 4})
+    instance = next(number for name, number in identifiers_of(made.model).items() if name.endswith(":instance"))
+    assert 1 <= instance <= 255
+    assert [number >> 24 for number in data_ids(made)] == [instance]
+
+
 def test_the_document_read_back_has_it():
     model = derived({"profile": 4, "maxDeltaCounter": 2}).model
     assert read_integration(to_json(model), "integration.json") == model

@@ -147,7 +147,7 @@ def test_ten_times_the_signals_take_about_ten_times_as_long():
 
 def test_what_is_wrong_with_a_deployment_is_told_in_the_order_of_its_lines():
     with pytest.raises(InputRefused) as refused:
-        read_deployment(b"pakage: X\nautosarAdaptive: {identifiers: {A: 99999999}}\nros2: {topics: x}\n", "d.yaml")
+        read_deployment(b"pakage: X\nautosarAdaptive: {identifiers: {A: 99999999999}}\nros2: {topics: x}\n", "d.yaml")
     assert [finding.line for finding in refused.value.findings] == [1, 2, 3]
 
 

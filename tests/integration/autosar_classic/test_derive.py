@@ -339,14 +339,16 @@ def test_an_error_that_no_function_of_the_set_reports_comes_from_outside():
     assert "Hmi_Fault_ErrorSts" in {each.name for each in model.composition.ports}
 
 
-def test_code_of_an_asil_is_a_section_of_its_own():
-    (demo,) = derive(
-        [function(signals=[at("Vehicle.Speed")], call={"AsilLevel": "B", "StackSize": "512"})]
-    ).model.components
-    assert {(each.name, each.asil_level, each.stack_size) for each in demo.sections if each.kind == "CODE"} == {
-        ("CODE", "QM", None), ("CODE_ASIL_B", "B", 512)
-    }  # fmt: skip
-    assert runnable(demo, "Step").section == "CODE_ASIL_B"
+def test_every_runnable_has_the_asil_of_the_core_that_it_writes():
+    derived = derive([function(signals=[at("Vehicle.Speed")], call={"AsilLevel": "B", "StackSize": "512"})])
+    (demo,) = derived.model.components
+    sections = {(each.name, each.asil_level, each.stack_size) for each in demo.sections}
+    assert sections == {("CODE_ASIL_B", "B", 512), ("VAR_CLEARED_ASIL_B_UNSPECIFIED", "B", None)}
+    assert {(each.asil_level, each.section) for each in demo.runnables} == {("B", "CODE_ASIL_B")}
+    rows = {each.interface: each for each in derived.report if each.kind == "runnable"}
+    assert rows.keys() == {f"Demo/{each.name}" for each in demo.runnables}
+    assert rows["Demo/Terminate"].target == "ASIL B: code in CODE_ASIL_B, memory in VAR_CLEARED_ASIL_B_UNSPECIFIED"
+    assert rows["Demo/Terminate"].note == "writes the core, whose ASIL is B for Demo_Step"
 
 
 # -- together ---------------------------------------------------------------------------------------------------------

@@ -261,6 +261,9 @@ CHANGES = {
     "a signal of no length": (lambda d: bus_signals(d)[0].update(Length=0), "1 to 512 bits"),
     "a signal that a float does not fit into": (lambda d: bus_signals(d)[0].update(Length=16), "at least 32 bits"),
     "a signal that is a piece of C": (lambda d: bus_signals(d)[0].update(SystemSignal="A B"), "short name"),
+    "a runnable below the ASIL of the memory that it writes": (
+        lambda d: of(first(d)["MemorySections"], "VAR_CLEARED_UNSPECIFIED").update(AsilLevel="B"), "must have ASIL B",
+    ),
     "one section for code and variables": (
         lambda d: first(d)["MemorySections"][1].update(Name="CODE_ASIL_B"), "must be of kind",
     ),

@@ -12,7 +12,11 @@ from sigcat.limits import REQUEST_FUNCTIONS, Limits
 
 SET = "a JSON object with `functions`, a list of Function JSON objects and of texts of `function.yaml`"
 
-_FURTHER = {"deployment": "`deployment`", "identifiers": "`identifiers`, a list of texts,"}
+_FURTHER = {
+    "deployment": "`deployment`",
+    "identifiers": "`identifiers`, a list of texts,",
+    "previous": "`previous`, an Integration JSON,",
+}
 File = tuple[bytes, str]
 """Content and name."""
 
@@ -25,10 +29,12 @@ class PostedFunctions(NamedTuple):
     is_set: bool
     identifiers: tuple[File, ...] = ()
     """Id catalogues, as CSV or ARXML."""
+    previous: File | None = None
+    """The Integration JSON before."""
 
 
 def posted_functions(text: bytes, name: str, limits: Limits, *, further: Sequence[str] = ()) -> PostedFunctions:
-    """The files of a body; a set may have `further` keys: `deployment`, `identifiers`. Raises InputRefused."""
+    """The files of a body; a set may have `further` keys: `deployment`, `identifiers`, `previous`. Raises InputRefused."""
     parts = _set_of(text, name, limits, ("functions", *further))
     if parts is None:
         return PostedFunctions(((text, name),), None, is_set=False)
@@ -39,7 +45,9 @@ def posted_functions(text: bytes, name: str, limits: Limits, *, further: Sequenc
     identifiers = tuple(
         (part.encode("utf-8", "replace"), f"{name}, identifiers {number}") for number, part in catalogues
     )
-    return PostedFunctions(files, deployment, is_set=True, identifiers=identifiers)
+    before = parts.get("previous")
+    previous = None if before is None else _file(before, f"{name}, previous")
+    return PostedFunctions(files, deployment, is_set=True, identifiers=identifiers, previous=previous)
 
 
 def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Mapping[str, Any] | None:

@@ -31,7 +31,8 @@ router = APIRouter(prefix="/api/v1", tags=["integration"], route_class=InThread)
 
 _BODY = (
     f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
-    "from the defaults, and, where the platform has ids, `identifiers`, a list of id catalogues as texts of CSV or ARXML."
+    "from the defaults, and, where the platform has ids, `identifiers`, a list of id catalogues as texts of CSV or "
+    "ARXML, and `previous`, the Integration JSON before: services that changed since get a new version."
 )
 
 
@@ -177,14 +178,15 @@ def get_schema(
 def _integrated(
     text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, is_whole: bool = False
 ) -> Response:
-    with_identifiers = PLATFORMS[platform].with_identifiers
-    further = ("deployment", "identifiers") if with_identifiers else ("deployment",)
+    with_identifiers, with_previous = PLATFORMS[platform].with_identifiers, PLATFORMS[platform].with_previous
+    known = {"deployment": True, "identifiers": with_identifiers, "previous": with_previous}
+    further = tuple(key for key, is_known in known.items() if is_known)
     posted = posted_functions(text, name, limits, further=further)
     functions, findings = read_functions(posted.files, catalogue, limits)
     deployment = read_deployment(*posted.deployment, limits) if posted.deployment else DEFAULT_DEPLOYMENT
     if with_identifiers and posted.identifiers:
         deployment = with_identifiers(deployment, posted.identifiers, limits)
-    integrated = integrate(PLATFORMS[platform], functions, deployment)
+    integrated = integrate(PLATFORMS[platform], functions, deployment, posted.previous, limits)
     count = {"Sigcat-Warnings": str(len(findings) + len(integrated.findings))}
     if not is_whole:
         return Response(integrated.document, media_type="application/json", headers=count)

@@ -8,7 +8,7 @@ from pathlib import Path
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import bench, marks
-from sigcat.comparison.running.end_to_end import read_end_to_end
+from sigcat.comparison.running.end_to_end import drive_start, read_end_to_end
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
 from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
 from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
@@ -66,7 +66,9 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
 
 def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, run: Path) -> Recording:
     prepared = subject.prepared
-    marked = marks.read_marks(prepared.connections, run / marks.NAME, begin_of(drive.trace, prepared))
+    times = run / "recorded.csv.times"
+    begin = begin_of(drive.trace, prepared)
+    marked = marks.read_marks(prepared.connections, run / marks.NAME, begin, drive_start(times))
     sent = read_recorded(run / "recorded.csv", prepared.columns)
     return Recording(
         NAME,
@@ -78,7 +80,7 @@ def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, r
         last_words=outcome.last_words,
         play_s=outcome.seconds,
         silent=tuple(marked.reactions),
-        end_to_end=read_end_to_end(run / "recorded.csv.times", drive.trace, prepared, marked.calls),
+        end_to_end=read_end_to_end(times, drive.trace, prepared, marked.calls),
         fields=_fields(prepared.connections),
     )
 

@@ -38,6 +38,12 @@ def read_end_to_end(
     }
 
 
+def drive_start(path: Path) -> int:
+    """Time of the machine's clock at time 0 of the drive, in ns; 0 of a run that was not timed, as in lock step."""
+    sent = _timed(path)[0] if path.exists() else {}
+    return min((at - row for row, at in sent.items()), default=0)
+
+
 def _timed(path: Path) -> tuple[Mapping[int, int], Mapping[str, Sequence[int]]]:
     """When each row was sent, and when values came, by name. A last line that was cut off is left out."""
     sent: dict[int, int] = {}

@@ -160,8 +160,10 @@ def _macros(member: Member) -> str:
     )
 
 
-def read_marks(connections: Connections, folder: Path, start: int) -> Marked:
-    """What was written. A record that was cut off, as when a process is killed, is left out.
+def read_marks(connections: Connections, folder: Path, start: int, clock: int = 0) -> Marked:
+    """Read what was written. The drive begins at `start`; time 0 of the drive is `clock` in the time of the platform.
+
+    A record that was cut off, as when a process is killed, is left out.
 
     Raises UsageError if it names a call that there is not: nodes that people wrote number their calls themselves.
     """
@@ -172,7 +174,7 @@ def read_marks(connections: Connections, folder: Path, start: int) -> Marked:
         names = [step.interface for step in member.plan.steps]
         calls += [_call_time(member.name, names, record) for record in records]
         columns = {each.field: each.name for each in connections.exits if each.member == index}
-        reactions.update(_reactions(member, columns, records, start))
+        reactions.update(_reactions(member, columns, records, start, clock))
     return Marked(tuple(calls), reactions)
 
 
@@ -190,7 +192,7 @@ def _call_time(function: str, names: Sequence[str], record: tuple[int, ...]) -> 
 
 
 def _reactions(
-    member: Member, columns: Mapping[str, str], records: Sequence[tuple[int, ...]], start: int
+    member: Member, columns: Mapping[str, str], records: Sequence[tuple[int, ...]], start: int, clock: int
 ) -> Iterator[tuple[str, tuple[Sent, ...]]]:
     for bit, each in enumerate(member.plan.reactions[:_BITS]):
         is_active = each.initial == each.active
@@ -198,5 +200,5 @@ def _reactions(
         for now, *_, active in records:
             if bool(active & 1 << bit) != is_active:
                 is_active = not is_active
-                found.append((now, _TEXTS[is_active]))
+                found.append((max(now - clock, start), _TEXTS[is_active]))
         yield columns[each.named.name], tuple(found)

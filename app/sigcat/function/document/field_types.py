@@ -222,6 +222,9 @@ VERSION = _matching(
     100,
 )
 Version = Annotated[str, VERSION]
+SERVICE_VERSION = _matching(
+    "a version such as 2.1: major up to 254, and minor", r"(?:25[0-4]|2[0-4][0-9]|1?[0-9]?[0-9])\.[0-9]{1,9}", "", 20
+)
 DATE = _matching("a date such as 2025-09-12", r"[0-9]{2,4}[-./][0-9]{2}[-./][0-9]{2,4}")
 Date = Annotated[str, DATE]
 DIGEST = _matching("a SHA-256 digest", r"[0-9a-f]{64}")

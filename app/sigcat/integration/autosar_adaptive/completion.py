@@ -1,13 +1,14 @@
 """Ids and names that an Integration JSON leaves out, by the rule of `derive`."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
     EVENTS,
-    INSTANCES,
+    INSTANCE,
     METHODS,
+    RULED_INSTANCES,
     SERVICES,
     Span,
     assign,
@@ -41,7 +42,7 @@ def completed(model: IntegrationModel) -> IntegrationModel:
     names = {interface.name for interface in listed}
     numbers = _Numbers(
         _ids(names, SERVICES, {item.name: item.service_id for item in listed}, ""),
-        _ids(names, INSTANCES, {item.name: item.instance_id for item in listed}, ":instance"),
+        _instances({item.name: item.instance_id for item in listed}),
         {name: _events(name, listed) for name in names},
         {name: _methods(name, listed) for name in names},
         {name: _groups(name, listed) for name in names},
@@ -66,6 +67,14 @@ def completed(model: IntegrationModel) -> IntegrationModel:
 def _ids(names: Iterable[str], span: Span, given: dict[str, int | None], scope: str) -> dict[str, int]:
     fixed = {name: number for name, number in given.items() if number is not None}
     return assign(names, span, fixed, scope).ids
+
+
+def _instances(given: Mapping[str, int | None]) -> dict[str, int]:
+    """Instances are told apart by their services: each is by the rule for its own."""
+    return {
+        name: assign((name,), RULED_INSTANCES, scope=INSTANCE).ids[name] if number is None else number
+        for name, number in given.items()
+    }
 
 
 def _parts(name: str, listed: Iterable[ServiceInterface]) -> list[Services]:

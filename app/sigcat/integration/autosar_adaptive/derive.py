@@ -38,6 +38,7 @@ from sigcat.integration.autosar_adaptive.startup import (
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
+from sigcat.integration.autosar_adaptive.versions import FIRST, parsed
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.autosar_parts import items, named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
@@ -212,12 +213,15 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
     )  # fmt: skip
     groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
     stated = _of_outside(service, context)
+    version = parsed(context.settings.versions.get(service.name, str(FIRST)))
     return model.ServiceInterface(
         name=service.name,
         role="Provider" if provides else "Consumer",
         services=(content,),
         providers=None if provides else providers,
         service_id=service.id,
+        major_version=version.major,
+        minor_version=version.minor,
         instance_id=service.instance,
         event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
         namespace=stated.namespace if stated else None,

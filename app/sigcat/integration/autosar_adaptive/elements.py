@@ -15,8 +15,10 @@ from sigcat.integration.autosar_adaptive.grouping import Group, Placed
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
     EVENTS,
+    INSTANCE,
     INSTANCES,
     METHODS,
+    RULED_INSTANCES,
     SERVICES,
 )
 from sigcat.integration.autosar_adaptive.numbering import Names, numbers
@@ -68,7 +70,8 @@ def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
     for key, sides in by_origin.items():
         _report_renamed(names[key], Subject(sides[0].group.name, sides[0].item.interface), context)
     service_ids = numbers(Names(sorted(names.values()), SERVICES), context)
-    instances = numbers(Names(sorted(names.values()), INSTANCES, suffix=":instance"), context)
+    given = dict.fromkeys(names.values(), INSTANCES)
+    instances = numbers(Names(sorted(names.values()), RULED_INSTANCES, suffix=INSTANCE, given=given), context)
     return tuple(
         _service(by_origin[key], name, service_ids[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])

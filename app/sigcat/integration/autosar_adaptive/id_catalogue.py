@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
+from sigcat.integration.autosar_adaptive.identifiers import largest_id
 from sigcat.limits import Limits
 
-LARGEST = 0xFFFE
 _NUMBER = re.compile(r"0[xX][0-9a-fA-F]{1,8}|[0-9]{1,10}")
 _COLUMNS = "Write a first line `name,id`; other columns may follow."
 _NAMES = "Write a name such as Service, Service:instance or Service.Event, and a number such as 4660 or 0x1234."
@@ -35,8 +35,8 @@ def collected(entries: Iterable[Entry], name: str) -> dict[str, int]:
     findings = []
     for line, key, text in entries:
         number = int(text, 16 if text[:2].lower() == "0x" else 10) if _NUMBER.fullmatch(text) else 0
-        if not key or not 1 <= number <= LARGEST:
-            message = f"An id must have a name and be from 1 to {LARGEST}, not {text[:40]!r} of {key[:100]!r}."
+        if not key or not 1 <= number <= largest_id(key):
+            message = f"An id must have a name and be from 1 to {largest_id(key)}, not {text[:40]!r} of {key[:100]!r}."
             findings.append(_wrong(message, name, line, _NAMES))
         elif ids.setdefault(key, number) != number:
             message = f"{key[:100]} must have one id, not {ids[key]} and {number}."

@@ -21,8 +21,25 @@ INSTANCES = Span(0x0001, 0xFEFF)
 METHODS = Span(0x0001, 0x7FFF)
 EVENTS = Span(0x8001, 0xFFFE)
 EVENT_GROUPS = Span(0x0001, 0xFEFF)
-DATA_IDS = Span(0x0001, 0xFFFE)
-"""Of end-to-end protection: 16 bits, which all profiles have."""
+RULED_INSTANCES = Span(0x0001, 0x00FF)
+"""Instances that the rule gives: vsomeip protects by profile 4 only instances up to 255."""
+RULED_DATA_IDS = Span(0x0001, 0xFFFE)
+"""Data ids of end-to-end protection that the rule gives: 16 bits, which all profiles have."""
+_WITH_32_BITS = (4, 7)
+LARGEST_ID = 0xFFFFFFFF
+"""Largest id of any kind: a data id of profile 4 or 7."""
+INSTANCE, DATA_ID = ":instance", ":dataId"
+"""Suffixes of instances and data ids in the keys of a deployment or an id catalogue."""
+
+
+def largest_id(key: str) -> int:
+    """Largest id that a key of a deployment or an id catalogue may have."""
+    return LARGEST_ID if key.endswith(DATA_ID) else 0xFFFE
+
+
+def data_ids(profile: int) -> Span:
+    """Data ids of a profile: 32 bits with profiles 4 and 7, 16 bits with 5 and 6 (PRS_E2EProtocol, AUTOSAR R23-11)."""
+    return Span(0, LARGEST_ID if profile in _WITH_32_BITS else 0xFFFF)
 
 
 class Collision(NamedTuple):
@@ -40,6 +57,11 @@ class Assigned(NamedTuple):
     collisions: tuple[Collision, ...]
 
 
+def ruled_part(number: int) -> int:
+    """The part of an id that the rule chooses: of a data id of profile 4, all but the instance."""
+    return number & 0xFFFF
+
+
 def assign(
     names: Iterable[str],
     span: Span,
@@ -54,7 +76,7 @@ def assign(
     """
     ordered = sorted(set(names))
     ids = {name: fixed[name] for name in ordered if fixed and name in fixed}
-    taken = {**(reserved or {}), **{number: name for name, number in ids.items()}}
+    taken = {**(reserved or {}), **{ruled_part(number): name for name, number in ids.items()}}
     collisions = []
     for name in ordered:
         if name in ids:

@@ -340,6 +340,12 @@ class ServiceInterface(WireModel):
     services: tuple[Services, ...] = published("ServiceList", "What is used of it.", strict=False)
     providers: tuple[Provider, ...] | None = published("Provider", "Who offers it.", strict=False)
     service_id: Integer | None = own("ServiceID", "SOME/IP id of the service.")
+    major_version: Annotated[Integer, Field(ge=0, le=0xFE)] | None = own(
+        "MajorVersion", "Major version: peers with another one do not find the service; 1 if absent."
+    )
+    minor_version: Annotated[Integer, Field(ge=0, le=0xFFFFFFFE)] | None = own(
+        "MinorVersion", "Minor version; 0 if absent."
+    )
     instance_id: Integer | None = own("ServiceInstanceID", "SOME/IP id of the instance.")
     event_groups: tuple[EventGroup, ...] | None = own("EventGroups", "Event groups.", strict=False)
     namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")

@@ -1,11 +1,12 @@
 """The SOME/IP ids of a set: those of the deployment, then those of an id catalogue, then those of the rule."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.identifiers import Span, assign
+from sigcat.integration.autosar_adaptive.identifiers import INSTANCE, Span, assign, ruled_part
 from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
 
 
@@ -20,6 +21,8 @@ class Names(NamedTuple):
     """`:instance` of instances."""
     has_dots: bool = False
     """Whether names are those of elements with their services."""
+    given: Mapping[str, Span] = MappingProxyType({})
+    """Spans of ids that are given, by name, where they are not those of the rule."""
 
     def key(self, name: str) -> str:
         """The key of a name in the deployment, or in an id catalogue."""
@@ -32,10 +35,17 @@ class Names(NamedTuple):
         name = key[len(self.scope) : len(key) - len(self.suffix)]
         return None if ("." in name) != self.has_dots or ":" in name else name
 
+    def span_of(self, name: str) -> Span:
+        """Ids that a name may be given."""
+        return self.given.get(name, self.span)
+
 
 def numbers(names: Names, context: Context) -> dict[str, int]:
     """An id for each name; what is wrong with those that are given is reported."""
-    reserved = _reserved(names, context)
+    if names.suffix == INSTANCE and len(names.listed) > 1:  # instances of two services may have one id
+        alone = (names._replace(listed=(name,)) for name in names.listed)
+        return {name: number for each in alone for name, number in numbers(each, context).items()}
+    reserved = {} if names.suffix == INSTANCE else _reserved(names, context)
     fixed = _fixed(names, reserved, context)
     if _are_too_many(names, reserved, context):
         return dict.fromkeys(names.listed, names.span.first)
@@ -47,15 +57,20 @@ def numbers(names: Names, context: Context) -> dict[str, int]:
     return assigned.ids
 
 
+def is_given(names: Names, name: str, context: Context) -> bool:
+    """Whether the deployment or an id catalogue has the id of a name."""
+    return any(each == name for each, _, _ in _given(names, context.settings))
+
+
 def _reserved(names: Names, context: Context) -> dict[int, str]:
     """Ids of the catalogue whose names the set does not have, so that nothing else gets them."""
     listed = set(names.listed)
     found = ((number, names.name(key)) for key, number in context.settings.identifier_catalogue.items())
     span = names.span
     return {
-        number: name
+        ruled_part(number): name
         for number, name in found
-        if name is not None and name not in listed and span.first <= number <= span.last
+        if name is not None and name not in listed and span.first <= ruled_part(number) <= span.last
     }
 
 
@@ -63,7 +78,7 @@ def _fixed(names: Names, reserved: Mapping[int, str], context: Context) -> dict[
     """Ids that are given. One that cannot be is reported."""
     fixed: dict[str, int] = {}
     for name, number, where in _given(names, context.settings):
-        if reason := _refusal(number, names, reserved, fixed):
+        if reason := _refusal(number, name, names, reserved, fixed):
             message = f"Id 0x{number:04X} of {names.key(name)} in the {where} {reason}."
             context.findings.report(codes.ID_REFUSED, message, f"{names.scope}{name}", "Use another one.")
         else:
@@ -79,9 +94,9 @@ def _given(names: Names, settings: AutosarAdaptiveSettings) -> Iterator[tuple[st
     yield from ((name, catalogue[key], "id catalogue") for name, key in keys if key in catalogue and key not in stated)
 
 
-def _refusal(number: int, names: Names, reserved: Mapping[int, str], fixed: Mapping[str, int]) -> str:
+def _refusal(number: int, name: str, names: Names, reserved: Mapping[int, str], fixed: Mapping[str, int]) -> str:
     """Why a name cannot have an id; empty if it can."""
-    span = names.span
+    span = names.span_of(name)
     if not span.first <= number <= span.last:
         return f"must be from 0x{span.first:04X} to 0x{span.last:04X}"
     if number in fixed.values():

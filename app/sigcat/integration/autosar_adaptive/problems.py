@@ -10,6 +10,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     METHODS,
     SERVICES,
     Span,
+    data_ids,
 )
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
@@ -22,6 +23,7 @@ from sigcat.integration.autosar_adaptive.model import (
 from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
+from sigcat.integration.autosar_adaptive.versions import Version, version_of
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
@@ -49,6 +51,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
         yield from _in_component(component, (*at, index), types)
     yield from _names(_storage_interfaces(model), "storage interface")
     yield from _identifiers(model)
+    yield from _versions(model)
     for component, problem in process_problems(model.components):
         position = model.components.index(component)
         yield Problem((*at, position, "Processes"), problem.message, problem.fix)
@@ -172,6 +175,18 @@ def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
         yield Problem(at, f"The array {entry.name} must have the datatype of its elements.", "Set its `Type`.")
 
 
+def _versions(model: IntegrationModel) -> Iterator[Problem]:
+    """Services that components of the set have in different versions."""
+    known: dict[str, tuple[Version, str]] = {}
+    for index, component in enumerate(model.components):
+        for number, interface in enumerate(component.services):
+            version, owner = known.setdefault(interface.name, (version_of(interface), component.name))
+            if version != version_of(interface):
+                message = f"{interface.name} must have one version, not {version} in {owner} and {version_of(interface)} in {component.name}."
+                at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number, "MajorVersion")
+                yield Problem(at, message, "Write the same version in each component.")
+
+
 def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
     """Ids that two have, or that SOME/IP does not know; an element of one name in one service is one element."""
     owners: dict[tuple[str, str, int], str] = {}
@@ -192,26 +207,25 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                     )
 
 
-_WITH_16_BITS = (5, 6)
-"""Profiles whose data ids have 16 bits; those of the others have 32."""
-_IDS_OF_16_BITS, _IDS_OF_32_BITS = Span(0, 0xFFFF), Span(0, 0xFFFFFFFF)
-
-
 def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
     assert interface.service_id is not None
     assert interface.instance_id is not None
     yield ("", "service"), name, interface.service_id, SERVICES
-    yield ("", "instance"), name, interface.instance_id, INSTANCES
+    yield (name, "instance"), name, interface.instance_id, INSTANCES
     for group in interface.event_groups or ():
         yield (name, "group"), f"{name}.{group.name}", group.id, EVENT_GROUPS
     for services in interface.services:
         for event in services.events:
             yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
             if event.protection is not None:
-                span = _IDS_OF_16_BITS if event.protection.profile in _WITH_16_BITS else _IDS_OF_32_BITS
-                yield ("", "data id"), f"{name}.{event.name}", event.protection.data_id, span
+                yield (
+                    ("", "data id"),
+                    f"{name}.{event.name}",
+                    event.protection.data_id,
+                    data_ids(event.protection.profile),
+                )
         for field in services.fields:
             yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
             yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS

@@ -10,23 +10,28 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
 from sigcat.integration.autosar_adaptive.elements import Element, Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_adaptive.identifiers import DATA_IDS
+from sigcat.integration.autosar_adaptive.identifiers import DATA_ID, RULED_DATA_IDS, RULED_INSTANCES, data_ids
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
-from sigcat.integration.autosar_adaptive.numbering import Names, numbers
+from sigcat.integration.autosar_adaptive.numbering import Names, is_given, numbers
 from sigcat.integration.finding_collector import Subject
 
 TEXT = "string"
+WITH_INSTANCE = 4
+"""The profile in whose data ids vsomeip puts the instance."""
 WITHOUT_LENGTH = 5
 """The profile whose header has no length."""
-DATA_ID = ":dataId"
-"""What stands after `Service.Event` in the keys of data ids."""
 
 
 def protected(services: Sequence[Service], context: Context) -> tuple[Service, ...]:
     """The services, with how each of their events is protected."""
     profiles = dict(_profiles(services, context))
-    names = Names(sorted(profiles), DATA_IDS, suffix=DATA_ID, has_dots=True)
-    ids = numbers(names, context) if profiles else {}
+    spans = {key: data_ids(profile) for key, profile in profiles.items()}
+    names = Names(sorted(profiles), RULED_DATA_IDS, suffix=DATA_ID, has_dots=True, given=spans)
+    instances = {_key(service, element): service.instance for service in services for element in service.elements}
+    ids = {
+        key: number if is_given(names, key, context) else _with_instance(number, profiles[key], instances[key])
+        for key, number in (numbers(names, context) if profiles else {}).items()
+    }
     made = {
         key: E2eProtection(profile=profile, data_id=ids[key], max_delta_counter=_step(key, context))
         for key, profile in profiles.items()
@@ -35,6 +40,11 @@ def protected(services: Sequence[Service], context: Context) -> tuple[Service, .
         service._replace(protections={e.name: made[key] for e in service.elements if (key := _key(service, e)) in made})
         for service in services
     )
+
+
+def _with_instance(number: int, profile: Profile, instance: int) -> int:
+    """A data id by rule. With profile 4, its highest byte is the instance, as vsomeip has it."""
+    return instance << 24 | number if profile == WITH_INSTANCE and instance <= RULED_INSTANCES.last else number
 
 
 def report_unset_errors(services: Sequence[Service], context: Context) -> None:

@@ -5,9 +5,19 @@ from typing import Annotated
 from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel, Text
-from sigcat.function.document.field_types import SHORT_NAME, ElementKey, Name, SourceFile, UnitKey, VssPath
+from sigcat.function.document.field_types import (
+    SERVICE_VERSION,
+    SHORT_NAME,
+    ElementKey,
+    Name,
+    ShortName,
+    SourceFile,
+    UnitKey,
+    VssPath,
+)
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_adaptive.e2e import NO_E2E, E2eSettings
+from sigcat.integration.autosar_adaptive.identifiers import LARGEST_ID
 from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
 from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_adaptive.someip_settings import (
@@ -91,13 +101,19 @@ class AutosarAdaptiveSettings(DeclarationModel):
     )
     e2e: E2eSettings = Field(NO_E2E, description="Which events are protected end to end, and how.")
     units: dict[UnitKey, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
-    identifiers: dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+    identifiers: dict[ElementKey, Annotated[Integer, Field(ge=1, le=LARGEST_ID)]] = Field(
         {},
         description="SOME/IP ids that are fixed: `Service`, `Service:instance`, or `Service.Element` (an event, "
         "method, field or eventgroup); the others follow the rule. Data ids of end-to-end protection: "
-        "`Service.Event:dataId`.",
+        "`Service.Event:dataId`, of 32 bits with profiles 4 and 7. vsomeip protects by profile 4 only instances up to "
+        "255, with the instance in the highest byte of the data id: ids by rule are so.",
     )
-    identifier_catalogue: dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]] = Field(
+    versions: dict[ShortName, Annotated[str, SERVICE_VERSION]] = Field(
+        {},
+        description="Versions of services, by name, as 2.1: major and minor. Others have 1.0, or with `--previous` the "
+        "version of the previous document, raised by what changed.",
+    )
+    identifier_catalogue: dict[ElementKey, Annotated[Integer, Field(ge=1, le=LARGEST_ID)]] = Field(
         {},
         description="SOME/IP ids that are given away, by the same keys: a name of the set has its own, and nothing else "
         "gets them. `identifiers` go before. `--identifiers` adds those of files.",

@@ -8,7 +8,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_adaptive.protection import DATA_ID
+from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
@@ -23,6 +23,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
         ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
     )
     _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
+    _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
     _report_unknown(("autosarAdaptive", "e2e", "events"), settings.e2e.events, set(_events(services)), context)
     paths = {context.path_of(item) for item in signals}
     for index, service in enumerate(settings.services):

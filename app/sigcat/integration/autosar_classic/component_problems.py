@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from sigcat.asil import is_above, level_of, rank
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import Component, Event, Port, Runnable
 from sigcat.integration.autosar_classic.problem import Named, names, names_of, unknown
@@ -87,6 +88,7 @@ def _accesses(runnable: Runnable, at: Pointer, ports: Mapping[str, Port], compon
     for area in runnable.exclusive_areas:
         if area not in areas:
             yield unknown((*at, "ExclusiveAreas"), "exclusive area", area)
+    yield from _asil(runnable, at, component)
     if runnable.section not in {section.name for section in component.sections if section.kind == "CODE"}:
         yield unknown((*at, "Section"), "memory section of code", runnable.section)
     for index, access in enumerate(runnable.accesses):
@@ -102,6 +104,15 @@ def _accesses(runnable: Runnable, at: Pointer, ports: Mapping[str, Port], compon
             kind, direction = _DIRECTIONS[access.kind]
             message = f"{access.kind} must be of a port that is {kind} and {direction}; {port.name} is {port.kind} and {port.direction}."
             yield Problem(here, message, "Correct the kind of access.")
+
+
+def _asil(runnable: Runnable, at: Pointer, component: Component) -> Iterator[Problem]:
+    """Every runnable writes the core: one with a lower ASIL than that memory could spoil it (ISO 26262-6, 7.4.8)."""
+    levels = (level_of(each.asil_level) for each in component.sections if each.kind != "CODE")
+    needed = max((level for level in levels if level is not None), key=rank, default=None)
+    if is_above(needed, level_of(runnable.asil_level) or "QM"):
+        message = f"{runnable.name} must have ASIL {needed}, as the memory that it writes, not {runnable.asil_level or 'none'}."
+        yield Problem((*at, "AsilLevel"), message, f"Write {needed}, and a section of code of that ASIL.")
 
 
 def _event(

@@ -40,11 +40,11 @@ from sigcat.integration.autosar_classic.parameters import (
     parameter_interface,
     parameter_port,
 )
+from sigcat.integration.autosar_classic.partitioning import asil_of, partition_entries, report_lower_calls, sections
 from sigcat.integration.autosar_classic.ports import data_ports, kind_of_port
 from sigcat.integration.autosar_classic.problems import problems_of
 from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour, runnables_of
 from sigcat.integration.autosar_classic.service_needs import (
-    asil_of,
     inhibitions,
     memories,
     monitors,
@@ -98,7 +98,12 @@ def derive(
     report_long_names(context)
     report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
     report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
-    return Derived(integration, (*context.findings.findings, *_refused(integration, context)), targets)
+    for part in context.parts:
+        report_lower_calls(part, context)
+    partitions = (
+        row for part, each in zip(context.parts, components, strict=True) for row in partition_entries(part, each)
+    )
+    return Derived(integration, (*context.findings.findings, *_refused(integration, context)), (*targets, *partitions))
 
 
 class _Interfaces(NamedTuple):
@@ -260,7 +265,7 @@ def _component(
         diagnostic_events=monitors(part),
         supervised_entities=supervised_entities(part, behaviour.calls),
         inhibitions=inhibitions(part),
-        sections=_sections(part, runnables),
+        sections=sections(part, runnables),
         asil_level=asil_of(part),
         code=part.function.code,
     )
@@ -270,28 +275,6 @@ def _areas(behaviour: Behaviour) -> tuple[model.ExclusiveArea, ...]:
     core = model.ExclusiveArea(name=AREA, description=Text("The core: one runnable is in it at a time."))
     code = model.ExclusiveArea(name=CALLS, description=Text("The function's code: no method runs while a call does."))
     return (core, code) if behaviour.offers else (core,)
-
-
-def _sections(part: Part, runnables: Sequence[model.Runnable]) -> tuple[model.MemorySection, ...]:
-    """One for the code of each ASIL that runnables have, and one for variables at the highest one."""
-    level = asil_of(part)
-    stacks: dict[str, list[int]] = {}
-    levels: dict[str, str] = {}
-    for runnable in runnables:
-        stacks.setdefault(runnable.section, []).append(runnable.stack_size or 0)
-        levels[runnable.section] = runnable.asil_level or "QM"
-    code = [
-        model.MemorySection(
-            name=name,
-            kind="CODE",
-            asil_level=levels[name],
-            alignment="UNSPECIFIED",
-            stack_size=max(stacks[name]) or None,
-        )
-        for name in sorted(stacks)
-    ]
-    name = "VAR_CLEARED_UNSPECIFIED" if level == "QM" else f"VAR_CLEARED_ASIL_{level}_UNSPECIFIED"
-    return (*code, model.MemorySection(name=name, kind="VAR_CLEARED", asil_level=level, alignment="UNSPECIFIED"))
 
 
 def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterComponent, ...]:

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from sigcat.asil import level_of
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
@@ -15,6 +14,7 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE, NamedCall
+from sigcat.integration.autosar_classic.partitioning import asil_of, code_section
 from sigcat.integration.autosar_classic.service_needs import (
     CLOCK_PORT,
     IGNITION_PORT,
@@ -113,7 +113,7 @@ def uses_method(port: model.Port) -> bool:
 
 
 def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: Text | str | None) -> model.Runnable:  # fmt: skip
-    level = level_of(call.asil_level) if call else None
+    level = asil_of(behaviour.part)  # each of them reads and writes the core, which is in memory of this level
     stack = milliseconds(call.stack_size) if call else None
     return model.Runnable(
         name=name,
@@ -127,8 +127,8 @@ def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour:
         exclusive_areas=(AREA, CALLS) if behaviour.offers and role in (STEP, "Method") else (AREA,),
         parameters=behaviour.parameters or None if role in (INIT, STEP) else None,
         stack_size=int(stack) if stack else None,
-        asil_level=level or "QM",
-        section="CODE" if level in (None, "QM") else f"CODE_ASIL_{level}",
+        asil_level=level,
+        section=code_section(level),
     )
 
 

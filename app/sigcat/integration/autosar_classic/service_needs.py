@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from sigcat.asil import Level, level_of, rank
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.integration.application import Part
@@ -18,6 +17,7 @@ from sigcat.integration.autosar_classic.base_software import (
 from sigcat.integration.autosar_classic.context import NamedCall
 from sigcat.integration.autosar_classic.interfaces import in_seconds
 from sigcat.integration.autosar_classic.parameters import parameters_of
+from sigcat.integration.autosar_classic.partitioning import asil_of
 from sigcat.integration.autosar_names import distinct, short_name
 
 CLOCK_PORT, IGNITION_PORT, ECU_PORT = "Clock", "Ignition", "EcuMode"
@@ -44,25 +44,6 @@ def reactions_of(part: Part) -> tuple[SafetyReaction, ...]:
         for each in reversed(contract.safety_reactions or ())
     }
     return tuple(reversed(found.values()))
-
-
-def asil_of(part: Part) -> Level:
-    """Highest ASIL of a component: of its calls and of what they exchange."""
-    levels = [level for call in part.component.runnables for level in _levels(call)]
-    return max((level for level in levels if level is not None), key=rank, default="QM")
-
-
-def _levels(call: object) -> Iterator[Level | None]:
-    yield level_of(getattr(call, "asil_level", None))
-    for contract in getattr(call, "contracts", None) or ():
-        for listed in (
-            contract.signals,
-            contract.queues,
-            contract.parameters,
-            contract.errors,
-            contract.safety_reactions,
-        ):
-            yield from (level_of(getattr(each, "asil_level", None)) for each in listed or ())
 
 
 def monitors(part: Part) -> tuple[model.DiagnosticEvent, ...]:

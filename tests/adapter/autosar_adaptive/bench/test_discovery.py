@@ -164,5 +164,33 @@ def test_a_restart_is_told_from_the_session_and_its_flag(
         receiver.says_nothing_more(0.3)
 
 
+def test_an_offer_of_another_major_version_is_logged_once_with_both(net: Network, built: Mapping[str, Path]) -> None:
+    receiver = net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS=OURS).tells("ready")
+    server = stranger(net, DISCOVERY)
+    for session, major in enumerate((2, 2, 1), 1):
+        offer = entry(OFFER_ENTRY, FOR_EVER, struct.pack("!I", 7), major=major)
+        whole = discovery(offer, options=endpoint(STRANGER, SERVICES), session=session)
+        server.do(f"{OURS} {DISCOVERY} {whole.hex()}")
+    receiver.tells("found 1")
+    assert receiver.errors.count("ProbeService: version 2.7 is offered, but version 1.0 is needed") == 1
+
+
+@pytest.mark.parametrize(
+    ("address", "reason"),
+    [
+        (OURS, "cannot be used: Address already in use"),
+        ("192.0.2.1", "must be a loopback address such as 127.0.0.2, not 192.0.2.1"),
+        ("localhost", "must be a loopback address such as 127.0.0.2, not localhost"),
+    ],
+)
+def test_a_process_whose_address_cannot_be_used_says_why(
+    net: Network, built: Mapping[str, Path], sender: Program, address: str, reason: str
+) -> None:
+    other = net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS=address)
+    assert other.process.wait(60) != 0
+    assert reason in other.errors
+    sender.do("quit")
+
+
 def test_our_own_sessions_count_from_1_and_wrap_without_the_flag(net: Network, built: Mapping[str, Path]) -> None:
     net.start([built["sessions"]]).tells("1 up", "65535 up", "1 down", "65535 down", "1 down")

@@ -11,7 +11,7 @@ def main_source(executable: ExecutablePlan, application: ApplicationPlan) -> Lin
     adapters = "\n".join(f"#include {c_string(f'{component.stem}_adapter.h')}" for component in executable.components)
     return spaced([
         commented(f"{executable.name}: reports to the execution management, and ends when that asks for it."),
-        lines("#include <cstdlib>"),
+        lines("#include <cstdlib>\n#include <iostream>"),
         lines('#include "application/termination.h"\n#include "ara/core/initialization.h"\n'
               '#include "ara/exec/execution_client.h"\n' + adapters),
         lines("namespace {"),
@@ -38,25 +38,30 @@ def _run(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:
             application::Termination termination;
             const auto client = ara::exec::ExecutionClient::Create([&termination] { termination.Request(); });
             if (!client.HasValue()) {
+                std::cerr << "The execution management cannot be reached: " << client.Error().Message() << std::endl;
                 return false;
             }
         """),
         *made,
         *starts,
         lines("""
-            if (!client.Value().ReportExecutionState(ara::exec::ExecutionState::kRunning).HasValue()) {
-                termination.Request();
+            const auto reported = client.Value().ReportExecutionState(ara::exec::ExecutionState::kRunning);
+            if (reported.HasValue()) {
+                termination.Wait();
+            } else {
+                std::cerr << "The state Running cannot be reported: " << reported.Error().Message() << std::endl;
             }
-            termination.Wait();
         """),
         *stops,
-        lines("return true;"),
+        lines("return reported.HasValue();"),
     ])  # fmt: skip
 
 
 def _main() -> Lines:
     return block("int main()", [lines("""
-        if (!ara::core::Initialize().HasValue()) {
+        const auto initialized = ara::core::Initialize();
+        if (!initialized.HasValue()) {
+            std::cerr << "The platform cannot be initialized: " << initialized.Error().Message() << std::endl;
             return EXIT_FAILURE;
         }
         const bool is_good = RunApplication();

@@ -175,7 +175,11 @@ def _deployment(service: Whole, paths: Paths) -> Tag:
         reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
         listed("EVENT-GROUPS", (_group(name, number, service, own) for name, number in _groups(service))),
         tag("SERVICE-INTERFACE-ID", text=service.service_id),
-        tag("SERVICE-INTERFACE-VERSION", tag("MAJOR-VERSION", text=1), tag("MINOR-VERSION", text=0)),
+        tag(
+            "SERVICE-INTERFACE-VERSION",
+            tag("MAJOR-VERSION", text=service.version.major),
+            tag("MINOR-VERSION", text=service.version.minor),
+        ),
         name=deployment_name(service.name),
     )
 

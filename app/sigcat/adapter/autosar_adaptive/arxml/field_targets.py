@@ -71,6 +71,7 @@ TABLES: Tables = {
     model.ServiceInterface: ("service", {
         "Name": _INTERFACE + _SHORT_NAME, "Role": "components.arxml: P-PORT-PROTOTYPE or R-PORT-PROTOTYPE",
         "ServiceID": _SOMEIP + "SERVICE-INTERFACE-DEPLOYMENT", "ServiceInstanceID": _SOMEIP + "SERVICE-INSTANCE",
+        **dict.fromkeys(("MajorVersion", "MinorVersion"), f"{_INTERFACE}, {_SOMEIP}SERVICE-INTERFACE-VERSION"),
         "Namespace": _INTERFACE + "NAMESPACES", "Transformation": _SETTING + ": transformation properties",
         "Origin": _INTERFACE + _ADMIN,
     }),

@@ -26,6 +26,7 @@ from sigcat.integration.autosar_adaptive.model import (
 )
 from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.versions import Version, version_of
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 
@@ -36,6 +37,7 @@ class Whole(NamedTuple):
     name: str
     service_id: int
     instance_id: int
+    version: Version
     origin: str
     namespace: str
     transformation: TransformationSettings | None
@@ -69,6 +71,7 @@ def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
         name,
         first.service_id,
         first.instance_id,
+        version_of(first),
         first.origin or "",
         first.namespace or namespace,
         first.transformation,
@@ -98,8 +101,8 @@ def _interface(service: Whole, known: Library) -> Tag:
         "SERVICE-INTERFACE",
         trace([("Origin", service.origin)]),
         namespaces(parts(service.namespace), names),
-        tag("MAJOR-VERSION", text=1),
-        tag("MINOR-VERSION", text=0),
+        tag("MAJOR-VERSION", text=service.version.major),
+        tag("MINOR-VERSION", text=service.version.minor),
         listed("EVENTS", (_event(event, known) for event in service.events)),
         listed("FIELDS", (_field(field, known) for field in service.fields)),
         listed("METHODS", (_method(method, known) for method in service.methods)),

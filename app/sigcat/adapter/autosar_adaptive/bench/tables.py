@@ -82,8 +82,8 @@ def _service(service: Service, model: IntegrationModel) -> str:
     rows = [
         f"    {c_string(service.whole.name)},",
         f"    {_hex(service.whole.service_id)},",
-        "    1,  // major version",
-        "    0,  // minor version",
+        f"    {service.whole.version.major},  // major version",
+        f"    {service.whole.version.minor},  // minor version",
         f"    {_truth(chosen.session_handling)},  // whether sent events are counted",
         *_serialization(chosen),
         *_times(model.deployment.service_discovery),

@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "application/e2e.h"
 #include "application/values.h"
-#include "ara/com/e2e/types.h"
 #include "ara/log/logger.h"
 
 namespace application {

@@ -8,6 +8,7 @@
 
 #include "application/values.h"
 #include "ara/core/array.h"
+#include "ara/core/error_code.h"
 #include "ara/core/instance_specifier.h"
 #include "ara/core/optional.h"
 #include "ara/core/result.h"
@@ -15,6 +16,7 @@
 #include "ara/core/string_view.h"
 #include "ara/log/logger.h"
 #include "ara/per/key_value_storage.h"
+#include "ara/per/per_error_domain.h"
 
 namespace application {
 
@@ -29,7 +31,7 @@ public:
         }
     }
 
-    /// False, and the value as it was, if nothing is stored under this key.
+    /// False, and the value as it was, if nothing is stored under this key or it cannot be read. An error is logged.
     template <typename Value>
     bool Read(ara::core::StringView key, Value& value) const {
         using Stored = typename As<Value>::Type;
@@ -39,6 +41,8 @@ public:
         const auto stored = (*storage_)->template GetValue<Stored>(key);
         if (stored.HasValue()) {
             Assign(stored.Value(), value);
+        } else if (stored.Error() != ara::core::ErrorCode{ara::per::PerErrc::kKeyNotFound}) {
+            logger_.LogError() << port_ << ", key " << key << ": the value cannot be read: " << stored.Error().Message();
         }
         return stored.HasValue();
     }

@@ -207,6 +207,9 @@ int Play(const std::string& file, const std::string& recorded, double seconds, K
     try {
         const player::Trace trace = player::ReadTrace(file);
         player::Recorder recorder{recorded, false};
+        if (trace.rows.empty()) {
+            throw std::runtime_error{file + " must have a row of values after its header"};
+        }
         const std::uint64_t last = trace.rows.back().time;
         const std::uint64_t end = seconds > 0 ? static_cast<std::uint64_t>(seconds * 1e9) : last;
         const char* const port = std::getenv("BENCH_PLAYER");

@@ -138,6 +138,7 @@ void Consumer::TakeOffer(const Entry& entry, const Endpoint& from, bool is_multi
         });
     }
     Renew(key, remote, is_multicast);
+    runtime_.Sought().Compare(entry);
     if (!is_same) {
         runtime_.Sought().Changed(entry.service);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ara/log/logger.h"
 #include "discovery/discovery_message.h"
 #include "services/runtime.h"
 
@@ -35,6 +36,22 @@ void Searches::Changed(std::uint16_t service) {
         if (search->service->id == service) {
             Tell(search);
         }
+    }
+}
+
+void Searches::Compare(const Entry& offer) {
+    for (const auto& [id, search] : searches_) {
+        const ServiceDescription& service = *search->service;
+        const bool is_meant = search->instance == kAnyInstance || search->instance == offer.instance;
+        if (service.id != offer.service || !is_meant || service.major_version == offer.major_version ||
+            search->has_logged_version) {
+            continue;
+        }
+        search->has_logged_version = true;
+        ara::log::CreateLogger("COM", "Communication").LogWarn()
+            << service.name << ": version " << static_cast<std::uint32_t>(offer.major_version) << "."
+            << offer.minor_version << " is offered, but version " << static_cast<std::uint32_t>(service.major_version)
+            << "." << service.minor_version << " is needed";
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "ara/com/types.h"
 #include "bench/handle.h"
+#include "discovery/entry.h"
 #include "net/timers.h"
 
 namespace bench {
@@ -27,6 +28,8 @@ public:
 
     // A service has come or gone.
     void Changed(std::uint16_t service);
+    // Log an offer of another major version than a search asks for, once for each search.
+    void Compare(const Entry& offer);
     void Clear();
 
     // How many have found nothing.
@@ -40,6 +43,7 @@ private:
         std::shared_ptr<Handler> handler;
         ara::com::ServiceHandleContainer<Handle> told{};
         std::uint32_t repetitions = 0;
+        bool has_logged_version = false;
         std::optional<Timers::Id> timer{};
     };
 
