@@ -30,7 +30,7 @@ from tests.adapter.autosar_classic.generated import functions
 
 ROOT = Path(__file__).parents[2]
 FULL = ROOT / "tests/adapter/autosar_adaptive/application/full/function.yaml"
-READERS = {
+READERS: Mapping[str, tuple[Any, Any]] = {
     "autosar-adaptive": (adaptive.read_integration, adaptive_json),
     "autosar-classic": (classic.read_integration, classic_json),
     "ros2": (ros2.read_integration, ros2_json),
