@@ -41,7 +41,8 @@ ATTACKS = (
     f"*/ {WORD} /* // {WORD} \\", f'"; {WORD}; "\\" ??/', f"a\n{WORD};\n#include <{WORD}>\r\n{WORD}\u2028{WORD}\x0c{WORD}",
     f"]]> <{WORD}/> <!-- {WORD} & ]]> <script>{WORD}</script>", f"${{{WORD}}} $({WORD}) `{WORD}` @{WORD}@ #) {WORD} #]] {WORD}; {WORD}",
     f"\"\"\"\n{WORD}\n'''\n{WORD}\n\\\"\"\"\n{WORD}", f"\\*/{WORD} *\\/{WORD} ??/{WORD}", f"\0{WORD}\0\n{WORD} \u202e{WORD}",
-    f"%s {{0}} {{}} {{{WORD}}} : {WORD}\n- {WORD}: {WORD}\n---\n{WORD}", f"x {WORD} " * 600,
+    f"%s {{0}} {{}} {{{WORD}}} : {WORD}\n- {WORD}: {WORD}\n---\n{WORD}", f"x {WORD} " * 600, f"{'e' * 60}({WORD};" * 20,
+    f"{'e' * 60}, {WORD}; || {WORD} = {WORD}(" * 20,
 )  # fmt: skip
 ONE_LINE = {"maintainer", "license"}
 """What a ROS package has on one line of printable characters, or is refused."""
