@@ -5,8 +5,8 @@ import textwrap
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.text_filters import AnyText, block_comment
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text_filters import AnyText, block_comment
 
 
 class Line(NamedTuple):

@@ -131,7 +131,7 @@ def markdown(value: AnyText) -> str:
     return _NUMBERED.sub(r"\1\\", text)
 
 
-_MARKUP = re.compile(r"[\\`*_\[\]|#~]|^[-+](?= |$)|^[-=]+$")
+_MARKUP = re.compile(r"[\\`*_\[\]|~]|^#|^[-+](?= |$)|^[-=]+$")
 _NUMBERED = re.compile(r"^(\d+)(?=[.)](?: |$))")
 """The number of an item of a list."""
 
