@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pytest
 
 import sigcat
-from sigcat.adapter import text_filters
+from sigcat.function.document import text_filters
 
 SOURCE = Path(sigcat.__file__).parent
 ROOMS = ("adapter", "comparison", "players", "runs")

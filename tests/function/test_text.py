@@ -38,7 +38,7 @@ def test_it_cannot_be_put_into_a_string(written: Callable[[], str]):
 
 
 def test_the_error_says_what_writes_it():
-    with pytest.raises(TypeError, match=r"sigcat\.adapter\.text_filters"):
+    with pytest.raises(TypeError, match=r"sigcat\.function\.document\.text_filters"):
         str(TEXT)
 
 

@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from sigcat.function.document.text_filters import markdown
+
 NOT_CARRIED = "not carried"
 
 
@@ -61,17 +63,10 @@ def to_json(report: Iterable[Entry]) -> bytes:
 def to_markdown(report: Iterable[Entry]) -> str:
     """The report as a Markdown table. What documents contain is escaped."""
     lines = ["| function | interface | kind | field | goes to | note |", "|---|---|---|---|---|---|"]
-    lines.extend("| " + " | ".join(map(_cell, entry)) + " |" for entry in report)
+    lines.extend("| " + " | ".join(map(markdown, entry)) + " |" for entry in report)
     return "\n".join(lines) + "\n"
 
 
 def written_as(report: Iterable[Entry], ending: str) -> bytes:
     """The report as JSON for `.json`, or else as a Markdown table."""
     return to_json(report) if ending.lower() == ".json" else to_markdown(report).encode()
-
-
-def _cell(text: str) -> str:
-    escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    for character in "\\|`*_[]":
-        escaped = escaped.replace(character, "\\" + character)
-    return " ".join(escaped.split())

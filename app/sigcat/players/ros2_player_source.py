@@ -11,7 +11,7 @@ from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CEL
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 _OWN = Path(__file__).with_name("ros2_player")
 _SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
 
-from sigcat.adapter.text_filters import AnyText, arxml_text
 from sigcat.function.document.text import Text
+from sigcat.function.document.text_filters import AnyText, arxml_text
 from sigcat.integration.autosar_names import distinct
 
 

@@ -9,9 +9,9 @@ from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.text_filters import comment
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import comment
 
 
 class CoreFiles(NamedTuple):

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.text_filters import xml_text
 from sigcat.function.document.text import Text, composed
+from sigcat.function.document.text_filters import xml_text
 from sigcat.integration.ros2.model import Package
 
 

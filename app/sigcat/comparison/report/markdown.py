@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from sigcat.adapter import text_filters
 from sigcat.comparison.report.model import Report
 from sigcat.comparison.report.sections import Table, Verbatim, sections
+from sigcat.function.document import text_filters
 
 
 def markdown(report: Report) -> str:

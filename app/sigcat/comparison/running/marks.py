@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.text_filters import c_string
 from sigcat.comparison.recording import CallTime, Sent
 from sigcat.errors import UsageError
+from sigcat.function.document.text_filters import c_string
 from sigcat.runs.connections import Connections, Member
 
 NAME = "marks"

@@ -12,13 +12,13 @@ from pydantic_core.core_schema import (
     str_schema,
 )
 
-_REFUSED = "text of a document is written by a filter of sigcat.adapter.text_filters, which knows the place"
+_REFUSED = "text of a document is written by a filter of sigcat.function.document.text_filters, which knows the place"
 
 
 @final
 @dataclass(frozen=True, order=True, slots=True, repr=False)
 class Text:
-    """Any characters. It is not a `str`, so that it reaches a generated file through `sigcat.adapter.text_filters` alone."""
+    """Any characters. It is not a `str`, so that it reaches a generated file through `sigcat.function.document.text_filters` alone."""
 
     raw: str
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.text_filters import c_string
 from sigcat.adapter.toolchain import Toolchain
+from sigcat.function.document.text_filters import c_string
 from sigcat.runs.building.commands import Compilation, compilations
 from sigcat.runs.connections import Member
 

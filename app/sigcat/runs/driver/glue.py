@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, space
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS, Call, Method, WireField, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 from sigcat.runs.connections import Connections, Entry, Exit, Member, Server, answer_struct, request_struct
 from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
 from sigcat.runs.kept import Kept

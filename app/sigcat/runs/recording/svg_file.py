@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from sigcat.adapter.text_filters import xml_text
+from sigcat.function.document.text_filters import xml_text
 from sigcat.runs.recording.picture import GAP, HEIGHT, LEFT, WIDTH, Panel, Picture
 
 _STYLE = (

@@ -20,8 +20,8 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Required,
 )
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
-from sigcat.adapter.text_filters import c_string, comment
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import c_string, comment
 
 
 def adapter_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:

@@ -26,7 +26,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import Port
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:

@@ -6,8 +6,8 @@ from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.core.c.lines import Lines, block, indented, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call
-from sigcat.adapter.text_filters import c_string
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import c_string
 
 
 def call_functions(component: ComponentPlan) -> list[Lines]:

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from textwrap import indent
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
-from sigcat.adapter.text_filters import cmake_argument, comment
+from sigcat.function.document.text_filters import cmake_argument, comment
 
 
 def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:

@@ -3,7 +3,7 @@
 from sigcat.adapter.autosar_adaptive.application.names import commented
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
 from sigcat.adapter.core.c.lines import Lines, block, lines, spaced
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def main_source(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:

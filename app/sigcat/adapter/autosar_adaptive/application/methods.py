@@ -5,7 +5,7 @@ from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, cpp_
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def method_functions(component: ComponentPlan) -> list[Lines]:

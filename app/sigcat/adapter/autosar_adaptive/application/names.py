@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, Co
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import GLOBALS, Error
-from sigcat.adapter.text_filters import AnyText, comment, comment_rows
+from sigcat.function.document.text_filters import AnyText, comment, comment_rows
 from sigcat.names import screaming_snake_case
 
 LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"

@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.bench.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, ServiceField, TypeEntry
 
 CPP = Path(__file__).parent / "player_cpp"

@@ -1,7 +1,7 @@
 """The page for the integrator who builds the applications."""
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan
-from sigcat.adapter.text_filters import markdown, markdown_code
+from sigcat.function.document.text_filters import markdown, markdown_code
 
 
 def readme(application: ApplicationPlan) -> str:

@@ -4,7 +4,7 @@ from sigcat.adapter.autosar_adaptive.application.names import writes
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan, Monitor, Storage, Stored
 from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
 from sigcat.adapter.core.c.lines import Lines, block, lines
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 ADAPTER = f"storage_{ADAPTER_STORAGE}_"

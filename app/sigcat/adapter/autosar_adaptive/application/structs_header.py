@@ -3,7 +3,7 @@
 from sigcat.adapter.autosar_adaptive.application.names import commented, include_guard
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, StructPair
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
-from sigcat.adapter.text_filters import c_string, comment
+from sigcat.function.document.text_filters import c_string, comment
 
 
 def structs_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:

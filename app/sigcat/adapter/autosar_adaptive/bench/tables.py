@@ -3,7 +3,7 @@
 from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
-from sigcat.adapter.text_filters import c_string, comment
+from sigcat.function.document.text_filters import c_string, comment
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.text_filters import AnyText, c_string, comment_rows
+from sigcat.function.document.text_filters import AnyText, c_string, comment_rows
 
 WIDEST = 120
 

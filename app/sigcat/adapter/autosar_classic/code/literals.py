@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Lines, lines
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, DataConstraint
 from sigcat.integration.autosar_classic.used_types import element_types, enumerations_of, exchanged_types
 

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.adapter.text_filters import AnyText, block_comment, c_string
 from sigcat.asil import level_of, rank
+from sigcat.function.document.text_filters import AnyText, block_comment, c_string
 
 
 def core_object(swc: SwcPlan) -> str:

@@ -4,7 +4,7 @@ from sigcat.adapter.autosar_classic.code.names import at_core, core_object, ente
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan, Told
 from sigcat.adapter.autosar_classic.code.values import Copy, by_value
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 
 
 def functions(swc: SwcPlan) -> list[Lines]:

@@ -1,7 +1,7 @@
 """The page for the integrator of the software components."""
 
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan
-from sigcat.adapter.text_filters import markdown, markdown_code
+from sigcat.function.document.text_filters import markdown, markdown_code
 
 
 def readme(plan: ClassicPlan) -> str:

@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.code.names import section
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines, spaced
-from sigcat.adapter.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_string
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     ImplementationType,

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.publishing import requests, sends
 from sigcat.adapter.autosar_classic.code.receiving import takes
 from sigcat.adapter.autosar_classic.code.values import Copy
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import Runnable
 
 

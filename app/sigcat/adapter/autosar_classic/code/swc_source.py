@@ -7,8 +7,8 @@ from sigcat.adapter.autosar_classic.code.runnables import runnable
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.adapter.text_filters import block_comment, c_string, comment
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import block_comment, c_string, comment
 
 
 def swc_source(swc: SwcPlan) -> Lines:

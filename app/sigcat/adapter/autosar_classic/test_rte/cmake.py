@@ -1,7 +1,7 @@
 """CMakeLists.txt: components, their cores and the code of their functions on the test RTE."""
 
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
-from sigcat.adapter.text_filters import cmake_argument, comment
+from sigcat.function.document.text_filters import cmake_argument, comment
 
 
 def cmake(plan: ClassicPlan) -> str:

@@ -20,7 +20,7 @@ from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
-from sigcat.adapter.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_string
 from sigcat.integration.autosar_classic.model import Port, Runnable
 
 

@@ -11,7 +11,7 @@ from sigcat.adapter.autosar_classic.test_rte.readme import readme
 from sigcat.adapter.autosar_classic.test_rte.tables import data_header, tables
 from sigcat.adapter.core.c.lines import Line, Lines, wrapped
 from sigcat.adapter.files import GeneratedFile, shipped, within
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 
 C = Path(__file__).parent / "c"

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.plan import MethodEnd, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.names import own
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, server
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 _SERVICES = {
     "GetTime": "TestRte_GetTime", "GetCycle": "TestRte_GetCycle", "SetEventStatus": "Dem_SetEventStatus",

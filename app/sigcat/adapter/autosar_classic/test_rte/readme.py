@@ -1,7 +1,7 @@
 """What the test RTE is, for who finds it."""
 
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte
-from sigcat.adapter.text_filters import markdown, markdown_code
+from sigcat.function.document.text_filters import markdown, markdown_code
 
 
 def readme(rte: TestRte) -> str:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.literals import number
 from sigcat.adapter.autosar_classic.code.plan import RteType
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 class _Number(NamedTuple):

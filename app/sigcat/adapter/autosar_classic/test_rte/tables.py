@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_classic.test_rte.names import deliver, own, run, sha
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
 from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_tables
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 from sigcat.integration.autosar_classic.model import Port
 
 _ECU = "EcuManager"

@@ -19,7 +19,7 @@ from sigcat.adapter.core.plan import (
     Reaction,
     WireType,
 )
-from sigcat.adapter.text_filters import AnyText, block_comment
+from sigcat.function.document.text_filters import AnyText, block_comment
 
 
 def context_struct(scope: Scope) -> Lines:

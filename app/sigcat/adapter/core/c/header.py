@@ -8,7 +8,7 @@ from sigcat.adapter.core.c.types import types
 from sigcat.adapter.core.plan import (
     GLOBALS,
 )
-from sigcat.adapter.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_string
 
 
 def header(scope: Scope, title: Lines) -> Lines:

@@ -19,7 +19,7 @@ from sigcat.adapter.core.c.values import (
     tables,
 )
 from sigcat.adapter.core.plan import Call, Input, Port
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 from sigcat.function.function_json.conversion import IDENTITY
 
 UINT8_MOST = 255

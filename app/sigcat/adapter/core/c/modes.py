@@ -4,7 +4,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, choice, function, jo
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call, ModeIn, ModeOut, ModeValue
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 
 
 def mode_functions(scope: Scope) -> list[Lines]:

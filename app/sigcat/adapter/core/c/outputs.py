@@ -15,7 +15,7 @@ from sigcat.adapter.core.c.values import (
     tables,
 )
 from sigcat.adapter.core.plan import Call, Output
-from sigcat.adapter.text_filters import block_comment
+from sigcat.function.document.text_filters import block_comment
 
 
 def is_direct(output: Output) -> bool:

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Argument, Input, Leaf, Method, Output, Parameter
-from sigcat.adapter.text_filters import block_comment
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text_filters import block_comment
 
 PUT, GOT = "HOLDS", "FITS"
 """A variable that numbers are put into may be wider than declared; one that they are got from may be narrower."""

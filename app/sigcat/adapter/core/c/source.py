@@ -18,7 +18,7 @@ from sigcat.adapter.core.c.sizes import sizes
 from sigcat.adapter.core.c.small_functions import used_functions
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
-from sigcat.adapter.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_string
 
 
 def source(scope: Scope, title: Lines, header_name: str) -> Lines:

@@ -12,7 +12,7 @@ from sigcat.adapter.core.plan import (
     WireStruct,
     WireType,
 )
-from sigcat.adapter.text_filters import AnyText, block_comment
+from sigcat.function.document.text_filters import AnyText, block_comment
 
 
 def enumeration(name: str, constants: Iterable[tuple[str, str]]) -> Lines:

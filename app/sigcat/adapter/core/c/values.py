@@ -7,8 +7,8 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, function, indented, 
 from sigcat.adapter.core.c.literals import converted, is_beyond_float, literal, within
 from sigcat.adapter.core.numbers import Number, NumberType
 from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
-from sigcat.adapter.text_filters import block_comment
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text_filters import block_comment
 from sigcat.function.function_json.conversion import IDENTITY
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.core.numbers import Number, NumberType
-from sigcat.adapter.text_filters import AnyText
+from sigcat.function.document.text_filters import AnyText
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
 

@@ -3,7 +3,7 @@
 from sigcat.adapter.ros2.bringup.graph import in_order_of_activation
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.adapter.text_filters import comment_rows, python_string
+from sigcat.function.document.text_filters import comment_rows, python_string
 
 _WIDEST = 99
 

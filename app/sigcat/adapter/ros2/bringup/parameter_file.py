@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import AnyText, comment, comment_rows, yaml_string
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import AnyText, comment, comment_rows, yaml_string
 
 _WIDEST = 102
 

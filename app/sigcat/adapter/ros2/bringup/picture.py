@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.adapter.text_filters import mermaid_text
+from sigcat.function.document.text_filters import mermaid_text
 
 OUTSIDE = "outside of the set"
 

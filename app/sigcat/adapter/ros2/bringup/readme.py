@@ -6,7 +6,7 @@ from itertools import chain
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.bringup.picture import OUTSIDE, picture
 from sigcat.adapter.ros2.plan import Given, NodePlan, Publisher, Subscription, Taken, WorkspacePlan
-from sigcat.adapter.text_filters import markdown, markdown_code
+from sigcat.function.document.text_filters import markdown, markdown_code
 from sigcat.integration.ros2.model import QualityOfService, Ros2Integration
 from sigcat.integration.ros2.topics import PUBLISHER
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sigcat.adapter.ros2.cpp.names import bridge_source
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import cmake_argument, cmake_word
+from sigcat.function.document.text_filters import cmake_argument, cmake_word
 from sigcat.names import snake_case
 
 

@@ -11,7 +11,7 @@ from sigcat.adapter.ros2.cpp.names import (
     table,
 )
 from sigcat.adapter.ros2.plan import MethodService, NodePlan, Publisher, Subscription, Taken, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 from sigcat.integration.ros2.model import QualityOfService
 
 

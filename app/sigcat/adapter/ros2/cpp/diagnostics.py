@@ -4,7 +4,7 @@ from sigcat.adapter.core.plan import Call
 from sigcat.adapter.ros2.cpp.layout import call, function, indented, literal, scope
 from sigcat.adapter.ros2.cpp.names import LOCK, report_name, times_name
 from sigcat.adapter.ros2.plan import Monitor, NodePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def tell_function(node: NodePlan) -> str:

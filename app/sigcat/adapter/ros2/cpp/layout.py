@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.text_filters import AnyText, c_strings, comment_rows
+from sigcat.function.document.text_filters import AnyText, c_strings, comment_rows
 
 WIDEST = 100
 _STEP = "  "

@@ -2,7 +2,7 @@
 
 from sigcat.adapter.ros2.cpp.names import copyright_line
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:

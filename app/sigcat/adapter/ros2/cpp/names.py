@@ -6,7 +6,7 @@ from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call, WireType
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import comment
+from sigcat.function.document.text_filters import comment
 from sigcat.names import snake_case
 
 LOCK = "const std::lock_guard<std::mutex> lock(core_mutex_);"

@@ -3,8 +3,8 @@
 from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, indented, spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of, run_name, short, times_name
 from sigcat.adapter.ros2.plan import MethodService, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
 from sigcat.function.document.text import composed
+from sigcat.function.document.text_filters import c_string
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:

@@ -13,7 +13,7 @@ from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
 from sigcat.adapter.ros2.cpp.tables import symbol_tables
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_format, c_string
+from sigcat.function.document.text_filters import c_format, c_string
 
 _CORE = "// The core of the function: what it is made of stays in this file."
 _STATE = "const rclcpp_lifecycle::State & state"

@@ -6,7 +6,7 @@ from typing import Any
 from sigcat.adapter.ros2.cpp.layout import call, function, literal, scope
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, table
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import AnyText, c_string
+from sigcat.function.document.text_filters import AnyText, c_string
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
 AS = {

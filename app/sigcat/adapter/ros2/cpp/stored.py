@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.plan import CorePlan, Parameter
 from sigcat.adapter.ros2.cpp.layout import function, scope
 from sigcat.adapter.ros2.plan import NodePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 class StoredLeaf(NamedTuple):

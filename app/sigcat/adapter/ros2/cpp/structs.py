@@ -3,7 +3,7 @@
 from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:

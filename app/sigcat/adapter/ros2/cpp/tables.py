@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat.adapter.ros2.cpp.layout import indented, text
 from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodePlan, Symbol
-from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text_filters import c_string
 
 
 def symbol_tables(node: NodePlan) -> list[str]:

@@ -3,7 +3,7 @@
 from sigcat.adapter.ros2.cpp.layout import spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, header_of
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.adapter.text_filters import c_string, docstring_text, python_string
+from sigcat.function.document.text_filters import c_string, docstring_text, python_string
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:

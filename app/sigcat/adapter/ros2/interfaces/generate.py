@@ -3,7 +3,7 @@
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.ros2.interfaces.message_text import message_text, service_text
 from sigcat.adapter.ros2.package_xml import package_xml
-from sigcat.adapter.text_filters import cmake_argument
+from sigcat.function.document.text_filters import cmake_argument
 from sigcat.integration.ros2.model import InterfacePackage
 
 

@@ -5,8 +5,8 @@ rosidl takes the comment before a field, with the unit in brackets, into what it
 
 from collections.abc import Iterable
 
-from sigcat.adapter.text_filters import AnyText, ros_comment_rows, ros_string
 from sigcat.function.document.text import Text
+from sigcat.function.document.text_filters import AnyText, ros_comment_rows, ros_string
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 
 _WIDEST = 100

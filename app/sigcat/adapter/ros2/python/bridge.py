@@ -14,7 +14,7 @@ from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan, Method
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.python.names import WIDEST
-from sigcat.adapter.text_filters import block_comment, c_string, comment
+from sigcat.function.document.text_filters import block_comment, c_string, comment
 
 _INTERNAL = ("_Verdict;", "_Origin;", "_Reception;", "_Clock;", "_Error;")
 """Ends of the types that only the core itself uses."""

@@ -18,8 +18,8 @@ from sigcat.adapter.ros2.python.names import (
     suite,
     typed,
 )
-from sigcat.adapter.text_filters import AnyText, python_string, python_strings
 from sigcat.function.document.text import sentence
+from sigcat.function.document.text_filters import AnyText, python_string, python_strings
 
 
 def core_type(core: CorePlan) -> str:

@@ -10,7 +10,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines
 from sigcat.adapter.core.identifiers import unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireType
-from sigcat.adapter.text_filters import AnyText, comment_rows, docstring_text, python_string
+from sigcat.function.document.text_filters import AnyText, comment_rows, docstring_text, python_string
 from sigcat.names import camel_case, snake_case
 
 WIDEST = 99

@@ -32,8 +32,8 @@ from sigcat.adapter.ros2.python.names import (
     sorted_imports,
     suite,
 )
-from sigcat.adapter.text_filters import AnyText, python_string, python_strings
 from sigcat.function.document.text import sentence
+from sigcat.function.document.text_filters import AnyText, python_string, python_strings
 from sigcat.integration.ros2.model import QualityOfService
 from sigcat.names import snake_case
 

@@ -4,7 +4,7 @@ from sigcat.adapter.core.c.lines import Lines, lines
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python.names import docstring
-from sigcat.adapter.text_filters import python_string
+from sigcat.function.document.text_filters import python_string
 from sigcat.names import snake_case
 
 _DEPENDENCIES = (
