@@ -13,6 +13,7 @@ from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, UsageError
 from sigcat.function.declaration.declaration import declaration_schema, read_declaration
 from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold
+from sigcat.function.document.text import Text
 from sigcat.function.extension.overlay import overlay_of
 from sigcat.function.function_file import build_function, check_function, check_function_json
 from sigcat.function.function_json.model import to_json
@@ -340,10 +341,10 @@ def test_a_struct_keeps_its_words_and_the_limits_of_its_members():
     text = changed("{datatype: float, unit: m, desc", "{datatype: float, unit: m, min: 2, max: 5.5, desc")
     function, _ = build_function(text, "f.yaml", interfaces())
     lane = next(datatype for datatype in function.datatypes if datatype.reference == "DT_Lane")
-    assert lane.description == "A lane."
+    assert lane.description == Text("A lane.")
     assert [(f.name, f.description, f.min, f.max) for f in lane.fields or ()] == [
-        ("Width", "Width of the lane.", 2, 5.5),
-        ("Curvature", "Curvature of its middle.", None, None),
+        ("Width", Text("Width of the lane."), 2, 5.5),
+        ("Curvature", Text("Curvature of its middle."), None, None),
     ]
 
 

@@ -9,7 +9,6 @@ from pydantic.fields import FieldInfo
 
 from sigcat.function.document import field_types
 from sigcat.function.document.field_types import FREE, Grammar
-from sigcat.function.document.text import Text
 from sigcat.function.document.unfit_texts import annotation_of
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
@@ -46,7 +45,6 @@ def without_type(annotation: Any) -> Iterator[Any]:
             yield from without_type(part)
 
 
-@pytest.mark.skipif(Text is str, reason="free text is not a type of its own")
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.__name__)
 def test_each_string_has_a_type(model):
     plain = [name for name, info in model.model_fields.items() if list(without_type(annotation_of(info)))]

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.data_interfaces import ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
@@ -51,7 +52,7 @@ def test_the_elements_of_a_parameter_go_all_the_way() -> None:
     assert told == []
     contracts = [contract for call in function.components[0].runnables for contract in call.contracts or ()]
     (parameter,) = [parameter for contract in contracts for parameter in contract.parameters or ()]
-    assert parameter.default_text == "[10, 20]"
+    assert parameter.default_text == Text("[10, 20]")
     adaptive = json.loads(integrate(PLATFORMS["autosar-adaptive"], [resolved(function)]).document)
     assert '"Default": "[10, 20]"' in json.dumps(adaptive)
     ros = integrate(PLATFORMS["ros2"], [resolved(function)]).document.decode()

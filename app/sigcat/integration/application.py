@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.errors import UsageError
+from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
@@ -22,10 +23,10 @@ class Application(NamedTuple):
     functions: tuple[ResolvedFunction, ...]
     """By name."""
     name: str
-    description: str
-    responsible: str
-    authority: str
-    author: str
+    description: Text
+    responsible: Text
+    authority: Text
+    author: Text
     date: dt.date | None
     """The latest of the functions' dates."""
     version: str | None
@@ -67,10 +68,10 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
     return Application(
         functions=ordered,
         name=deployment.name or " and ".join(info.function_name for info in infos),
-        description=deployment.description or joined((info.description for info in infos), " "),
-        responsible=deployment.responsible or joined(info.function_responsible for info in infos),
-        authority=deployment.authority or joined(function.meta.authority for function in wholes),
-        author=deployment.author or joined(function.meta.schema_author for function in wholes),
+        description=optional(deployment.description) or joined((info.description for info in infos), " "),
+        responsible=optional(deployment.responsible) or joined(info.function_responsible for info in infos),
+        authority=optional(deployment.authority) or joined(function.meta.authority for function in wholes),
+        author=optional(deployment.author) or joined(function.meta.schema_author for function in wholes),
         date=deployment.date or max(filter(None, map(_date, wholes)), default=None),
         version=deployment.version,
         safety_manager=deployment.safety_manager,
@@ -79,9 +80,9 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
     )
 
 
-def joined(texts: Iterable[str | None], separator: str = "; ") -> str:
+def joined(texts: Iterable[Text | None], separator: str = "; ") -> Text:
     """Texts that are there, each once. Names of organizations have commas, so that these do not separate them."""
-    return separator.join(dict.fromkeys(text for text in texts if text))
+    return Text(separator.join(dict.fromkeys(text.raw for text in texts if text)))
 
 
 def refuse_doubles(names: Sequence[str]) -> None:

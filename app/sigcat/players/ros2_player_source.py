@@ -1,5 +1,6 @@
 """The player of ROS 2: a program in C++ whose topics are those of an Integration JSON, seen from the other end."""
 
+import json
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -7,10 +8,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CELLS
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
+from sigcat.adapter.text_filters import c_string
 
 _OWN = Path(__file__).with_name("ros2_player")
 _SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
@@ -47,7 +48,10 @@ def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
     return (
         *shared,
         *own,
-        _file("player/step_service.h", _STEP_SERVICE.format(interfaces=interfaces)),
+        _file(
+            "player/step_service.h",
+            _STEP_SERVICE.format(interfaces=interfaces, header=c_string(f"{interfaces}/srv/step.hpp")),
+        ),
         _file("player/topics.cpp", _topics_source(document)),
         _file("CMakeLists.txt", _CMAKE.format(interfaces=interfaces)),
     )
@@ -114,10 +118,10 @@ def _topics_source(document: Mapping[str, Any]) -> str:
     ]
     types = sorted({topic.message for topic in (*heard.values(), *given.values())})
     return _TOPICS.format(
-        includes="\n".join(f'#include "{header_of(InterfaceType(*each.split("/")))}"' for each in types),
+        includes="\n".join(f"#include {c_string(header_of(InterfaceType(*each.split('/'))))}" for each in types),
         structs="".join(_structs(document)),
-        nodes=", ".join(f'"{node["NodeName"]}"' for node in _nodes(document)),
-        functions=", ".join(f'{{"{node["FunctionName"]}", {n}}}' for n, node in enumerate(_nodes(document))),
+        nodes=", ".join(c_string(node["NodeName"]) for node in _nodes(document)),
+        functions=", ".join(f"{{{c_string(node['FunctionName'])}, {n}}}" for n, node in enumerate(_nodes(document))),
         cycles=", ".join(f"{{{period}U, {offset}U}}" for period, offset in _cycles(document)),
         events="true" if any(each.get("Topics") for each in _schedules(document)) else "false",
         connections="\n".join(parts),
@@ -156,9 +160,9 @@ def _cycles(document: Mapping[str, Any]) -> list[tuple[int, int]]:
 def _offered(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
     nodes = ", ".join(map(str, sorted(takers)))
     quality = f"Quality(true, {_bool(topic.keeps)})"
-    offer = f'auto& out = ports.Offer<{_type(topic.message)}>("{topic.name}", {quality}, {{{nodes}}});'
+    offer = f"auto& out = ports.Offer<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {{{nodes}}});"
     columns = [
-        f'        ports.Column("{each.name}", out, [](auto& message, const Item& item) {{ {_filled(each, messages[topic.message])} }});'
+        f"        ports.Column({c_string(each.name)}, out, [](auto& message, const Item& item) {{ {_filled(each, messages[topic.message])} }});"
         for each in topic.fields
     ]
     return "\n".join(["    {", f"        {offer}", *columns, "    }"])
@@ -180,10 +184,10 @@ def _numbered(place: str, field: _Field) -> str:
 
 def _heard(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
     nodes = ", ".join(map(str, sorted(takers)))
-    values = ", ".join(f'{{"{each.name}", {_told(each, messages[topic.message])}}}' for each in topic.fields)
+    values = ", ".join(f"{{{c_string(each.name)}, {_told(each, messages[topic.message])}}}" for each in topic.fields)
     quality = f"Quality({_bool(topic.is_reliable)}, {_bool(topic.keeps)})"
     return (
-        f'    ports.Hear<{_type(topic.message)}>("{topic.name}", {quality}, {topic.node}, {{{nodes}}}, '
+        f"    ports.Hear<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {topic.node}, {{{nodes}}}, "
         f"[](const auto& message) {{\n        return Values{{{values}}};\n    }});"
     )
 
@@ -196,7 +200,7 @@ def _told(field: _Field, message: Mapping[str, Any]) -> str:
 
 
 def _symbols(field: _Field) -> str:
-    names = ", ".join(f"{{{string(text)}, {number}}}" for text, number in field.symbols)
+    names = ", ".join(f"{{{c_string(text)}, {number}}}" for text, number in field.symbols)
     return f"{{{names}}}"
 
 
@@ -220,11 +224,11 @@ def _structs(document: Mapping[str, Any]) -> Iterator[str]:
         fields = [each["Name"] for each in messages[name]["Fields"]]
         both = list(zip(members.get(name, fields), fields, strict=True))
         texts = " + ".join(
-            f'"{", " if number else ""}\\"{member}\\": " + player::Text(value.{field})'
+            c_string(f"{', ' if number else ''}{json.dumps(member)}: ") + f" + player::Text(value.{field})"
             for number, (member, field) in enumerate(both)
         )
         reads = "".join(
-            f'        value.{field} = player::Read<std::decay_t<decltype(value.{field})>>(item.At("{member}"));\n'
+            f"        value.{field} = player::Read<std::decay_t<decltype(value.{field})>>(item.At({c_string(member)}));\n"
             for member, field in both
         )
         yield _STRUCT.format(type=_type(name), reads=reads, texts=texts)
@@ -323,14 +327,14 @@ struct Cell<{type}, void> final {{
         {type} value;
 {reads}        return value;
     }}
-    static std::string Text(const {type}& value) {{ return std::string("{{") + {texts} + "}}"; }}
+    static std::string Text(const {type}& value) {{ return std::c_string("{{") + {texts} + "}}"; }}
 }};
 
 """
 _STEP_SERVICE = """#ifndef PLAYER_STEP_SERVICE_H
 #define PLAYER_STEP_SERVICE_H
 
-#include "{interfaces}/srv/step.hpp"
+#include {header}
 
 namespace player {{
 

@@ -1,15 +1,14 @@
 """ARXML elements as plain values, and their way into the AUTOSAR metamodel of `autosar-data`."""
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
 
+from sigcat.adapter.text_filters import AnyText, arxml_text
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_names import distinct
-
-_NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 class Tag(NamedTuple):
@@ -17,14 +16,14 @@ class Tag(NamedTuple):
 
     tag: str
     children: "tuple[Tag, ...]" = ()
-    text: str | None = None
+    text: AnyText | None = None
     name: str | None = None
     attributes: tuple[tuple[str, str], ...] = ()
 
 
-def tag(tag_name: str, *children: "Tag | None", text: str | float | None = None, name: str | None = None) -> Tag:
+def tag(tag_name: str, *children: "Tag | None", text: AnyText | float | None = None, name: str | None = None) -> Tag:
     """An element; children that are None are left out."""
-    shown = None if text is None else str(text)
+    shown = str(text) if isinstance(text, int | float) else text
     return Tag(tag_name, tuple(child for child in children if child is not None), shown, name)
 
 
@@ -59,7 +58,7 @@ def namespaces(names: Sequence[str], beside: Iterable[str] = ()) -> Tag | None:
     )
 
 
-def description(text: str | None) -> Tag | None:
+def description(text: Text | None) -> Tag | None:
     """DESC in English; None without a text."""
     if not text:
         return None
@@ -74,7 +73,7 @@ def trace(values: Sequence[tuple[str, object]]) -> Tag | None:
     return tag("ADMIN-DATA", tag("SDGS", Tag("SDG", kept, None, None, (("GID", "sigcat"),))))
 
 
-def _facts(key: str, value: object) -> Iterator[tuple[str, str]]:
+def _facts(key: str, value: object) -> Iterator[tuple[str, AnyText]]:
     """A value as texts that tools of any language read: `Watchdog.Min` for what a mapping holds, a list with commas."""
     if isinstance(value, Mapping):
         for inner, item in value.items():
@@ -86,8 +85,8 @@ def _facts(key: str, value: object) -> Iterator[tuple[str, str]]:
         yield key, ", ".join(map(str, value))
     elif isinstance(value, bool):
         yield key, str(value).lower()
-    elif value not in (None, "", [], ()):
-        yield key, str(value)
+    elif value not in (None, "", Text(""), [], ()):
+        yield key, value if isinstance(value, Text) else str(value)
 
 
 class Package(NamedTuple):
@@ -122,12 +121,7 @@ def _fill(parent: Element, children: Sequence[Tag]) -> None:
         else:
             element = parent.create_sub_element(child.tag)
         for key, value in child.attributes:
-            element.set_attribute(key, plain(value))  # type: ignore[arg-type]
+            element.set_attribute(key, arxml_text(value))  # type: ignore[arg-type]
         if child.text is not None:
-            element.character_data = plain(child.text)
+            element.character_data = arxml_text(child.text)
         _fill(element, child.children)
-
-
-def plain(text: str) -> str:
-    """The text without characters that XML 1.0 cannot hold in any form; a replacement character stands for each."""
-    return _NOT_XML.sub("\ufffd", text)

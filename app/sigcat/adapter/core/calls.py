@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from sigcat import codes
-from sigcat.adapter.core.identifiers import comment, identifier
+from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.interfaces import port_key
 from sigcat.adapter.core.modes import excluded_in
 from sigcat.adapter.core.plan import Alive, Call, Deadline, Input, Logical, Output
@@ -40,7 +40,7 @@ def planned_call(
         success=call.success_value,
         before=call.pre_processing or (),
         after=call.post_processing or (),
-        description=comment(call.description),
+        description=call.description,
         cycle=cycle,
         offset=(yield from nanoseconds(call.execution_offset, (*at, "ExecOffset"))) or 0,
         debounce=(yield from nanoseconds(call.debounce_delay, (*at, "DebounceDelay"))) or 0,

@@ -14,7 +14,7 @@ from sigcat.adapter.core.errors import (
     short_names,
     status_items,
 )
-from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.interfaces import inputs_of, outputs_of, ports_of, received
 from sigcat.adapter.core.methods import methods_of
 from sigcat.adapter.core.modes import mode_in, mode_out
@@ -71,7 +71,7 @@ def _planned(context: Context) -> Planning[CorePlan]:
     return CorePlan(
         function=identifier(context.name),
         version=function.info.version,
-        description=comment(function.info.description),
+        description=function.info.description,
         code=(yield from planned_code(context)),
         structs=wire_structs(_references(function), context),
         ports=received(calls, frozenset(step.name for step in steps)),

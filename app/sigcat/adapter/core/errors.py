@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 from typing import NamedTuple
 
-from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import (
     Call,
@@ -133,7 +133,7 @@ def _error(
 ) -> Planning[Error]:
     _, at, item = listed[0]
     assert isinstance(item, ErrorInterface)
-    name = Named(names[item.name], comment(item.vss_path or item.name), at)
+    name = Named(names[item.name], item.vss_path or item.name, at)
     steps = [each.call.name for each in listed if each.call.is_step]
     owner = steps[0] if steps else None
     variable = yield from expression(item.variable, item.name, (*at, "Variable"))
@@ -205,7 +205,7 @@ def _reaction(listed: list[Declared], own: Names, names: Names, context: Context
     wire, numbers = status_type(item.datatype, {"INACTIVE": 0, "ACTIVE": 1}, context)
     variable = yield from expression(item.variable, item.name, (*at, "Variable"))
     return Reaction(
-        named=Named(names[item.name], comment(item.vss_path or item.name), at),
+        named=Named(names[item.name], item.vss_path or item.name, at),
         wire=wire,
         inactive=numbers["INACTIVE"],
         active=numbers["ACTIVE"],

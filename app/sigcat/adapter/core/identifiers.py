@@ -1,4 +1,4 @@
-"""Names of interfaces as identifiers of C and C++, and texts as comments of both."""
+"""Names of interfaces as identifiers of C and C++."""
 
 import re
 from collections.abc import Iterable
@@ -20,22 +20,3 @@ def unique(name: str, taken: Iterable[str]) -> str:
     if name not in known:
         return name
     return next(numbered for number in range(2, len(known) + 3) if (numbered := f"{name}_{number}") not in known)
-
-
-def comment(text: str) -> str:
-    """A text that can stand within a comment of C: on one line, and without an end of comment."""
-    plain = "".join(letter if letter.isprintable() else " " for letter in text)
-    return " ".join(plain.replace("*/", "* /").replace("/*", "/ *").replace("??/", "?? /").split()).rstrip("\\ ")
-
-
-def string(text: str) -> str:
-    """A text as a literal of C."""
-    escaped = "".join(
-        letter if letter.isascii() and letter.isprintable() and letter not in '"\\?' else _escaped(letter)
-        for letter in text
-    )
-    return f'"{escaped}"'
-
-
-def _escaped(letter: str) -> str:
-    return "".join(f"\\{byte:03o}" for byte in letter.encode("utf-8", "replace"))

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat import codes
-from sigcat.adapter.core.identifiers import comment, identifier, unique
+from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.plan import Call, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, Planning, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
@@ -30,7 +30,7 @@ def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, obje
     """How an interface is called, beside those that are there."""
     unit = item.vss_unit or (item.units if item.vss_datatype is None else None)
     text = f"{item.vss_path or item.name}{f' [{unit}]' if unit else ''}"
-    return Named(unique(identifier(item.name), taken), comment(text), at)
+    return Named(unique(identifier(item.name), taken), text, at)
 
 
 def inputs_of(

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from sigcat import codes
-from sigcat.adapter.core.identifiers import comment, identifier
+from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import Argument, Method, Named, Value
 from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import Signal
 from sigcat.function.function_json.methods import Argument as DeclaredArgument
 from sigcat.function.function_json.methods import MethodInterface
@@ -40,7 +41,7 @@ def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> 
     arguments = yield from _arguments(item.inputs, inputs, context, to_code=is_offered, is_checked=is_offered)
     results = yield from _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=not is_offered)
     return Method(
-        named=Named(identifier(item.name), comment(item.name), at),
+        named=Named(identifier(item.name), item.name, at),
         call=call,
         is_offered=is_offered,
         symbol=item.symbol,
@@ -77,4 +78,4 @@ def _unchecked(value: Value) -> Value:
 
 def _as_signal(item: DeclaredArgument) -> Signal:
     """An argument has neither range nor unit of its own: a signal whose catalogue is the code."""
-    return Signal(name=item.name, description="", role=CONSUMER, datatype=item.datatype)
+    return Signal(name=item.name, description=Text(""), role=CONSUMER, datatype=item.datatype)

@@ -1,7 +1,6 @@
 """Modes of a function (section 8): what is received and sent, and which calls run in them."""
 
 from sigcat.adapter.core.errors import status_type
-from sigcat.adapter.core.identifiers import comment
 from sigcat.adapter.core.plan import ModeIn, ModeOut, ModeValue, Named
 from sigcat.adapter.core.planning import Context, Planning, expression
 from sigcat.function.document.document import Pointer
@@ -16,7 +15,7 @@ def mode_in(context: Context) -> Planning[ModeIn | None]:
     at, item = found
     modes = _modes(item, context)
     return ModeIn(
-        named=Named("Mode_In", comment(item.vss_path or item.name), at),
+        named=Named("Mode_In", item.vss_path or item.name, at),
         wire=status_type(item.datatype, {}, context)[0],
         modes=modes,
         initial=next((mode for mode in modes if mode.name == item.initial), modes[0]),
@@ -35,7 +34,7 @@ def mode_out(context: Context) -> Planning[ModeOut | None]:
     variable = yield from expression(item.variable, item.name, (*at, "Variable"))
     if variable is None:
         return None
-    name = Named("Mode_Out", comment(item.vss_path or item.name), at)
+    name = Named("Mode_Out", item.vss_path or item.name, at)
     return ModeOut(name, status_type(item.datatype, {}, context)[0], _modes(item, context), variable)
 
 

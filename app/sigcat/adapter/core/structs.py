@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from sigcat.adapter.core.identifiers import comment, identifier
+from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireField, WireStruct
 from sigcat.adapter.core.planning import Context
@@ -29,13 +29,13 @@ def _structs(reference: str, context: Context) -> Iterator[WireStruct]:
         for field in datatype.fields or ():
             yield from _structs(field.datatype, context)
         fields = tuple(_field(field, context) for field in datatype.fields or ())
-        yield WireStruct(struct_name(reference, context), comment(datatype.description or ""), fields)
+        yield WireStruct(struct_name(reference, context), datatype.description or "", fields)
 
 
 def _field(field: TypeField, context: Context) -> WireField:
     datatype = context.datatypes[field.datatype]
     inner = context.datatypes[datatype.element or ""] if datatype.kind == "array" else datatype
-    text = comment(f"[{field.units}]" if field.units else "")
+    text = f"[{field.units}]" if field.units else ""
     return WireField(identifier(field.name), _c_name(inner, context), datatype.length, text)
 
 

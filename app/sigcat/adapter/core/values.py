@@ -254,10 +254,7 @@ def _on_source(low: Fraction | None, high: Fraction | None, source: Side) -> dic
 
 def _given(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | None:
     """A start value or default, one number for each element; None if there is none."""
-    text = getattr(item, f"{name}_elements", None)
-    if isinstance(item, ParameterInterface) and name == "default":
-        text = item.default_text
-    given = elements(text)
+    given = elements(getattr(item, f"{name}_elements", None))
     if given is None and _is_only_default(item, name, part):
         return None
     if given is None and not part.keys:

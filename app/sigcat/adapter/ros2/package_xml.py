@@ -1,26 +1,28 @@
 """package.xml, format 3 (REP 149)."""
 
-import re
 from collections.abc import Iterable
-from xml.sax.saxutils import escape, quoteattr
 
+from sigcat.adapter.text_filters import xml_text
+from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Package
 
-_NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-"""Characters that XML cannot have, however they are written."""
+
+def rights(package: Package) -> Text:
+    """Who has the rights on the files of a package, in one line."""
+    return composed("Copyright ", package.maintainer, ". License: ", package.license, ".")
 
 
 def package_xml(package: Package, name: str, depends: Iterable[tuple[str, str]], build_type: str) -> str:
     """The description of a package of this name. `depends` are tags and packages: `("exec_depend", "launch_ros")`."""
-    dependencies = "".join(f"  <{tag}>{escape(other)}</{tag}>\n" for tag, other in depends)
+    dependencies = "".join(f"  <{tag}>{xml_text(other)}</{tag}>\n" for tag, other in depends)
     return f"""<?xml version="1.0"?>
 <?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
 <package format="3">
-  <name>{name}</name>
-  <version>{package.version}</version>
-  <description>{_text(package.description)}</description>
-  <maintainer email={quoteattr(package.email)}>{_text(package.maintainer)}</maintainer>
-  <license>{_text(package.license)}</license>
+  <name>{xml_text(name)}</name>
+  <version>{xml_text(package.version)}</version>
+  <description>{xml_text(package.description)}</description>
+  <maintainer email="{xml_text(package.email)}">{xml_text(package.maintainer)}</maintainer>
+  <license>{xml_text(package.license)}</license>
 
 {dependencies}
   <export>
@@ -28,7 +30,3 @@ def package_xml(package: Package, name: str, depends: Iterable[tuple[str, str]],
   </export>
 </package>
 """
-
-
-def _text(text: str) -> str:
-    return escape(" ".join(_NOT_IN_XML.sub(" ", text).split()))

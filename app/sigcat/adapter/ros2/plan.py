@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from sigcat.adapter.core.plan import Argument, Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy
 from sigcat.names import camel_case
@@ -127,20 +128,20 @@ class NodeParameter(NamedTuple):
     type: str
     """bool, integer, double or string, or an array of them, as `double_array`."""
     parameter: Parameter
-    description: str
+    description: Text
     default: Any
     low: float | None
     high: float | None
-    constraints: str | None
+    constraints: Text | None
     units: str | None
     is_read_only: bool
     symbols: tuple[Symbol, ...]
     """Texts, where it is text."""
 
     @property
-    def described(self) -> str:
+    def described(self) -> Text:
         """The description with the unit, as the descriptor of the parameter has it in every language."""
-        return f"{self.description} Unit: {self.units}." if self.units else self.description
+        return composed(self.description, f" Unit: {self.units}.") if self.units else self.description
 
     @property
     def is_learned(self) -> bool:

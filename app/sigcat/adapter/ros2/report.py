@@ -100,7 +100,7 @@ def _of_node(node: RosNode, package: str, model: Ros2Integration) -> Iterator[En
         ("safety reaction", node.conditions),
     ):  # fmt: skip
         for each in listed:
-            message = str(getattr(each, "message", ""))
+            message = getattr(each, "message", "") if kind == "status" else ""
             yield from _entries(node, kind, each, {**places, "interfaces": f"{message}.msg"})
 
 

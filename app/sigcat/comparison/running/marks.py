@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.text_filters import c_string
 from sigcat.comparison.recording import CallTime, Sent
 from sigcat.errors import UsageError
 from sigcat.runs.connections import Connections, Member
@@ -117,7 +118,7 @@ static sigcat_measured sigcat_calls_{function}[SIGCAT_CALLS] __attribute__((unus
         sigcat_measured *const sigcat_one = &sigcat_calls_{function}[(unsigned)(call) % SIGCAT_CALLS]; \\
         sigcat_mark(sigcat_one, (self)->now, (point)); \\
         if ((point) == 3) {{ \\
-            sigcat_write("{function}", &sigcat_file_{function}, sigcat_one, (uint32_t)(call), {reactions}); \\
+            sigcat_write({text}, &sigcat_file_{function}, sigcat_one, (uint32_t)(call), {reactions}); \\
         }} \\
     }} while (0)
 """
@@ -154,7 +155,9 @@ def _macros(member: Member) -> str:
         for bit, each in enumerate(member.plan.reactions[:_BITS])
     ]
     macro = Scope(member.plan).constant("MARK")
-    return _MACROS.format(macro=macro, function=member.name, reactions=" | ".join(bits) or "0U")
+    return _MACROS.format(
+        macro=macro, function=member.name, text=c_string(member.name), reactions=" | ".join(bits) or "0U"
+    )
 
 
 def read_marks(connections: Connections, folder: Path, start: int) -> Marked:

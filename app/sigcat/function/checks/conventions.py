@@ -14,6 +14,7 @@ from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import (
@@ -166,7 +167,7 @@ def _spelling(rule: RuleCode, pointer: Pointer, text: str, known: tuple[str, ...
 
 
 def _responsible(function: FunctionJson) -> Problems:
-    text = function.info.function_responsible
+    text = function.info.function_responsible.raw
     words = {word.strip(",.").lower() for word in text.split()}
     if _PERSON.fullmatch(text) and not words & _GROUPS:
         message = f"The responsible must be a team, not a person as {text!r} seems to be."
@@ -179,14 +180,14 @@ def _responsible(function: FunctionJson) -> Problems:
 
 
 def _descriptions(function: FunctionJson) -> Problems:
-    described: list[tuple[Pointer, str]] = [(("FunctionInfo",), function.info.description)]
+    described: list[tuple[Pointer, Text]] = [(("FunctionInfo",), function.info.description)]
     described += [(pointer, runnable.description) for pointer, _, runnable in runnables(function)]
     for pointer, _, contract in contracts(function):
         described += [((*pointer, "SignalList", i), item.description) for i, item in enumerate(contract.signals or ())]
         described += [((*pointer, "ErrorList", i), item.description) for i, item in enumerate(contract.errors or ())]
     for pointer, text in described:
-        if not _SENTENCE.fullmatch(text.strip()):
-            message = f"The description must be a sentence, not {_short(text)!r}."
+        if not _SENTENCE.fullmatch(text.raw.strip()):
+            message = f"The description must be a sentence, not {_short(text.raw)!r}."
             fix = "Start with a capital and end with a period."
             yield Problem(codes.DESCRIPTION_NO_SENTENCE, (*pointer, "Description"), message, fix)
 

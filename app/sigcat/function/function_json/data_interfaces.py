@@ -254,3 +254,8 @@ class ParameterInterface(WireModel):
     init_elements: JsonValue | None = own(
         "InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL
     )
+
+    @property
+    def default_elements(self) -> str | None:
+        """The default of an array, as a signal has it."""
+        return self.default_text.raw if self.default_text is not None else None

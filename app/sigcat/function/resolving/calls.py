@@ -8,6 +8,7 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
+from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.resolving.code import checkpoint
@@ -43,7 +44,7 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
     supervision = yield from texts_of(node, "supervisionType", at)
     runnable = Runnable(
         name=interface_name(node.path),
-        description=str(node.values.get("description") or ""),
+        description=Text(str(node.values.get("description") or "")),
         run_type=text_of(node, "runType") or "",
         cycle_time=(yield from integer_of(node, "cycleTime", at)),
         stack_size=plain_text((yield from number_of(node, "stackSize", at))),
@@ -79,7 +80,7 @@ def _watchdog(node: Node, at: Pointer) -> Resolving[Watchdog | None]:
     return Watchdog(
         alive=_limits(alive, "minIndications", "maxIndications", "referenceIndications"),
         deadline=_limits(deadline, "minDuration", "maxDuration", ""),
-        logical=str((logical or {}).get("description") or "") if logical is not None else None,
+        logical=Text(str((logical or {}).get("description") or "")) if logical is not None else None,
         logical_error=_optional_text((logical or {}).get("error")),
     )
 
@@ -92,7 +93,7 @@ def _limits(values: Mapping[str, Any] | None, low: str, high: str, reference: st
         max=_number(values.get(high)),
         reference=_number(values.get(reference)),
         error_name=str(values.get("error") or ""),
-        description=_optional_text(values.get("description")),
+        description=optional(_optional_text(values.get("description"))),
     )
 
 

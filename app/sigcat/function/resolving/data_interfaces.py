@@ -11,6 +11,7 @@ from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
@@ -74,7 +75,7 @@ def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
     node = value.node
     return {
         "name": item.name or node.name,
-        "description": str(node.values.get("description") or ""),
+        "description": Text(str(node.values.get("description") or "")),
         "datatype": value.reference,
         "min": value.min,
         "max": value.max,
@@ -189,7 +190,7 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         interface_type=item.kind,
         attribute=item.attribute,
         units=value.unit or "",
-        default_text=text,
+        default_text=optional(text),
         factor=plain_text(item.factor),
         offset=plain_text(item.offset),
         key=item.key,

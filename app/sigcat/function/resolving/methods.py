@@ -5,6 +5,7 @@ from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context, Resolving
@@ -20,7 +21,7 @@ def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[Me
     outputs = yield from each(item.outputs, (*at, "outputs"), context, _argument)
     made = MethodInterface(
         name=item.name,
-        description=item.description,
+        description=Text(item.description),
         role=ROLES[item.role],
         inputs=values_of(inputs),
         outputs=values_of(outputs),

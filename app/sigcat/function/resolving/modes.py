@@ -7,6 +7,7 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import ActiveMode, ModeInItem, ModeOutItem, ModesItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import Mode
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ModeInterface
@@ -20,7 +21,7 @@ from sigcat.function.resolving.part import Part, each, written
 def mode(item: ActiveMode, at: Pointer, context: Context) -> Part[Mode]:
     """A mode; whether the function has the calls that run in it is checked with the result."""
     calls = tuple(context.call_name(reference) for reference in item.runnables)
-    made = Mode(name=item.mode, description=item.description, runnables=calls)
+    made = Mode(name=item.mode, description=Text(item.description), runnables=calls)
     return Part(made, Origin(at, written(item, at)))
 
 
@@ -68,7 +69,7 @@ def _mode_interface(reference: str, at: Pointer, context: Context) -> Resolving[
     name = f"{context.function}.{context.function}.Mode{node.name}"
     made = ModeInterface(
         name=interface_name(node.path),
-        description=str(node.values.get("description") or ""),
+        description=Text(str(node.values.get("description") or "")),
         direction=node.name,
         datatype=context.types.reference(str(node.values.get("datatype")), name, symbols),
         modes=tuple(symbols or ()),

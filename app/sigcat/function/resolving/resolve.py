@@ -9,6 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.declaration.declaration import ComponentItem, Declaration, ModesItem
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text, optional
 from sigcat.function.extension.defined_nodes import DefinedNode
 from sigcat.function.function_json.model import Component, FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.provenance import CatalogueLayer, DefinedInterface, Provenance
@@ -68,19 +69,19 @@ def _function(declaration: Declaration, document: Document, context: Context) ->
 
 def _meta(declaration: Declaration) -> MetaInfo:
     return MetaInfo(
-        authority=declaration.authority,
-        schema_author=declaration.author,
+        authority=optional(declaration.authority),
+        schema_author=optional(declaration.author),
         date=declaration.date.strftime("%d.%m.%Y") if declaration.date else None,
         schema_version=SCHEMA_VERSION,
-        schema_description=f"Interfaces of the function {declaration.function}",
+        schema_description=Text(f"Interfaces of the function {declaration.function}"),
     )
 
 
 def _info(declaration: Declaration) -> FunctionInfo:
     return FunctionInfo(
         function_name=declaration.function,
-        function_responsible=declaration.responsible,
-        description=declaration.description,
+        function_responsible=Text(declaration.responsible),
+        description=Text(declaration.description),
         version=declaration.version,
     )
 

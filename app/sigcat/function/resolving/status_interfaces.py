@@ -5,6 +5,7 @@ from sigcat.catalogue.model.interfaces import function_of, interface_name
 from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
+from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.type_list import symbols_of
@@ -22,7 +23,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         return Part(None, Origin(at), (Subject("error", item.interface),))
     made = ErrorInterface(
         name=interface_name(node.path),
-        description=str(node.values.get("description") or ""),
+        description=Text(str(node.values.get("description") or "")),
         datatype=_datatype(node, context),
         dependencies=(yield from texts_of(node, "dependency", at)),
         occurrence_count_limit=item.occurrence_count_limit,
@@ -30,7 +31,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         maturation_time=(yield from integer_of(node, "maturationTime", at)) or 0,
         severity=text_of(node, "severity") or "",
         reset_time=(yield from number_of(node, "resetTime", at)),
-        reset_condition=text_of(node, "resetCondition"),
+        reset_condition=optional(text_of(node, "resetCondition")),
         asil_level=(yield from asil_of(node, at)),
         vss_path=node.path,
         variable=item.variable,
@@ -53,7 +54,7 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolv
         return Part(None, Origin(at))
     made = SafetyReaction(
         name=interface_name(node.path),
-        description=str(node.values.get("description") or ""),
+        description=Text(str(node.values.get("description") or "")),
         datatype=_datatype(node, context),
         errors=(yield from texts_of(node, "errorList", at)),
         asil_level=(yield from asil_of(node, at)),

@@ -193,11 +193,11 @@ def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable)
         fields = entry.fields or (model.StructField(name="Element", type=entry.element),)
         return model.ParameterType(
             name=word, kind="structure", fields=fields, reference=word, min=parameter.min, max=parameter.max,
-            unit=parameter.units, default=parameter.default_text or parameter.default,
-            init_value=parameter.init_elements or parameter.default_text or parameter.init_value,
+            unit=parameter.units, default=parameter.default_elements or parameter.default,
+            init_value=parameter.init_elements or parameter.default_elements or parameter.init_value,
         )  # fmt: skip
     if word == "string":
-        text = parameter.default_text or ""
+        text = parameter.default_elements or ""
         return model.ParameterType(text_datatype="string", default=text, init_value=text)
     if word == "bool":
         return model.ParameterType(

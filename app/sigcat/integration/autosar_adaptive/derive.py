@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import Signal
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
@@ -205,7 +206,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
     providers = tuple(
         model.Provider(
             name=name, deployment="SOME/IP", instance_id=service.instance,
-            contract=context.settings.contract,
+            contract=Text(context.settings.contract),
         )
         for name in _provider_names(service, content, context)
     )  # fmt: skip

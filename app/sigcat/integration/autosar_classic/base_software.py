@@ -1,5 +1,6 @@
 """Interfaces of the base software that components use, by the names that its specifications give them."""
 
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic import model
 
 ECU_MODES = model.ModeGroup(
@@ -22,7 +23,7 @@ CLOCK = model.ClientServerInterface(
         model.Operation(
             name="GetTime",
             arguments=(model.OperationArgument(name="Time", type="uint64", direction="OUT", unit="ns"),),
-            description="Time of the counter that starts timing events: it never goes back, and starts anywhere.",
+            description=Text("Time of the counter that starts timing events: it never goes back, and starts anywhere."),
         ),
     ),
 )
@@ -32,7 +33,7 @@ IGNITION = model.ClientServerInterface(
         model.Operation(
             name="GetCycle",
             arguments=(model.OperationArgument(name="Cycle", type="uint32", direction="OUT"),),
-            description="Number of the ignition cycle: another one after each start of the vehicle.",
+            description=Text("Number of the ignition cycle: another one after each start of the vehicle."),
         ),
     ),
 )
@@ -43,7 +44,7 @@ DIAGNOSTIC_MONITOR = model.ClientServerInterface(
             name="SetEventStatus",
             arguments=(model.OperationArgument(name="EventStatus", type="Dem_EventStatusType", direction="IN"),),
             errors=("E_NOT_OK",),
-            description="What a test has come to: 0 passed, 1 failed.",
+            description=Text("What a test has come to: 0 passed, 1 failed."),
         ),
     ),
     errors=(E_NOT_OK,),
@@ -56,7 +57,7 @@ SUPERVISION = model.ClientServerInterface(
             name="CheckpointReached",
             arguments=(),
             errors=("E_NOT_OK",),
-            description="A checkpoint was reached: which one, the port says.",
+            description=Text("A checkpoint was reached: which one, the port says."),
         ),
     ),
     errors=(E_NOT_OK,),
@@ -69,13 +70,13 @@ NV_MEMORY = model.ClientServerInterface(
             name="GetErrorStatus",
             arguments=(model.OperationArgument(name="ErrorStatus", type="NvM_RequestResultType", direction="OUT"),),
             errors=("E_NOT_OK",),
-            description="How the last request went: 0, and what is in the block is what was stored.",
+            description=Text("How the last request went: 0, and what is in the block is what was stored."),
         ),
         model.Operation(
             name="SetRamBlockStatus",
             arguments=(model.OperationArgument(name="BlockChanged", type="boolean", direction="IN"),),
             errors=("E_NOT_OK",),
-            description="The block has changed, and is to be stored at shutdown.",
+            description=Text("The block has changed, and is to be stored at shutdown."),
         ),
     ),
     errors=(E_NOT_OK,),

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Part, application
@@ -266,8 +267,8 @@ def _component(
 
 
 def _areas(behaviour: Behaviour) -> tuple[model.ExclusiveArea, ...]:
-    core = model.ExclusiveArea(name=AREA, description="The core: one runnable is in it at a time.")
-    code = model.ExclusiveArea(name=CALLS, description="The function's code: no method runs while a call does.")
+    core = model.ExclusiveArea(name=AREA, description=Text("The core: one runnable is in it at a time."))
+    code = model.ExclusiveArea(name=CALLS, description=Text("The function's code: no method runs while a call does."))
     return (core, code) if behaviour.offers else (core,)
 
 

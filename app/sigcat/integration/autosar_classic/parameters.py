@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
@@ -108,7 +109,7 @@ def parameter_port(part: Part, direction: Any, types: TypeTable) -> model.Port:
             )
             for each in calibration(part)
         ),
-        description="Calibration parameters.",
+        description=Text("Calibration parameters."),
     )
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from sigcat.asil import level_of
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.methods import MethodInterface
@@ -111,7 +112,7 @@ def uses_method(port: model.Port) -> bool:
     return port.kind == "ClientServer" and port.direction == "Required" and bool(port.elements[0].uses)
 
 
-def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: str) -> model.Runnable:  # fmt: skip
+def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: Text | str | None) -> model.Runnable:  # fmt: skip
     level = level_of(call.asil_level) if call else None
     stack = milliseconds(call.stack_size) if call else None
     return model.Runnable(
@@ -119,7 +120,7 @@ def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour:
         symbol=short_name(f"{behaviour.part.name}_Run_{name}"),
         role=role,  # type: ignore[arg-type]
         call=call.name if call else None,
-        description=description or None,
+        description=Text(description) if isinstance(description, str) else description or None,
         concurrent=False,
         minimum_start_interval=0,
         accesses=_numbered(accesses),
@@ -141,7 +142,9 @@ def _numbered(accesses: Iterable[model.Access]) -> tuple[model.Access, ...]:
 
 def _access(kind: model.AccessKind, port: model.Port, element: model.Element, reason: str = "") -> model.Access:
     name = short_name(f"{kind}_{port.name}_{element.name}")
-    return model.Access(name=name, kind=kind, port=port.name, element=element.name, reason=reason or None)
+    return model.Access(
+        name=name, kind=kind, port=port.name, element=element.name, reason=Text(reason) if reason else None
+    )
 
 
 def _init(behaviour: Behaviour) -> model.Runnable:
@@ -183,7 +186,7 @@ def _judge_windows(behaviour: Behaviour) -> model.Runnable:
 def _method(port: model.Port, behaviour: Behaviour) -> model.Runnable:
     (element,) = port.elements
     method = element.uses[0].interface if element.uses else element.name
-    made = _runnable(short_name(f"Serve_{element.name}"), "Method", [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)], behaviour, None, port.description or "")  # fmt: skip
+    made = _runnable(short_name(f"Serve_{element.name}"), "Method", [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)], behaviour, None, port.description)  # fmt: skip
     return made.model_copy(update={"method": method})
 
 
@@ -364,7 +367,10 @@ def _triggers(behaviour: Behaviour, own: NamedCall | None) -> list[model.Access]
     others: Sequence[NamedCall] = [each for each in behaviour.steps if each is not own]
     return [
         model.Access(
-            name=f"Start_{each.name}", kind="InternalTrigger", element=each.name, reason="The core may find it due."
+            name=f"Start_{each.name}",
+            kind="InternalTrigger",
+            element=each.name,
+            reason=Text("The core may find it due."),
         )
         for each in others
     ]

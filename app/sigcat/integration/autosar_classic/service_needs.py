@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat.asil import Level, level_of, rank
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
@@ -127,7 +128,7 @@ def memories(part: Part) -> tuple[model.PerInstanceMemory, ...]:
             type=short_name(f"{part.name}_{STORED}Type"),
             type_definition=f"{core}_Stored",
             header=f"{part.function_name}_adapter.h",
-            description="What the core keeps from one run to the next: counts of errors and parameters.",
+            description=Text("What the core keeps from one run to the next: counts of errors and parameters."),
         ),
     )
 
@@ -220,7 +221,7 @@ def service_ports(part: Part, calls: Sequence[NamedCall]) -> Iterator[model.Port
         interface=ECU_MODE.name,
         elements=(model.Element(name=ECU_MODE.prototype),),
         service=ECU_MODE.service,
-        description="Mode of the ECU: it is shut down after Terminate.",
+        description=Text("Mode of the ECU: it is shut down after Terminate."),
     )
 
 
@@ -232,5 +233,5 @@ def _call_port(name: str, interface: model.ClientServerInterface, description: s
         interface=interface.name,
         elements=tuple(model.Element(name=operation.name) for operation in interface.operations),
         service=interface.service,
-        description=description,
+        description=Text(description),
     )

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.conversion import of_text
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
@@ -30,7 +31,7 @@ def init_batches_of(components: Sequence[model.Component], behaviours: Mapping[s
         return ()
     reason = "Init of every component before anything else; timing events start afterwards."
     name = distinct({"batch": "InitComponents"}, (each.name for each in components))["batch"]
-    return (model.InitBatch(name=name, events=_in_order(mapped), reason=reason),)
+    return (model.InitBatch(name=name, events=_in_order(mapped), reason=Text(reason)),)
 
 
 def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]) -> tuple[model.Task, ...]:
@@ -88,7 +89,7 @@ def _task(name: str, mapped: Iterable[_Mapped], period: float | None, reason: st
         offset=0 if period is not None else None,
         stack_size=max(stacks, default=None),
         events=_in_order(listed),
-        reason=reason,
+        reason=Text(reason),
     )
 
 

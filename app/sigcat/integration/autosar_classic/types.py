@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, EnumerationValue, innermost
 from sigcat.function.function_json.model import FunctionJson
@@ -25,7 +26,7 @@ class Meaning(NamedTuple):
     unit: str | None = None
     low: float | None = None
     high: float | None = None
-    description: str | None = None
+    description: Text | None = None
 
 
 class TypeTable:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -176,16 +177,17 @@ def _meta(app: Application) -> MetaInfo:
         schema_author=app.author or None,
         date=app.date.strftime("%d.%m.%Y") if app.date else None,
         schema_version="1.0.0",
-        schema_description=f"Integration of {app.name} with ROS 2",
+        schema_description=Text(f"Integration of {app.name} with ROS 2"),
     )
 
 
 def _info(app: Application) -> FunctionInfo:
+    versions = (function.function.info.version for function in app.functions)
     return FunctionInfo(
         function_name=app.name,
         function_responsible=app.responsible,
         description=app.description,
-        version=app.version or joined(function.function.info.version for function in app.functions) or None,
+        version=app.version or "; ".join(dict.fromkeys(filter(None, versions))) or None,
     )
 
 
@@ -207,10 +209,10 @@ def _interface_package(book: MessageBook, app: Application, settings: Ros2Settin
     return InterfacePackage(
         name=book.package,
         version=app.version or DEFAULT_VERSION,
-        description=f"Messages and services of {app.name}.",
+        description=Text(f"Messages and services of {app.name}."),
         maintainer=_maintainer(app, settings),
         email=settings.email,
-        license=settings.license,
+        license=Text(settings.license),
         dependencies=("builtin_interfaces",),
         messages=book.messages,
         services=book.services,
@@ -228,12 +230,12 @@ def _node_package(
         description=app.description,
         maintainer=_maintainer(app, settings),
         email=settings.email,
-        license=settings.license,
+        license=Text(settings.license),
         dependencies=tuple(sorted((*_NODE_DEPENDENCIES, packages.interfaces))),
         nodes=nodes,
     )
 
 
-def _maintainer(app: Application, settings: Ros2Settings) -> str:
+def _maintainer(app: Application, settings: Ros2Settings) -> Text:
     responsible = joined(each.function.info.function_responsible for each in app.functions)
-    return " ".join((settings.maintainer or responsible or "unknown").split())
+    return Text(" ".join((settings.maintainer or responsible.raw or "unknown").split()))

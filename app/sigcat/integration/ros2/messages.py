@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from collections.abc import Set as AbstractSet
 
 from sigcat import codes
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
@@ -38,7 +39,7 @@ class MessageBook:
         return tuple(self._services[name] for name in sorted(self._services))
 
     def add(
-        self, source: str, interface: Subject, description: str,
+        self, source: str, interface: Subject, description: Text,
         fields: Iterable[MessageField], constants: Iterable[MessageConstant],
     ) -> str:  # fmt: skip
         """Add a message and return its name."""
@@ -51,7 +52,7 @@ class MessageBook:
         self,
         source: str,
         interface: Subject,
-        description: str,
+        description: Text,
         request: Iterable[MessageField],
         response: Iterable[MessageField],
     ) -> str:
@@ -89,7 +90,7 @@ class MessageBook:
         if members is None:
             return None
         datatype = self.table[reference]
-        description = datatype.description or f"Struct {datatype.vss_datatype or reference}."
+        description = datatype.description or Text(f"Struct {datatype.vss_datatype or reference}.")
         name = self.add(reference.removeprefix("DT_"), interface, description, *members)
         self._structs[reference] = name
         return name
@@ -110,7 +111,7 @@ class MessageBook:
                 return None
             name = field_name(member.name, {field.name for field in made})
             report_renamed(name, member.name, interface, self._findings)
-            meaning = member.description or member.name
+            meaning = member.description or Text(member.name)
             made.append(MessageField(name=name.text, datatype=written, description=meaning, units=member.units))
             values += constants(kind, name.text, interface, self._findings, {value.name for value in values})
         return made, values

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
+from sigcat.function.document.text import optional
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
@@ -86,7 +87,7 @@ def _resolved(
         default=_default(item, kind, ways.physical, names),
         low=low,
         high=high,
-        constraints=_constraints(kind, limits),
+        constraints=optional(_constraints(kind, limits)),
         read_only=item.interface_type == "Measurement" or item.attribute == "LearningParameter",
         units=item.vss_unit or item.units or None,
         variable=item.variable or item.name,
@@ -123,9 +124,9 @@ def _limits(item: ParameterInterface, kind: FieldType, linear: Linear) -> tuple[
 def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
     """The start value. `names` are those of the numbers that an enumeration has in the code."""
     if not kind.suffix:
-        given = item.default_text if kind.is_text and not kind.symbols else item.init_value
+        given = item.default_elements if kind.is_text and not kind.symbols else item.init_value
         return _one_default(given, kind, linear, names)
-    elements = _elements(item.init_elements or item.default_text)
+    elements = _elements(item.init_elements or item.default_elements)
     if elements is None:
         elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
     return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]

@@ -80,7 +80,7 @@ def _package(package: Package, at: Pointer) -> Iterator[Problem]:
     for index, name in enumerate(package.dependencies):
         yield from _is(name, FIELD, (*at, "Dependencies", index), "name of a package")
     for key, text in (("Maintainer", package.maintainer), ("License", package.license)):
-        if not text.strip() or not text.isprintable():
+        if not text.raw.strip() or not text.raw.isprintable():
             yield Problem((*at, key), f"{key} of {package.name} must be one line of text: package.xml requires it.")
 
 

@@ -17,18 +17,19 @@ Attributes are the exception: a publisher that does not keep them has nothing fo
 from collections.abc import Sequence
 
 from sigcat.asil import rank
+from sigcat.function.document.text import Text
 from sigcat.integration.ros2.model import Durability, QualityOfService, Reliability
 from sigcat.integration.ros2.settings import QualitySettings, Ros2Settings
 from sigcat.integration.ros2.signal_uses import SignalUse
 
 MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
-    reasons=("A mode is sent once and holds until the next one.",),
+    reasons=(Text("A mode is sent once and holds until the next one."),),
 )  # fmt: skip
 _LEAST_DEPTH = 100
 _QUEUES = 10
 """Depth of a queue, and how often its length has room in the middleware."""
-STATUS = MODE.model_copy(update={"reasons": ("A status is sent on change and holds until the next one.",)})
+STATUS = MODE.model_copy(update={"reasons": (Text("A status is sent on change and holds until the next one."),)})
 
 
 def quality(
@@ -49,7 +50,7 @@ def quality(
         deadline=deadline,
         liveliness="manual_by_topic" if is_strict else "automatic",
         lease_duration=deadline if is_strict else None,
-        reasons=tuple(reasons),
+        reasons=tuple(map(Text, reasons)),
     )
     keys = (topic, f"/{topic}", f"{settings.namespace}/{topic}", *(use.path for use in mine))
     return _overridden(derived, [settings.quality[key] for key in dict.fromkeys(keys) if key in settings.quality])
@@ -130,4 +131,4 @@ def _overridden(derived: QualityOfService, settings: Sequence[QualitySettings]) 
         return derived
     if changes.get("deadline") == 0:
         changes["deadline"] = None
-    return derived.model_copy(update={**changes, "reasons": (*derived.reasons, "as the deployment file says")})
+    return derived.model_copy(update={**changes, "reasons": (*derived.reasons, Text("as the deployment file says"))})

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
@@ -101,7 +102,7 @@ def _service(
 def _success(response: _Side) -> MessageField:
     """The field that tells whether the function has answered: a mode may exclude its call."""
     name = field_name("success", {field.name for field in response.fields}).text
-    return MessageField(name=name, datatype="bool", description="Whether the function has answered.")
+    return MessageField(name=name, datatype="bool", description=Text("Whether the function has answered."))
 
 
 def _shape(side: _Side) -> list[tuple[str, str, str | None]]:
@@ -123,7 +124,9 @@ def _side(
         name = field_name(argument.name, {field.name for field in fields})
         report_renamed(name, argument.name, interface, findings)
         fields.append(
-            MessageField(name=name.text, datatype=written, description=argument.name, units=argument.units or None)
+            MessageField(
+                name=name.text, datatype=written, description=Text(argument.name), units=argument.units or None
+            )
         )
         c = c_definition(argument.datatype, book.table)
         maps.append(ArgumentMap(name=argument.name, field=name.text, field_type=written, variable_type=c))

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.function.document.text import Text
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
@@ -193,7 +194,7 @@ def _topic(
         kind = number_of(member.kind) if member.number else member.kind
         taken = {value.name for value in values}
         values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings, taken))
-    together = group.title or f"Signals of {' '.join(group.segments)}."
+    together = Text(group.title or f"Signals of {' '.join(group.segments)}.")
     what = uses[0].data.description if len(of_key) == 1 else together
     message = book.add(group.message, uses[0].interface, what, fields, values)
     return Topic(name, message, members, tuple(uses))
@@ -210,7 +211,7 @@ def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
     if member.number:
         kind = number_of(member.kind)
         assert kind.element is not None
-        description = f"The same as {member.field}, as one of the constants. Nodes read the number."
+        description = Text(f"The same as {member.field}, as one of the constants. Nodes read the number.")
         yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 

@@ -30,7 +30,10 @@ def _has_doubles(row: Recorded) -> bool:
 
 
 def _line(cells: Iterable[str]) -> str:
-    return ",".join([_quoted(cell) if "," in cell or '"' in cell else cell for cell in cells]) + "\n"
+    return ",".join([_quoted(cell) if _SPECIAL.intersection(cell) else cell for cell in cells]) + "\n"
+
+
+_SPECIAL = frozenset(',"\r\n')
 
 
 def _quoted(cell: str) -> str:

@@ -1,8 +1,8 @@
 """A picture of signals as an SVG file that stands for itself, in light and in dark."""
 
 from collections.abc import Iterator
-from html import escape
 
+from sigcat.adapter.text_filters import xml_text
 from sigcat.runs.recording.picture import GAP, HEIGHT, LEFT, WIDTH, Panel, Picture
 
 _STYLE = (
@@ -20,11 +20,11 @@ def svg_text(drawn: Picture) -> str:
 def _lines(drawn: Picture) -> Iterator[str]:
     size = f'width="{drawn.width}" height="{drawn.height}" viewBox="0 0 {drawn.width} {drawn.height}"'
     yield f'<svg xmlns="http://www.w3.org/2000/svg" {size} role="img">'
-    yield f"<title>{escape(', '.join(panel.title for panel in drawn.panels))}</title>"
+    yield f"<title>{xml_text(', '.join(panel.title for panel in drawn.panels))}</title>"
     yield f'<style>{_STYLE}</style><rect class="page" width="{drawn.width}" height="{drawn.height}"/>'
     bottom = drawn.panels[-1].top + HEIGHT if drawn.panels else GAP
     for at, label in drawn.ticks:
-        yield f'<text class="time" x="{at:g}" y="{bottom + 18}">{escape(label)}</text>'
+        yield f'<text class="time" x="{at:g}" y="{bottom + 18}">{xml_text(label)}</text>'
     for panel in drawn.panels:
         yield from _panel(panel, drawn)
     yield f'<text class="time" x="{LEFT + WIDTH / 2:g}" y="{bottom + 34}">seconds</text>'
@@ -33,10 +33,10 @@ def _lines(drawn: Picture) -> Iterator[str]:
 
 def _panel(panel: Panel, drawn: Picture) -> Iterator[str]:
     top = panel.top
-    yield f'<text class="title" x="{LEFT}" y="{top - 7}">{escape(panel.title)}</text>'
+    yield f'<text class="title" x="{LEFT}" y="{top - 7}">{xml_text(panel.title)}</text>'
     for at, label in panel.ticks:
         yield f'<path class="mark" d="M{LEFT} {at:g}h{WIDTH}"/>'
-        yield f'<text class="label" x="{LEFT - 8}" y="{at + 4:g}">{escape(label)}</text>'
+        yield f'<text class="label" x="{LEFT - 8}" y="{at + 4:g}">{xml_text(label)}</text>'
     for tick in drawn.ticks:
         yield f'<path class="mark" d="M{tick.at:g} {top}v{HEIGHT}"/>'
     yield f'<rect class="frame" x="{LEFT}" y="{top}" width="{WIDTH}" height="{HEIGHT}"/>'

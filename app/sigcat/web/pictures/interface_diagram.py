@@ -127,12 +127,12 @@ def short(path: str) -> str:
 def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
     contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
     parameters = [
-        _Item("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description)
+        _Item("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
         for contract in contracts
         for p in contract.parameters or ()
     ]
     reactions = [
-        _Item("reaction", r.name, "", r.vss_path or "", f"{r.description} Set by {', '.join(r.errors)}.")
+        _Item("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
         for contract in contracts
         for r in contract.safety_reactions or ()
     ]
@@ -147,7 +147,7 @@ def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
 
 def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
     errors = [
-        _Item("error", e.name, "", e.vss_path or "", e.description)
+        _Item("error", e.name, "", e.vss_path or "", e.description.raw)
         for call in calls_of(function)
         for contract in call.contracts or ()
         for e in contract.errors or ()
@@ -162,7 +162,7 @@ def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
 
 def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
     return [
-        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description)
+        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw)
         for call in calls_of(function)
         for contract in call.contracts or ()
         for s in data_of(contract)
@@ -172,7 +172,7 @@ def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
 
 def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
     return [
-        _Item("method", m.name, "", "", m.description)
+        _Item("method", m.name, "", "", m.description.raw)
         for call in calls_of(function)
         for contract in call.contracts or ()
         for m in contract.methods or ()
@@ -182,7 +182,7 @@ def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
 
 def _modes(function: FunctionJson, direction: str) -> list[_Item]:
     return [
-        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description} {', '.join(m.modes)}")
+        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description.raw} {', '.join(m.modes)}")
         for m in function.mode_interfaces or ()
         if m.direction == direction
     ]

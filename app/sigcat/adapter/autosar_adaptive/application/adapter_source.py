@@ -25,8 +25,8 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 )
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import Port
+from sigcat.adapter.text_filters import c_string
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
@@ -47,8 +47,8 @@ def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Li
 
 
 def _includes(component: ComponentPlan) -> Lines:
-    own = f'#include "{component.stem}_adapter.h"'
-    structs = [f'#include "{component.stem}_structs.h"'] if component.structs else []
+    own = f"#include {c_string(f'{component.stem}_adapter.h')}"
+    structs = [f"#include {c_string(f'{component.stem}_structs.h')}"] if component.structs else []
     standard = ["#include <chrono>"] if has_deadline(component) else []
     platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
     if has_offered(component):
@@ -59,13 +59,13 @@ def _includes(component: ComponentPlan) -> Lines:
 
 def _constructor(component: ComponentPlan) -> Lines:
     context = component.name[:4].upper()
-    initial = [f"logger_(ara::log::CreateLogger({string(context)}, {string(f'Adapter of {component.name}')}))"]
-    initial += [f"{each.variable}{{{string(each.port)}, logger_}}" for each in component.storages]
-    initial += [f"{monitor_name(each.error)}{{{string(each.port)}, logger_}}" for each in component.monitors]
+    initial = [f"logger_(ara::log::CreateLogger({c_string(context)}, {c_string(f'Adapter of {component.name}')}))"]
+    initial += [f"{each.variable}{{{c_string(each.port)}, logger_}}" for each in component.storages]
+    initial += [f"{monitor_name(each.error)}{{{c_string(each.port)}, logger_}}" for each in component.monitors]
     initial += [_supervision(component)] if component.checkpoints else []
     initial += [_constructed(each) for each in component.provided]
     initial += [
-        f"{each.variable}{{{string(each.port)}, logger_, [this](auto& service) {{ Connect(service); }}}}"
+        f"{each.variable}{{{c_string(each.port)}, logger_, [this](auto& service) {{ Connect(service); }}}}"
         for each in component.required
     ]
     rows = [f"    : {initial[0]},", *(f"      {each}," for each in initial[1:])]
@@ -74,13 +74,13 @@ def _constructor(component: ComponentPlan) -> Lines:
 
 
 def _supervision(component: ComponentPlan) -> str:
-    return f"supervision_{{ara::core::InstanceSpecifier{{{string(component.supervision)}}}}}"
+    return f"supervision_{{ara::core::InstanceSpecifier{{{c_string(component.supervision)}}}}}"
 
 
 def _constructed(service: Provided) -> str:
     if service.methods:
         return f"{service.variable}{{*this}}"
-    return f"{service.variable}{{ara::core::InstanceSpecifier{{{string(service.port)}}}}}"
+    return f"{service.variable}{{ara::core::InstanceSpecifier{{{c_string(service.port)}}}}}"
 
 
 def _destructor(component: ComponentPlan) -> Lines:
@@ -99,7 +99,7 @@ def _start(component: ComponentPlan) -> Lines:
     body = lines(
         f"""
 {loaded}if (!{core}_Init(&core_, {stored}, {cycle})) {{
-    logger_.LogFatal() << "The initialization of {component.core.function} has failed";
+    logger_.LogFatal() << {c_string(f"The initialization of {component.core.function} has failed")};
     return false;
 }}
 Offer();
@@ -156,7 +156,7 @@ def _offer(component: ComponentPlan) -> Lines:
     ]  # fmt: skip
     offers = [
         block(f"if (!{service.variable}.OfferService().HasValue())",
-              [lines(f'logger_.LogError() << "{service.name} cannot be offered";')])
+              [lines(f"logger_.LogError() << {c_string(f'{service.name} cannot be offered')};")])
         for service in component.provided
     ]  # fmt: skip
     monitors = [lines(f"{monitor_name(each.error)}.Offer();") for each in component.monitors]
@@ -237,7 +237,7 @@ def _logged(place: str, active: int) -> Lines:
     body = f"""
         const bool is_active = out.{place} == {active}U;
         logger_.WithLevel(is_active ? ara::log::LogLevel::kWarn : ara::log::LogLevel::kInfo)
-            << "{place} is " << (is_active ? "active" : "inactive");
+            << {c_string(f"{place} is ")} << (is_active ? "active" : "inactive");
     """
     return block(f"if (publish.{place})", [lines(body)])
 

@@ -6,6 +6,8 @@ from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.core.c.lines import Lines, block, indented, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call
+from sigcat.adapter.text_filters import c_string
+from sigcat.function.document.text import composed
 
 
 def call_functions(component: ComponentPlan) -> list[Lines]:
@@ -53,12 +55,12 @@ def _run_call(call: Call, component: ComponentPlan) -> Lines:
     begins, ends = _watched(call)
     overrun = lines(f"""
         if (core_.{name}.missed != missed_{name}_) {{
-            logger_.LogWarn() << "{call.interface} has missed releases: " << (core_.{name}.missed - missed_{name}_);
+            logger_.LogWarn() << {c_string(f"{call.interface} has missed releases: ")} << (core_.{name}.missed - missed_{name}_);
             missed_{name}_ = core_.{name}.missed;
         }}
     """) if call.cycle is not None else ()  # fmt: skip
     return joined([
-        commented(f"{call.interface}: {call.description}" if call.description else call.interface),
+        commented(composed(call.interface, ": ", call.description) if call.description else call.interface),
         block(f"void {component.type}::Run{name}()", [
             braces([
                 lines(LOCK),

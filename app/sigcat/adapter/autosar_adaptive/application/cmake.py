@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from textwrap import indent
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, ExecutablePlan
+from sigcat.adapter.text_filters import cmake_argument, comment
 
 
 def root_cmake(application: ApplicationPlan, *, bench: bool) -> str:
@@ -16,7 +17,7 @@ def project_cmake(
 ) -> str:
     """CMakeLists.txt of some of it. Without `bench` it does not know of any, whatever else is in its folder."""
     settings = "".join(
-        f'set({component.core.code_setting} "" CACHE PATH "Folder of the code of {component.core.function}")\n'
+        f'set({component.core.code_setting} "" CACHE PATH "Folder of the code of {cmake_argument(component.core.function)}")\n'
         for component in components
     )
     folders = "".join(f"add_subdirectory({executable.name})\n" for executable in executables)
@@ -82,13 +83,13 @@ target_link_libraries({executable.name} PRIVATE application {libraries})
 def _core(component: ComponentPlan) -> str:
     code = component.core.code
     setting = component.core.code_setting
-    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
-    folders = "".join(f' "${{{setting}}}/{folder}"' for folder in code.include_folders)
-    macros = "".join(f' "{each}"' for each in code.definitions)
+    sources = "".join(f'\n  "${{{setting}}}/{cmake_argument(source)}"' for source in code.sources)
+    folders = "".join(f' "${{{setting}}}/{cmake_argument(folder)}"' for folder in code.include_folders)
+    macros = "".join(f' "{cmake_argument(each)}"' for each in code.definitions)
     defined = f"target_compile_definitions({component.stem}_core PUBLIC{macros})\n" if macros else ""
-    return f"""# The core of {component.core.function}, with its code.
+    return f"""# The core of {comment(component.core.function)}, with its code.
 add_library({component.stem}_core STATIC
-  "${{PROJECT_SOURCE_DIR}}/core/{component.core.source_file}"{sources}
+  "${{PROJECT_SOURCE_DIR}}/core/{cmake_argument(component.core.source_file)}"{sources}
 )
 target_include_directories({component.stem}_core PUBLIC "${{PROJECT_SOURCE_DIR}}" "${{{setting}}}"{folders})
 {defined}target_compile_options({component.stem}_core PRIVATE -ffp-contract=off)

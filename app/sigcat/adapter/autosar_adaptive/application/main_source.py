@@ -1,14 +1,16 @@
 """The main function of an executable."""
 
+from sigcat.adapter.autosar_adaptive.application.names import commented
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
 from sigcat.adapter.core.c.lines import Lines, block, lines, spaced
+from sigcat.adapter.text_filters import c_string
 
 
 def main_source(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:
     """The whole source."""
-    adapters = "\n".join(f'#include "{component.stem}_adapter.h"' for component in executable.components)
+    adapters = "\n".join(f"#include {c_string(f'{component.stem}_adapter.h')}" for component in executable.components)
     return spaced([
-        lines(f"// {executable.name}: reports to the execution management, and ends when that asks for it."),
+        commented(f"{executable.name}: reports to the execution management, and ends when that asks for it."),
         lines("#include <cstdlib>"),
         lines('#include "application/termination.h"\n#include "ara/core/initialization.h"\n'
               '#include "ara/exec/execution_client.h"\n' + adapters),

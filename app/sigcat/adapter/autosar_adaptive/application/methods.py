@@ -5,7 +5,7 @@ from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, cpp_
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 
 
 def method_functions(component: ComponentPlan) -> list[Lines]:
@@ -68,7 +68,7 @@ def offered_functions(service: Provided, component: ComponentPlan) -> list[Lines
     if not service.methods:
         return []
     made = lines(f"{service.type}::{service.type}({component.type}& adapter)\n"
-                 f"    : {service.names.skeleton_class}{{ara::core::InstanceSpecifier{{{string(service.port)}}}}}, adapter_(adapter) {{}}")  # fmt: skip
+                 f"    : {service.names.skeleton_class}{{ara::core::InstanceSpecifier{{{c_string(service.port)}}}}}, adapter_(adapter) {{}}")  # fmt: skip
     found = [made]
     for each in service.methods:
         head = f"{output_type(service, each)} {{}}({method_parameters(each)})"

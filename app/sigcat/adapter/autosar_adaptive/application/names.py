@@ -1,16 +1,18 @@
 """Names and forms in the generated C++."""
 
-import textwrap
 from collections.abc import Iterable
 
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import GLOBALS, Error
+from sigcat.adapter.text_filters import AnyText, comment, comment_rows
 from sigcat.names import screaming_snake_case
 
 LOCK = "const std::lock_guard<std::mutex> lock{core_mutex_};"
 """For what calls the core, until the end of the scope."""
+_COMMENT = 113
+"""Columns of a comment."""
 
 
 def include_guard(application: ApplicationPlan, component: ComponentPlan, header: str) -> str:
@@ -21,7 +23,7 @@ def include_guard(application: ApplicationPlan, component: ComponentPlan, header
 def in_namespace(application: ApplicationPlan, parts: Iterable[Lines]) -> Lines:
     """Parts in the namespace of the application, as C++14 writes it."""
     opens = lines("\n".join(f"namespace {name} {{" for name in application.namespace))
-    closes = lines("\n".join(f"}}  // namespace {name}" for name in reversed(application.namespace)))
+    closes = lines("\n".join(f"}}  // namespace {comment(name)}" for name in reversed(application.namespace)))
     return spaced([opens, *parts, closes])
 
 
@@ -63,9 +65,9 @@ def cpp_type(name: str) -> str:
     return f"::{name}" if "::" in name and not name.startswith("std::") else name
 
 
-def commented(text: str) -> Lines:
+def commented(text: AnyText) -> Lines:
     """A comment, on as many lines as it needs."""
-    return tuple(Line(f"// {row}") for row in textwrap.wrap(text, 110))
+    return tuple(map(Line, comment_rows(text, "//", _COMMENT)))
 
 
 def without_indent(part: Lines) -> Lines:

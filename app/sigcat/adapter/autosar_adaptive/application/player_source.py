@@ -1,5 +1,6 @@
 """The player: what the functions receive from outside is sent by it, what they send comes to it."""
 
+import json
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -9,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.bench.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, ServiceField, TypeEntry
 
 CPP = Path(__file__).parent / "player_cpp"
@@ -141,13 +142,13 @@ def _includes(offered: Iterable[_Port], used: Iterable[_Port], entries: list[Typ
     headers += ["application/required_service.h", "ara/core/instance_specifier.h", "player/hear.h"]
     headers += ["bench/counters.h"] if any(port.listeners for port in offered) else []
     headers += ["ara/core/promise.h"] if any(port.methods for port in offered) else []
-    rows = "\n".join(f'#include "{name}"' for name in sorted(set(headers)))
+    rows = "\n".join(f"#include {c_string(name)}" for name in sorted(set(headers)))
     return lines(f'#include "player/ports.h"\n\n#include <stdexcept>\n\n{rows}')
 
 
 def _symbols(entry: TypeEntry, types: TypeNames) -> Lines:
     name = f"Symbols<{cpp_type(types.type(entry.name))}>"
-    rows = [lines(f"{{{string(each.symbol)}, {each.value}}},") for each in entry.symbols or ()]
+    rows = [lines(f"{{{c_string(each.symbol)}, {each.value}}},") for each in entry.symbols or ()]
     return joined([
         (Line("template <>"),),
         block(f"const {name}::Names& {name}::All()", [
@@ -161,10 +162,12 @@ def _struct(entry: TypeEntry, types: TypeNames) -> Lines:
     type_ = cpp_type(types.type(entry.name))
     names = [field.name for field in entry.fields or ()]
     texts = [
-        lines(f"text += {string(_key(name, number))} + player::Text(value.{name});")
+        lines(f"text += {c_string(_key(name, number))} + player::Text(value.{name});")
         for number, name in enumerate(names)
     ]
-    reads = [lines(f"value.{name} = player::Read<decltype(value.{name})>(item.At({string(name)}));") for name in names]
+    reads = [
+        lines(f"value.{name} = player::Read<decltype(value.{name})>(item.At({c_string(name)}));") for name in names
+    ]
     return joined([
         (Line("template <>"),),
         block(f"struct Cell<{type_}, void> final", [
@@ -195,7 +198,7 @@ def _answering(port: _Port) -> Lines:
 
 def _services(offered: Iterable[_Port], used: Iterable[_Port]) -> Lines:
     return block("struct Ports::Services final", [
-        *(lines(f"{port.type} {port.variable}{{ara::core::InstanceSpecifier{{{string(port.path)}}}}};")
+        *(lines(f"{port.type} {port.variable}{{ara::core::InstanceSpecifier{{{c_string(port.path)}}}}};")
           for port in offered),
         lines('ara::log::Logger& logger = ara::log::CreateLogger("PLAY", "Player");'),
         *(lines(f"application::RequiredService<::{port.names.proxy}> {port.variable};") for port in used),
@@ -207,7 +210,7 @@ def _services(offered: Iterable[_Port], used: Iterable[_Port]) -> Lines:
 def _connecting(used: Iterable[_Port]) -> Iterator[Lines]:
     ports = list(used)
     initial = [
-        [f"{port.variable}{{{string(port.path)}, logger, {_subscribing(port)} {{",
+        [f"{port.variable}{{{c_string(port.path)}, logger, {_subscribing(port)} {{",
          *(f"    {line.text}" for each in port.elements for line in _received(each)), "}}"]
         for port in ports
     ]  # fmt: skip
@@ -228,7 +231,7 @@ def _subscribing(port: _Port) -> str:
 
 
 def _received(each: _Element) -> Lines:
-    return lines(f"Hear(logger, service.{each.member}, {string(each.name)}, recorder);")
+    return lines(f"Hear(logger, service.{each.member}, {c_string(each.name)}, recorder);")
 
 
 def _constructor(offered: Iterable[_Port]) -> Lines:
@@ -238,7 +241,7 @@ def _constructor(offered: Iterable[_Port]) -> Lines:
             place = f"services_->{port.variable}.{each.member}"
             call = "Update" if each.is_field else "Send"
             parts.append(joined([
-                lines(f"senders_[{string(each.name)}] = [this](const Item& item) {{"),
+                lines(f"senders_[{c_string(each.name)}] = [this](const Item& item) {{"),
                 indented(lines(f"static_cast<void>({place}.{call}(Read<{cpp_type(each.type)}>(item)));")),
                 lines("};"),
             ]))  # fmt: skip
@@ -268,7 +271,7 @@ def _are_heard(offered: Iterable[_Port]) -> Lines:
 def _offer(offered: Iterable[_Port]) -> Lines:
     return block("void Ports::Offer()", [
         block(f"if (!services_->{port.variable}.OfferService().HasValue())",
-              [lines(f"throw std::runtime_error{{{string(f'{port.service} cannot be offered.')}}};")])
+              [lines(f"throw std::runtime_error{{{c_string(f'{port.service} cannot be offered.')}}};")])
         for port in offered
     ])  # fmt: skip
 
@@ -278,7 +281,7 @@ def _each(what: str, statements: Iterable[str]) -> Lines:
 
 
 def _components(model: IntegrationModel) -> Lines:
-    names = ", ".join(string(component.name) for component in model.components)
+    names = ", ".join(c_string(component.name) for component in model.components)
     return block("const std::vector<std::string>& Ports::Components()", [
         lines(f"static const std::vector<std::string> names{{{names}}};\nreturn names;")
     ])  # fmt: skip
@@ -298,4 +301,4 @@ target_link_libraries(player PRIVATE application)
 
 
 def _key(name: str, number: int) -> str:
-    return f'{", " if number else ""}"{name}": '
+    return f"{', ' if number else ''}{json.dumps(name)}: "

@@ -1,22 +1,23 @@
 """Structs of the platform and of the core, copied member by member."""
 
-from sigcat.adapter.autosar_adaptive.application.names import include_guard
+from sigcat.adapter.autosar_adaptive.application.names import commented, include_guard
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, StructPair
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
+from sigcat.adapter.text_filters import c_string, comment
 
 
 def structs_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:
     """The whole header."""
     guard = include_guard(application, component, "structs")
-    headers = [f'"{name}"' for name in (*component.type_headers, f"core/{component.core.header_file}")]
+    headers = [c_string(name) for name in (*component.type_headers, f"core/{component.core.header_file}")]
     return spaced([
-        lines(f"// Structs that {component.name} takes and gives, between the platform and the core."),
+        commented(f"Structs that {component.name} takes and gives, between the platform and the core."),
         lines(f"#ifndef {guard}\n#define {guard}"),
         lines("\n".join(f"#include {name}" for name in sorted(['"application/values.h"', *headers]))),
         lines("namespace application {"),
         *(part for pair in component.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
         lines("}  // namespace application"),
-        lines(f"#endif  // {guard}"),
+        lines(f"#endif  // {comment(guard)}"),
     ])  # fmt: skip
 
 

@@ -1,7 +1,8 @@
 """What proxy and skeleton of a service share: its datatypes, and what its methods give."""
 
 from sigcat.adapter.autosar_adaptive.bench.services import Service, output_name
-from sigcat.adapter.autosar_adaptive.bench.text import header, sentence, within
+from sigcat.adapter.autosar_adaptive.bench.text import comment, header, within
+from sigcat.function.document.text import sentence
 from sigcat.integration.autosar_adaptive.model import Method, MethodArgument
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
@@ -36,4 +37,4 @@ def told(argument: MethodArgument) -> str | None:
 def _output(method: Method, service: Service) -> str:
     rows = [f"    {service.types.type(each.datatype)} {each.name}{{}};" for each in method.outputs or ()]
     about = sentence(f"What {method.name} gives", *map(told, method.outputs or ()))
-    return "\n".join([f"// {about}.", f"struct {output_name(method)} {{", *rows, "};"])
+    return "\n".join([comment(about), f"struct {output_name(method)} {{", *rows, "};"])

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.autosar_adaptive.bench.text import comment, header, sentence, within
+from sigcat.adapter.autosar_adaptive.bench.text import comment, header, within
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
+from sigcat.function.document.text import composed, sentence
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, StructField, TypeEntry
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
@@ -36,7 +37,7 @@ def _header(entry: TypeEntry, names: TypeNames) -> str:
     about = sentence(entry.description, f"VSS: {entry.vss_datatype}" if entry.vss_datatype else None)
     includes = [*_standard(entry, words), *names.headers(words)]
     body = _definition(entry, names)
-    title = f"{entry.name}: {about}." if about else f"{entry.name}."
+    title = composed(entry.name, ": ", about) if about else f"{entry.name}."
     return header(path, title, includes, within(names.namespace, [body]))
 
 
@@ -66,5 +67,5 @@ def _definition(entry: TypeEntry, names: TypeNames) -> str:
 
 def _member(field: StructField, names: TypeNames) -> str:
     about = sentence(field.description, field.unit)
-    before = f"{comment(f'{about}.', 1)}\n" if about else ""
+    before = f"{comment(about, 1)}\n" if about else ""
     return f"{before}    {names.type(field.type)} {field.name}{{}};"

@@ -5,6 +5,7 @@ from sigcat.adapter.autosar_adaptive.bench.elements import about_event, about_fi
 from sigcat.adapter.autosar_adaptive.bench.services import Service, connected, members
 from sigcat.adapter.autosar_adaptive.bench.text import comment, header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
 
 
@@ -50,7 +51,7 @@ def _method(method: Method, service: Service) -> str:
     return _element(about_method(method), member_name(method.name), base, output)
 
 
-def _element(about: str, name: str, base: str, more: str = "") -> str:
+def _element(about: Text, name: str, base: str, more: str = "") -> str:
     own = base.removeprefix("bench::").partition("<")[0]
     return f"{comment(about)}\nclass {name} final : public {base} {{\npublic:\n{more}    using {own}::{own};\n}};"
 

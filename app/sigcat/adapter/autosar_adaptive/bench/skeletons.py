@@ -5,6 +5,7 @@ from sigcat.adapter.autosar_adaptive.bench.elements import about_event, about_fi
 from sigcat.adapter.autosar_adaptive.bench.services import Service, connected, members, output_name
 from sigcat.adapter.autosar_adaptive.bench.text import comment, header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_adaptive.model import Event, Method, ServiceField
 
 _MODE = "ara::com::MethodCallProcessingMode mode"
@@ -45,7 +46,7 @@ def _field(field: ServiceField, service: Service) -> str:
     return _element(about_field(field), member_name(field.name), base)
 
 
-def _element(about: str, name: str, base: str) -> str:
+def _element(about: Text, name: str, base: str) -> str:
     own = base.partition("<")[0]
     return f"{comment(about)}\nclass {name} final : public bench::{base} {{\npublic:\n    using {own}::{own};\n}};"
 

@@ -3,6 +3,7 @@
 from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
+from sigcat.adapter.text_filters import c_string, comment
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
@@ -27,11 +28,11 @@ def tables_source(service: Service, model: IntegrationModel) -> str:
 def _events(service: Service) -> list[str]:
     groups = {group.name: group.id for group in service.whole.event_groups}
     rows = [
-        f'    {{"{event.name}", {_hex(event.event_id)}, {_hex(groups.get(event.event_group or ""))}, false{_protection(event)}}},'
+        f"    {{{c_string(event.name)}, {_hex(event.event_id)}, {_hex(groups.get(event.event_group or ''))}, false{_protection(event)}}},"
         for event in service.whole.events
     ]
     rows += [
-        f'    {{"{field.name}", {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ""))}, true}},'
+        f"    {{{c_string(field.name)}, {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ''))}, true}},"
         for field in service.whole.fields
     ]
     if not rows:
@@ -53,18 +54,18 @@ def _protection(event: Event) -> str:
 
 def _instances(service: Service, model: IntegrationModel) -> list[str]:
     rows = [
-        f'    {{"{instance_specifier(process.component, interface)}", {_hex(interface.instance_id)}{_of(process)}}},'
+        f"    {{{c_string(instance_specifier(process.component, interface))}, {_hex(interface.instance_id)}{_of(process)}}},"
         for process in processes(model.components)
         for interface in process.services
         if interface.name == service.whole.name
     ]
-    rows.append(f'    {{"{player_port(service.whole.name, model)}", {_hex(service.whole.instance_id)}}},')
+    rows.append(f"    {{{c_string(player_port(service.whole.name, model))}, {_hex(service.whole.instance_id)}}},")
     head = f"static constexpr bench::InstanceDescription kInstances[{len(rows)}] = {{"
     return ["\n".join(["// port, instance; of which further process of the executable", head, *rows, "};"])]
 
 
 def _of(process: Process) -> str:
-    return f', "{process.name}"' if process.is_further else ""
+    return f", {c_string(process.name)}" if process.is_further else ""
 
 
 def player_port(service: str, model: IntegrationModel) -> str:
@@ -79,7 +80,7 @@ def _service(service: Service, model: IntegrationModel) -> str:
     chosen = service.whole.transformation or model.deployment.transformation
     events = "kEvents" if service.elements else "{}"
     rows = [
-        f'    "{service.whole.name}",',
+        f"    {c_string(service.whole.name)},",
         f"    {_hex(service.whole.service_id)},",
         "    1,  // major version",
         "    0,  // minor version",
@@ -118,7 +119,7 @@ def _times(chosen: ServiceDiscoverySettings) -> list[str]:
         (chosen.response_delay_min, "delay of an answer, at least, in ms"),
         (chosen.response_delay_max, "delay of an answer, at most, in ms"),
     ]
-    return ["    {", *(f"        {value:g},  // {about}" for value, about in rows), "    },"]
+    return ["    {", *(f"        {value:g},  // {comment(about)}" for value, about in rows), "    },"]
 
 
 def _hex(number: int | None) -> str:

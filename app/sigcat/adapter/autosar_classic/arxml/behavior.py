@@ -21,6 +21,7 @@ from sigcat.adapter.autosar_classic.arxml.paths import (
 from sigcat.adapter.autosar_classic.arxml.ports import port_tag
 from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.adapter.autosar_classic.arxml.values import init_value
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic.model import (
     Access,
     AccessKind,
@@ -100,7 +101,7 @@ def behavior(at: Within, dependencies: Iterable[Tag]) -> Tag:
     )
 
 
-def _area(name: str, text: str) -> Tag:
+def _area(name: str, text: Text) -> Tag:
     return tag("EXCLUSIVE-AREA", description(text), name=name)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Lines, lines
+from sigcat.adapter.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, DataConstraint
 from sigcat.integration.autosar_classic.used_types import element_types, enumerations_of, exchanged_types
 
@@ -37,7 +38,7 @@ def enumerations(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:
         symbols = {f"{each.literal_prefix or ''}{one.symbol}": one.value for one in (method and method.symbols) or ()}
         if symbols:
             rows = [_defined(name, f"{value}{'U' if value >= 0 else ''}") for name, value in symbols.items()]
-            yield lines(f"/* {each.name} */\n" + "\n".join(rows))
+            yield lines(f"{block_comment(each.name)}\n" + "\n".join(rows))
 
 
 def limits(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:

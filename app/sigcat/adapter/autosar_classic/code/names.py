@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import GLOBALS
+from sigcat.adapter.text_filters import AnyText, block_comment, c_string
 from sigcat.asil import level_of, rank
 
 
@@ -47,7 +48,7 @@ def section(swc: SwcPlan, name: str, part: Lines) -> Lines:
     """What stands in a memory section."""
     if not part:
         return ()
-    include = f'#include "{swc.name}_MemMap.h"'
+    include = f"#include {c_string(f'{swc.name}_MemMap.h')}"
     return spaced([
         lines(f"#define {swc.name}_START_SEC_{name}\n{include}"),
         part,
@@ -55,7 +56,7 @@ def section(swc: SwcPlan, name: str, part: Lines) -> Lines:
     ])  # fmt: skip
 
 
-def function(head: str, body: Iterable[Lines], comment: str = "") -> Lines:
+def function(head: str, body: Iterable[Lines], comment: AnyText = "") -> Lines:
     """A function, its brace on a line of its own."""
-    before = (Line(f"/* {comment} */"),) if comment else ()
+    before = (Line(block_comment(comment)),) if comment else ()
     return (*before, Line(head), Line("{"), *indented(joined(body)), Line("}"))

@@ -4,6 +4,7 @@ from sigcat.adapter.autosar_classic.code.names import at_core, core_object, ente
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan, Told
 from sigcat.adapter.autosar_classic.code.values import Copy, by_value
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
+from sigcat.adapter.text_filters import block_comment
 
 
 def functions(swc: SwcPlan) -> list[Lines]:
@@ -43,10 +44,10 @@ def _is_kept(end: DataEnd, swc: SwcPlan) -> bool:
 
 def unsent(swc: SwcPlan) -> Lines:
     """What is sent again until it is taken."""
-    kept = [lines(f"boolean {end.place}; /* {end.comment} */") for end in swc.sent if _is_kept(end, swc)]
+    kept = [lines(f"boolean {end.place}; {block_comment(end.comment)}") for end in swc.sent if _is_kept(end, swc)]
     if swc.mode_out:
         kept.append(lines(f"boolean {swc.mode_out.place}; /* mode */"))
-    told = [lines(f"boolean {each.error.named.name}; /* {each.error.named.comment} */") for each in swc.told]
+    told = [lines(f"boolean {each.error.named.name}; {block_comment(each.error.named.comment)}") for each in swc.told]
     return spaced([
         _flags("What the RTE has not taken: it is sent again with what comes next.", "Unsent", kept, swc),
         _flags("Verdicts that the diagnosis has not taken: it is told again.", "Untold", told, swc),
@@ -55,7 +56,9 @@ def unsent(swc: SwcPlan) -> Lines:
 
 def _flags(comment: str, name: str, flags: list[Lines], swc: SwcPlan) -> Lines:
     return (
-        joined([lines(f"/* {comment} */"), block("static struct", flags, f"}} {static(swc, name)};")]) if flags else ()
+        joined([lines(block_comment(comment)), block("static struct", flags, f"}} {static(swc, name)};")])
+        if flags
+        else ()
     )
 
 

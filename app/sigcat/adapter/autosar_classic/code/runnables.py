@@ -7,6 +7,7 @@ from sigcat.adapter.autosar_classic.code.publishing import requests, sends
 from sigcat.adapter.autosar_classic.code.receiving import takes
 from sigcat.adapter.autosar_classic.code.values import Copy
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines
+from sigcat.adapter.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import Runnable
 
 
@@ -106,7 +107,7 @@ def _terminate(each: Runnable, swc: SwcPlan) -> list[Lines]:
 def _checkpoints(each: Runnable, moment: str, swc: SwcPlan) -> list[Lines]:
     reported: tuple[Reported, ...] = swc.reported.get((each.call or "", moment), ())
     return [
-        lines(f"(void){one.function}(); /* {one.name}: the watchdog manager judges what it misses */")
+        lines(f"(void){one.function}(); {block_comment(f'{one.name}: the watchdog manager judges what it misses')}")
         for one in reported
     ]
 

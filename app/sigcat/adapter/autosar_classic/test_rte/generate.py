@@ -11,6 +11,7 @@ from sigcat.adapter.autosar_classic.test_rte.readme import readme
 from sigcat.adapter.autosar_classic.test_rte.tables import data_header, tables
 from sigcat.adapter.core.c.lines import Line, Lines, wrapped
 from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 
 C = Path(__file__).parent / "c"
@@ -39,7 +40,7 @@ def _sections(swc: SwcPlan) -> Lines:
     used = {"CODE", "VAR_CLEARED_UNSPECIFIED", *(each.name for each in swc.component.sections)}
     names = sorted(f"{swc.name}_{moment}_SEC_{name}" for name in used for moment in ("START", "STOP"))
     return (
-        Line(f"/* Memory sections of {swc.name}: the integrator's file stands here on an ECU. */"),
+        Line(block_comment(f"Memory sections of {swc.name}: the integrator's file stands here on an ECU.")),
         *(Line(f"#undef {name}") for name in names),
     )
 

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.plan import MethodEnd, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.names import own
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, server
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 
 _SERVICES = {
     "GetTime": "TestRte_GetTime", "GetCycle": "TestRte_GetCycle", "SetEventStatus": "Dem_SetEventStatus",
@@ -84,7 +84,7 @@ def _bound(call: Call, swc: SwcPlan) -> list[str]:
     found.update((each.port, [each.name]) for each in component.nv_blocks)
     for entity in component.supervised_entities:
         found.update((each.port, [entity.name, each.name]) for each in entity.checkpoints)
-    return [string(name) for name in found.get(call.port, [])]
+    return [c_string(name) for name in found.get(call.port, [])]
 
 
 def _request(end: MethodEnd, call: Call, swc: SwcPlan, rte: TestRte) -> list[Lines]:

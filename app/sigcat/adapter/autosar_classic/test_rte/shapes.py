@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.literals import number
 from sigcat.adapter.autosar_classic.code.plan import RteType
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 
 
 class _Number(NamedTuple):
@@ -70,18 +70,18 @@ def shape_tables(shapes: Sequence[Shape]) -> list[Lines]:
 
 
 def _symbols(name: str, symbols: Symbols) -> Lines:
-    rows = [lines(f"{{{string(text)}, {number}}},") for text, number in symbols]
+    rows = [lines(f"{{{c_string(text)}, {number}}},") for text, number in symbols]
     return block(f"static const TestRte_Symbol symbols_{name}[] =", [*rows, lines("{NULL, 0}")], "};")
 
 
 def _shape(shape: Shape) -> Lines:
     numbers, after = shape.numbers()
     rows = [
-        lines(f"{{{string(each.before)}, TEST_RTE_{each.base.upper()}, (uint32)({each.offset}), "
+        lines(f"{{{c_string(each.before)}, TEST_RTE_{each.base.upper()}, (uint32)({each.offset}), "
               f"{f'symbols_{each.symbols}' if each.symbols else 'NULL'}}},")
         for each in numbers
     ]  # fmt: skip
-    whole = f"{{sizeof({shape.type.name}), {len(numbers)}U, numbers_{shape.name}, {string(after)}}}"
+    whole = f"{{sizeof({shape.type.name}), {len(numbers)}U, numbers_{shape.name}, {c_string(after)}}}"
     return joined([
         block(f"static const TestRte_Number numbers_{shape.name}[] =", rows, "};"),
         lines(f"const TestRte_Shape TestRte_Shape_{shape.name} = {whole};"),

@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_classic.test_rte.names import deliver, own, run, sha
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
 from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_tables
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import c_string
 from sigcat.integration.autosar_classic.model import Port
 
 _ECU = "EcuManager"
@@ -80,14 +80,14 @@ def tables(rte: TestRte) -> Lines:
         lines('#include "rte_data.h"\n#include "Rte_Main.h"'),
         *shape_tables([each for swc in rte.plan.swcs for each in _shapes(swc, rte)]),
         _table("TestRte_Input TestRte_Inputs", "TestRte_InputCount", [
-            f"{{{string(column)}, &{each.shape}, {each.function}}}" for each in _inputs(rte) for column in each.columns
+            f"{{{c_string(column)}, &{each.shape}, {each.function}}}" for each in _inputs(rte) for column in each.columns
         ], "{NULL, NULL, NULL}"),
         _events(rte),
         _table("char *const TestRte_Components", "TestRte_ComponentCount",
-               [string(swc.name) for swc in rte.plan.swcs], "NULL"),
-        _table("char *const TestRte_Functions", "", [string(swc.core.function) for swc in rte.plan.swcs], "NULL"),
+               [c_string(swc.name) for swc in rte.plan.swcs], "NULL"),
+        _table("char *const TestRte_Functions", "", [c_string(swc.core.function) for swc in rte.plan.swcs], "NULL"),
         _table("TestRte_Block TestRte_Blocks", "TestRte_BlockCount", [
-            f"{{{string(each.name)}, &{own('Memory', each.memory, swc)}}}" for swc, each in blocks
+            f"{{{c_string(each.name)}, &{own('Memory', each.memory, swc)}}}" for swc, each in blocks
         ], "{NULL, NULL}"),
         _inhibitions(rte),
         _life(rte),
@@ -122,7 +122,7 @@ def _events(rte: TestRte) -> Lines:
         runnable = next(one for one in each.swc.component.runnables if one.name == event.runnable)
         period, offset = (round((value or 0) * 10**9) for value in (event.period, event.offset))
         rows.append(
-            f"{{{string(each.task)}, {string(f'{each.swc.name}.{event.name}')}, {rte.index(each.swc)}U, "
+            f"{{{c_string(each.task)}, {c_string(f'{each.swc.name}.{event.name}')}, {rte.index(each.swc)}U, "
             f"{run(runnable, each.swc) if runnable.role != 'Method' else 'NULL'}, "
             f"{period if event.kind == 'Timing' else 0}U, {offset}U, {'TRUE' if event.kind == 'Init' else 'FALSE'}}}"
         )
@@ -134,10 +134,10 @@ def _inhibitions(rte: TestRte) -> Lines:
     names = {event.error: event.name for swc in rte.plan.swcs for event in swc.component.diagnostic_events}
     lists = [
         lines(f"static const char *const events_{number}[] = "
-              f"{{{', '.join([*(string(names.get(event, event)) for event in each.events), 'NULL'])}}};")
+              f"{{{', '.join([*(c_string(names.get(event, event)) for event in each.events), 'NULL'])}}};")
         for number, each in enumerate(found)
     ]  # fmt: skip
-    rows = [f"{{{string(each.name)}, events_{number}}}" for number, each in enumerate(found)]
+    rows = [f"{{{c_string(each.name)}, events_{number}}}" for number, each in enumerate(found)]
     return joined(
         [*lists, _table("TestRte_Inhibition TestRte_Inhibitions", "TestRte_InhibitionCount", rows, "{NULL, NULL}")]
     )

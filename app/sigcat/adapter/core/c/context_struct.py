@@ -19,6 +19,7 @@ from sigcat.adapter.core.plan import (
     Reaction,
     WireType,
 )
+from sigcat.adapter.text_filters import AnyText, block_comment
 
 
 def context_struct(scope: Scope) -> Lines:
@@ -29,7 +30,7 @@ def context_struct(scope: Scope) -> Lines:
         _group("mode", _mode_members(scope)),
         _group("mode_out", [lines("bool is_known;")] if plan.mode_out else []),
         _group("checkpoint", _checkpoint_members(scope)),
-        _group("error", [lines(f"{p}_Error {each.named.name}; /* {each.named.comment} */") for each in plan.errors]),
+        _group("error", [lines(f"{p}_Error {each.named.name}; {block_comment(each.named.comment)}") for each in plan.errors]),
         _group("reaction", [_reaction(each, scope) for each in plan.reactions]),
         _group("method", [_request(each, scope) for each in plan.methods if not each.is_offered]),
         _group("parameter", [_parameter(each, scope) for each in plan.parameters]),
@@ -44,15 +45,15 @@ def context_struct(scope: Scope) -> Lines:
             bool is_terminated;
         """),
     ]  # fmt: skip
-    before = Line(f"/* The adapter of one {plan.function}. Zero it before the first Init. */")
+    before = Line(block_comment(f"The adapter of one {plan.function}. Zero it before the first Init."))
     return (before, Line(f"typedef struct {p} {{"), *indented(spaced(members)), Line(f"}} {p};"))
 
 
-def _group(name: str, members: Iterable[Lines], comment: str = "") -> Lines:
+def _group(name: str, members: Iterable[Lines], comment: AnyText = "") -> Lines:
     found = [member for member in members if member]
     if not found:
         return ()
-    before = (Line(f"/* {comment} */"),) if comment else ()
+    before = (Line(block_comment(comment)),) if comment else ()
     return (*before, *block("struct", found, f"}} {name};"))
 
 
@@ -73,12 +74,14 @@ def _port(port: Port, scope: Scope) -> Lines:
     e2e = f" {scope.prefix}_Verdict e2e;" if port.tells_of_rejection else ""
     reception = f"{scope.prefix}_Reception reception;{e2e}"
     if not inputs.is_kept(port):
-        return lines(f"struct {{ {reception} }} {port.name}; /* {port.comment} */")
-    return lines(f"struct {{ {declared(port.wire, 'value')}; {reception} }} {port.name}; /* {port.comment} */")
+        return lines(f"struct {{ {reception} }} {port.name}; {block_comment(port.comment)}")
+    return lines(f"struct {{ {declared(port.wire, 'value')}; {reception} }} {port.name}; {block_comment(port.comment)}")
 
 
 def _received_member(wire: WireType, name: str, comment: str, prefix: str) -> Lines:
-    return lines(f"struct {{ {declared(wire, 'value')}; {prefix}_Reception reception; }} {name}; /* {comment} */")
+    return lines(
+        f"struct {{ {declared(wire, 'value')}; {prefix}_Reception reception; }} {name}; {block_comment(comment)}"
+    )
 
 
 def _call_state(call: Call, scope: Scope) -> Lines:
@@ -104,7 +107,7 @@ def _call_state(call: Call, scope: Scope) -> Lines:
         ]),
         _group("out", [_output_state(output, scope) for output in call.outputs]),
     ]  # fmt: skip
-    return (Line(f"/* {call.interface} */"), *block("struct", members, f"}} {call.name};"))
+    return (Line(block_comment(call.interface)), *block("struct", members, f"}} {call.name};"))
 
 
 def _alive(call: Call, scope: Scope) -> Lines:
@@ -127,7 +130,7 @@ def _reaction(reaction: Reaction, scope: Scope) -> Lines:
 
 def _parameter(parameter: Parameter, scope: Scope) -> Lines:
     members = [
-        lines(f"{declared(parameter.value.wire, 'value')}; /* {parameter.named.comment} */"),
+        lines(f"{declared(parameter.value.wire, 'value')}; {block_comment(parameter.named.comment)}"),
         lines(f"{scope.prefix}_Origin origin;"),
         lines(f"{scope.prefix}_Verdict range;") if parameter.range_error else (),
     ]
@@ -210,7 +213,7 @@ def _out_member(output: Output) -> Lines:
     if output.queue is None:
         return member(wire, named.name, named.comment)
     values = declared(wire, f"values[{output.queue.length}]")
-    return lines(f"struct {{ uint32_t count; {values}; }} {named.name}; /* {named.comment} */")
+    return lines(f"struct {{ uint32_t count; {values}; }} {named.name}; {block_comment(named.comment)}")
 
 
 def _publish(scope: Scope) -> list[Lines]:

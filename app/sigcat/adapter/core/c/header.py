@@ -5,10 +5,10 @@ from sigcat.adapter.core.c.context_struct import context_struct, received_status
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.types import types
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import (
     GLOBALS,
 )
+from sigcat.adapter.text_filters import block_comment, c_string
 
 
 def header(scope: Scope, title: Lines) -> Lines:
@@ -26,7 +26,7 @@ def header(scope: Scope, title: Lines) -> Lines:
         _hooks(scope),
         *_functions(scope),
         _extern_c(begins=False),
-        lines(f"#endif /* {guard} */"),
+        lines(f"#endif {block_comment(guard)}"),
     ]
     return spaced(_without_unused_verdict(parts, f"{scope.prefix}_Verdict"))
 
@@ -44,7 +44,7 @@ def _extern_c(*, begins: bool) -> Lines:
 
 
 def _includes(scope: Scope) -> Lines:
-    own = [f"#include {string(name)}" for name in scope.plan.code.headers]
+    own = [f"#include {c_string(name)}" for name in scope.plan.code.headers]
     return lines("\n".join(["#include <stdbool.h>", "#include <stdint.h>", *([""] if own else []), *own]), ("Code",))
 
 
@@ -53,12 +53,12 @@ def _instances(scope: Scope) -> Lines:
         return ()
     macro = scope.constant("INSTANCES")
     return lines(f"""
-        /* {scope.plan.function} keeps its data in global variables: a process has one of it. */
+        {block_comment(f"{scope.plan.function} keeps its data in global variables: a process has one of it.")}
         #ifndef {macro}
         #define {macro} 1
         #endif
         #if {macro} != 1
-        #error "{scope.plan.function} keeps its data in global variables: there can be one instance of it"
+        #error {c_string(f"{scope.plan.function} keeps its data in global variables: there can be one instance of it")}
         #endif
     """)
 
@@ -117,7 +117,7 @@ def _functions(scope: Scope) -> list[Lines]:
 
 
 def _prototypes(comment: str, heads: list[str]) -> Lines:
-    return tuple(Line(text) for text in (f"/* {comment} */", *heads)) if heads else ()
+    return tuple(Line(text) for text in (block_comment(comment), *heads)) if heads else ()
 
 
 def receive_heads(scope: Scope) -> list[str]:

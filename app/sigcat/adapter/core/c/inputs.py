@@ -19,6 +19,7 @@ from sigcat.adapter.core.c.values import (
     tables,
 )
 from sigcat.adapter.core.plan import Call, Input, Port
+from sigcat.adapter.text_filters import block_comment
 from sigcat.function.function_json.conversion import IDENTITY
 
 UINT8_MOST = 255
@@ -218,7 +219,7 @@ def taken(call: Call, item: Input, scope: Scope) -> Lines:
         value = (
             f"self->received.{item.port}.reception.is_there ? {received} : {_right_side(initial(call, item, scope))}"
         )
-    return (Line(f"{ends.target} = {value}; /* {item.named.comment} */", item.named.pointer),)
+    return (Line(f"{ends.target} = {value}; {block_comment(item.named.comment)}", item.named.pointer),)
 
 
 def _right_side(assignment: Lines) -> str:

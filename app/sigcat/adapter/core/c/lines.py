@@ -5,6 +5,7 @@ import textwrap
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.text_filters import AnyText, block_comment
 from sigcat.function.document.document import Pointer
 
 
@@ -64,9 +65,9 @@ def choice(ways: Sequence[tuple[str, Lines]]) -> Lines:
     return (*found, Line("}"))
 
 
-def function(head: str, body: Iterable[Lines], comment: str = "") -> Lines:
+def function(head: str, body: Iterable[Lines], comment: AnyText = "") -> Lines:
     """A function with what a reader should know before it. Arguments that it does not use are marked."""
-    before = (Line(f"/* {comment} */"),) if comment else ()
+    before = (Line(block_comment(comment)),) if comment else ()
     whole = joined(body)
     first = _declarations(whole)
     declared, statements = whole[:first], (*_unused(head, whole), *whole[first:])

@@ -3,8 +3,8 @@
 from sigcat.adapter.core.c.lines import Line, Lines, block, choice, function, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.identifiers import comment
 from sigcat.adapter.core.plan import Call, ModeIn, ModeOut, ModeValue
+from sigcat.adapter.text_filters import block_comment
 
 
 def mode_functions(scope: Scope) -> list[Lines]:
@@ -41,7 +41,7 @@ def _runs(call: Call, mode: ModeIn, scope: Scope) -> Lines:
 
 
 def _constant(mode: ModeValue) -> str:
-    return f"{mode.number}U /* {comment(mode.name)} */"
+    return f"{mode.number}U {block_comment(mode.name)}"
 
 
 def dropped(call: Call, scope: Scope) -> Lines:
@@ -81,7 +81,7 @@ def _drop(call: Call, scope: Scope) -> Lines:
 def _take_mode(mode: ModeIn, moded: list[Call], scope: Scope) -> Lines:
     p, name = scope.prefix, mode.named.name
     received = f"self->received.{name}"
-    known = joined([*(lines(f"case {each.number}U: /* {comment(each.name)} */") for each in mode.modes),
+    known = joined([*(lines(f"case {each.number}U: {block_comment(each.name)}") for each in mode.modes),
                     _case(f"self->mode.now = {received}.value;\nself->mode.unknown = {scope.absent};")])  # fmt: skip
     initial = f"self->mode.now = {_constant(mode.initial)};\n" if mode.goes_to_initial else ""
     unknown = joined([lines("default:"), _case(f"{initial}self->mode.unknown = {scope.present};")])
@@ -112,7 +112,7 @@ def written(scope: Scope) -> Lines:
         return ()
     variable = mode.variable
     if all(each.number == each.code for each in mode.modes):
-        text = f"{scope.assigned(variable, 'self->mode.now')} /* {mode.named.comment} */"
+        text = f"{scope.assigned(variable, 'self->mode.now')} {block_comment(mode.named.comment)}"
         return (Line(text, mode.named.pointer),)
     ways = [
         (f"self->mode.now == {_constant(each)}", lines(scope.assigned(variable, str(each.code)), mode.named.pointer))
@@ -155,7 +155,7 @@ def _first_of_each_code(mode: ModeOut) -> list[ModeValue]:
 
 def _out_case(each: ModeValue, mode: ModeOut) -> Lines:
     return lines(f"""
-        case {each.code}: /* {comment(each.name)} */
+        case {each.code}: {block_comment(each.name)}
             mode = {each.number}U;
             break;
     """, mode.named.pointer)  # fmt: skip

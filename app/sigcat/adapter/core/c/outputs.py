@@ -15,6 +15,7 @@ from sigcat.adapter.core.c.values import (
     tables,
 )
 from sigcat.adapter.core.plan import Call, Output
+from sigcat.adapter.text_filters import block_comment
 
 
 def is_direct(output: Output) -> bool:
@@ -37,7 +38,7 @@ def given(call: Call, output: Output, scope: Scope) -> Lines:
     if not is_direct(output):
         return lines(f"{scope.prefix}_Give_{call.name}_{output.named.name}(self);")
     (line,) = assigned(output.value, ends_of(call, output, scope), scope.prefix, quiet=True)
-    return (Line(f"{line.text} /* {output.named.comment} */", line.source),)
+    return (Line(f"{line.text} {block_comment(output.named.comment)}", line.source),)
 
 
 def published(call: Call) -> Lines:

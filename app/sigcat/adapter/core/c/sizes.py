@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Argument, Input, Leaf, Method, Output, Parameter
+from sigcat.adapter.text_filters import block_comment
 from sigcat.function.document.document import Pointer
 
 PUT, GOT = "HOLDS", "FITS"
@@ -16,7 +17,9 @@ def sizes(scope: Scope) -> list[Lines]:
     checks = joined(_checks(scope)) if scope.plan.code.headers else ()
     if not checks:
         return []
-    text = lines(f"/* Variables of {scope.plan.function} are as large as declared: a build fails where one is not. */")
+    text = lines(
+        block_comment(f"Variables of {scope.plan.function} are as large as declared: a build fails where one is not.")
+    )
     return [_assertion(scope), _macros(scope, "\n".join(line.text for line in checks)), (*text, *dict.fromkeys(checks))]
 
 

@@ -18,6 +18,7 @@ from sigcat.adapter.core.c.sizes import sizes
 from sigcat.adapter.core.c.small_functions import used_functions
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
+from sigcat.adapter.text_filters import block_comment, c_string
 
 
 def source(scope: Scope, title: Lines, header_name: str) -> Lines:
@@ -44,7 +45,7 @@ def _includes(text: str, header_name: str, *, is_cpp: bool) -> Lines:
         ("<string.h>", "mem" in text),
         ("<new>", is_cpp),
     )
-    rows = [f'#include "{header_name}"', "", *(f"#include {name}" for name, is_used in known if is_used)]
+    rows = [f"#include {c_string(header_name)}", "", *(f"#include {name}" for name, is_used in known if is_used)]
     return lines("\n".join(rows))
 
 
@@ -61,10 +62,10 @@ def _mark(scope: Scope) -> Lines:
 def _evaluation(scope: Scope) -> Lines:
     return lines(f"""
         #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
-        #error "{scope.plan.function}: doubles must be evaluated as doubles"
+        #error {c_string(f"{scope.plan.function}: doubles must be evaluated as doubles")}
         #endif
         #if defined(__FAST_MATH__)
-        #error "{scope.plan.function}: -ffast-math changes results"
+        #error {c_string(f"{scope.plan.function}: -ffast-math changes results")}
         #endif
     """)
 
@@ -82,8 +83,12 @@ def _variables(scope: Scope) -> list[Lines]:
         for call in calls
     ]
     return [
-        joined([lines(f"/* Of the code of {plan.function}. */"), *there, *prototypes]) if there or prototypes else (),
-        joined([lines(f"/* Imported by the code of {plan.function}. */"), *held, *here]) if held or here else (),
+        joined([lines(block_comment(f"Of the code of {plan.function}.")), *there, *prototypes])
+        if there or prototypes
+        else (),
+        joined([lines(block_comment(f"Imported by the code of {plan.function}.")), *held, *here])
+        if held or here
+        else (),
         lines(f"{scope.prefix} {scope.prefix}_Instance;"),
     ]
 

@@ -12,19 +12,20 @@ from sigcat.adapter.core.plan import (
     WireStruct,
     WireType,
 )
+from sigcat.adapter.text_filters import AnyText, block_comment
 
 
 def enumeration(name: str, constants: Iterable[tuple[str, str]]) -> Lines:
     """An enumeration; each constant with what it means."""
     found = list(constants)
-    rows = [f"    {text}{',' if n < len(found) - 1 else ''}{f' /* {why} */' if why else ''}"
+    rows = [f"    {text}{',' if n < len(found) - 1 else ''}{f' {block_comment(why)}' if why else ''}"
             for n, (text, why) in enumerate(found)]  # fmt: skip
     return tuple(Line(text) for text in ("typedef enum {", *rows, f"}} {name};"))
 
 
-def struct(name: str, members: Iterable[Lines], comment: str = "") -> Lines:
+def struct(name: str, members: Iterable[Lines], comment: AnyText = "") -> Lines:
     """A struct type."""
-    before = (Line(f"/* {comment} */"),) if comment else ()
+    before = (Line(block_comment(comment)),) if comment else ()
     return (*before, Line("typedef struct {"), *indented(joined(members)), Line(f"}} {name};"))
 
 
@@ -96,11 +97,11 @@ def _wire_struct(each: WireStruct) -> Lines:
 
 def _field(field: WireField) -> Lines:
     length = f"[{field.length}]" if field.length is not None else ""
-    return lines(f"{field.c} {field.name}{length};{f' /* {field.comment} */' if field.comment else ''}")
+    return lines(f"{field.c} {field.name}{length};{f' {block_comment(field.comment)}' if field.comment else ''}")
 
 
 def member(wire: WireType, name: str, comment: str) -> Lines:
-    return lines(f"{declared(wire, name)}; /* {comment} */")
+    return lines(f"{declared(wire, name)}; {block_comment(comment)}")
 
 
 def _method_types(method: Method, scope: Scope) -> list[Lines]:

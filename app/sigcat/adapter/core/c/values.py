@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.lines import Line, Lines, block, function, indented, joined, lines
 from sigcat.adapter.core.c.literals import converted, is_beyond_float, literal, within
-from sigcat.adapter.core.identifiers import comment
 from sigcat.adapter.core.numbers import Number, NumberType
 from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
+from sigcat.adapter.text_filters import block_comment
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY
 
@@ -241,7 +241,7 @@ def _names_function(element: Element, name: str, wire: WireType) -> Lines:
 def _case(source: int, target: int, element: Element, texts: dict[int, str]) -> Lines:
     name = texts.get(source) or texts.get(target)
     return lines(f"""
-        case {literal(source, element.source)}:{f" /* {comment(name)} */" if name else ""}
+        case {literal(source, element.source)}:{f" {block_comment(name)}" if name else ""}
             *target = {literal(target, element.target)};
             break;
     """)

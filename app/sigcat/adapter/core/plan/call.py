@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.plan.interface import Input, Output
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text
 
 
 class Alive(NamedTuple):
@@ -48,7 +49,7 @@ class Call(NamedTuple):
     success: int | None = None
     before: tuple[str, ...] = ()
     after: tuple[str, ...] = ()
-    description: str = ""
+    description: Text = Text("")
     cycle: int | None = None
     """In ns; None if events trigger it."""
     offset: int = 0

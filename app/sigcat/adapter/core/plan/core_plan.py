@@ -7,6 +7,7 @@ from sigcat.adapter.core.plan.call import Call
 from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CLASS
 from sigcat.names import screaming_snake_case
 
@@ -58,7 +59,7 @@ class CorePlan(NamedTuple):
 
     function: str
     version: str | None
-    description: str
+    description: Text
     code: Code
     structs: tuple[WireStruct, ...]
     ports: tuple[Port, ...]

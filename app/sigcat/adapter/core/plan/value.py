@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.core.numbers import Number, NumberType
+from sigcat.adapter.text_filters import AnyText
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
 
@@ -56,7 +57,7 @@ class WireStruct(NamedTuple):
     """A struct, as it is received or sent."""
 
     name: str
-    comment: str
+    comment: AnyText
     fields: tuple[WireField, ...]
 
 

@@ -158,12 +158,10 @@ def _nearest(limit: Fraction | None, source: Side) -> Fraction | None:
 
 def _given(interface: Interface, shape: Shape) -> tuple[Given, Given]:
     """Start value and default."""
-    if not isinstance(interface, ParameterInterface):
-        init = given_values(interface.init_value, interface.init_elements, shape)
-        return init, given_values(interface.default, interface.default_elements, shape)
-    default = given_values(interface.default, interface.default_text, shape)
-    is_only_default = shape.kind is not None and interface.default_text is not None and not interface.init_elements
-    return (default if is_only_default else given_values(interface.init_value, interface.init_elements, shape)), default
+    init = given_values(interface.init_value, interface.init_elements, shape)
+    default = given_values(interface.default, interface.default_elements, shape)
+    has_elements = shape.kind is not None and interface.default_elements is not None and not interface.init_elements
+    return (default if has_elements and isinstance(interface, ParameterInterface) else init), default
 
 
 def _held(number: Fraction | None, leaf: Leaf, side: Side) -> Number:

@@ -1,21 +1,20 @@
 """The launch file: starts every node, and brings the set through its transitions."""
 
-import textwrap
-
 from sigcat.adapter.ros2.bringup.graph import in_order_of_activation
+from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
+from sigcat.adapter.text_filters import comment_rows, python_string
 
 _WIDEST = 99
 
 
 def launch_file(workspace: WorkspacePlan) -> str:
     """The text of `launch/NAME.launch.py`."""
-    rights = f"Copyright {workspace.package.maintainer}. License: {workspace.package.license}."
     return _TEXT.format(
-        head="\n".join(f"# {row}" for row in textwrap.wrap(rights, _WIDEST - 2)),
-        name=workspace.name,
-        nodes="".join(f"    '{node.name}',\n" for node in in_order_of_activation(workspace)),
-        namespace=workspace.namespace.strip("/"),
+        head="\n".join(comment_rows(rights(workspace.package), "#", _WIDEST)),
+        name=python_string(workspace.name),
+        nodes="".join(f"    {python_string(node.name)},\n" for node in in_order_of_activation(workspace)),
+        namespace=python_string(workspace.namespace.strip("/")),
     )
 
 
@@ -41,7 +40,7 @@ from launch_ros.parameter_descriptions import ParameterValue
 from launch_ros.substitutions import FindPackageShare
 from lifecycle_msgs.msg import Transition
 
-PACKAGE = '{name}'
+PACKAGE = {name}
 NODES = (  # in the order of activation
 {nodes})
 
@@ -67,7 +66,7 @@ def arguments():
     configuration = PathJoinSubstitution([FindPackageShare(PACKAGE), 'config'])
     return [
         DeclareLaunchArgument(
-            'namespace', default_value='{namespace}', description='Namespace of the nodes.'),
+            'namespace', default_value={namespace}, description='Namespace of the nodes.'),
         DeclareLaunchArgument(
             'config', default_value=configuration,
             description='Folder with a file of parameters for each node, NODE.yaml.'),

@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from typing import Any
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import AnyText, comment, comment_rows, yaml_string
+from sigcat.function.document.text import composed
 
-_WIDEST = 100
+_WIDEST = 102
 
 
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -34,16 +36,15 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
 
 
 def _parameter(parameter: NodeParameter) -> str:
-    about = _comment(parameter.description) + _comment(
-        "; ".join((parameter.parameter.named.comment, *_limits(parameter)))
-    )
+    known = [part for limit in _limits(parameter) for part in ("; ", limit)]
+    about = _comment(parameter.description) + _comment(composed(parameter.parameter.named.comment, *known))
     value = _value(parameter.default, parameter.type.removesuffix("_array"))
     if value == "[]":  # a file of parameters has no lists without elements
-        return f"{about}# {parameter.name}: []\n"
+        return f"{about}# {comment(parameter.name)}: []\n"
     return f"{about}{parameter.name}: {value}\n"
 
 
-def _limits(parameter: NodeParameter) -> Iterator[str]:
+def _limits(parameter: NodeParameter) -> Iterator[AnyText]:
     if parameter.low is not None:
         yield f"at least {json.dumps(parameter.low)}"
     if parameter.high is not None:
@@ -62,8 +63,7 @@ def _value(value: Any, element: str) -> str:
         return f"[{listed}]"
     if element == "double":
         return _double(float(value))
-    text = json.dumps(value, ensure_ascii=False)
-    return "".join(each if each.isprintable() else f"\\U{ord(each):08X}" for each in text)
+    return yaml_string(value) if isinstance(value, str) else json.dumps(value)
 
 
 def _double(value: float) -> str:
@@ -72,8 +72,5 @@ def _double(value: float) -> str:
     return f"{digits}{'' if '.' in digits else '.0'}{mark}{exponent}"
 
 
-def _comment(text: str) -> str:
-    words = " ".join("".join(each if each.isprintable() else " " for each in text).split())
-    return "".join(
-        f"# {row}\n" for row in textwrap.wrap(words, _WIDEST, break_long_words=False, break_on_hyphens=False)
-    )
+def _comment(text: AnyText) -> str:
+    return "".join(f"{row}\n" for row in comment_rows(text, "#", _WIDEST))

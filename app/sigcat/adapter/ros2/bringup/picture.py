@@ -5,6 +5,7 @@ from typing import Literal, NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.plan import WorkspacePlan
+from sigcat.adapter.text_filters import mermaid_text
 
 OUTSIDE = "outside of the set"
 
@@ -36,8 +37,8 @@ def picture(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
     outside = {end: f"outside{number}" for number, end in enumerate(dict.fromkeys(ends), 1)}
     lines = [  # those outside first: where nodes hear each other, that is where lines begin
         "flowchart LR",
-        *(f'  {key}(["{_label(end.name)}"]):::outside' for end, key in outside.items()),
-        *(f'  {key}(["{end.name}"])' for end, key in keys.items()),
+        *(f'  {key}(["{mermaid_text(end.name)}"]):::outside' for end, key in outside.items()),
+        *(f'  {key}(["{mermaid_text(end.name)}"])' for end, key in keys.items()),
         *(_of_topics(number, link, keys | outside) for number, link in enumerate(topics, 1)),
         *(_of_services(number, link, keys | outside) for number, link in enumerate(services, 1)),
         *(["  classDef outside stroke-dasharray: 4"] if outside else []),
@@ -81,21 +82,12 @@ def _bundled(links: Iterator[Link]) -> Sequence[Link]:
 
 
 def _of_topics(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} --- topics{number}["{_lines(link)}"] --> {_all(link.targets, keys)}'
+    return f'  {_all(link.sources, keys)} --- topics{number}["{"<br>".join(map(mermaid_text, link.names))}"] --> {_all(link.targets, keys)}'
 
 
 def _of_services(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} -.- services{number}[["{_lines(link)}"]] -.-> {_all(link.targets, keys)}'
+    return f'  {_all(link.sources, keys)} -.- services{number}[["{"<br>".join(map(mermaid_text, link.names))}"]] -.-> {_all(link.targets, keys)}'
 
 
 def _all(ends: tuple[End, ...], keys: Mapping[End, str]) -> str:
     return " & ".join(keys[end] for end in ends)
-
-
-def _lines(link: Link) -> str:
-    return "<br>".join(link.names)
-
-
-def _label(text: str) -> str:
-    words = " ".join("".join(each if each.isprintable() else " " for each in text).split())
-    return "".join(each if each.isalnum() or each in " .,;:_-/" else f"#{ord(each)};" for each in words)

@@ -5,6 +5,7 @@ from sigcat.adapter.ros2.cpp.layout import comment, function, scope, text
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, run_name, scope_of, times_name
 from sigcat.adapter.ros2.cpp.node_header import has_deadline
 from sigcat.adapter.ros2.plan import NodePlan
+from sigcat.function.document.text import composed
 
 _WATCH = """watch_ = std::make_unique<Watch>(
   [this] {guarded(get_logger(), "The calls are not supervised", [this] {supervise();});});"""
@@ -111,7 +112,7 @@ def _run(step: Call, node: NodePlan) -> str:
         ]),
         "publish(stamp);",
     ]  # fmt: skip
-    words = f"{step.interface}: {step.description}" if step.description else step.interface
+    words = composed(step.interface, ": ", step.description) if step.description else step.interface
     return function(f"void {node.type}::{run_name(node, step)}()", body, comment(words))
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from sigcat.adapter.ros2.cpp.names import bridge_source
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import cmake_argument, cmake_word
 from sigcat.names import snake_case
 
 
@@ -60,17 +61,19 @@ target_link_libraries({name}_support PUBLIC
 
 
 def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
-    folder = snake_case(node.core.function)
+    folder = cmake_argument(snake_case(node.core.function))
     core = [f"core/{name}" for name in (node.core.source_file, bridge_source(node))]
     code, setting = node.core.code, node.core.code_setting
-    sources = "".join(f'\n  "${{{setting}}}/{source}"' for source in code.sources)
+    sources = "".join(f'\n  "${{{setting}}}/{cmake_argument(source)}"' for source in code.sources)
     own = "".join(f"\n  {name}" for name in core)
-    folders = "".join(f'\n  "$<BUILD_INTERFACE:${{{setting}}}/{each}>"' for each in code.include_folders)
-    macros = "".join(f' "{each}"' for each in code.definitions)
+    folders = "".join(
+        f'\n  "$<BUILD_INTERFACE:${{{setting}}}/{cmake_argument(each)}>"' for each in code.include_folders
+    )
+    macros = "".join(f' "{cmake_argument(each)}"' for each in code.definitions)
     defined = f"target_compile_definitions({node.name}_core PUBLIC{macros})\n" if macros else ""
     return _NODE.format(
-        function=node.core.function, setting=setting, package=workspace.name, name=node.name, stem=node.stem,
-        type=node.type, executable=node.executable, sources=" ".join(code.sources), files=own + sources, folder=folder,
+        function=cmake_argument(node.core.function), setting=setting, package=cmake_argument(workspace.name), name=node.name, stem=node.stem,
+        type=cmake_argument(node.type), executable=node.executable, sources=" ".join(map(cmake_word, code.sources)), files=own + sources, folder=folder,
         folders=folders, defined=defined,
     )  # fmt: skip
 

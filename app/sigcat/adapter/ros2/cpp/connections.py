@@ -1,6 +1,5 @@
 """What connects a node with others: publishers, subscriptions, services."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import call, comment, function, indented, scope, text
 from sigcat.adapter.ros2.cpp.names import (
     CORE,
@@ -12,6 +11,7 @@ from sigcat.adapter.ros2.cpp.names import (
     table,
 )
 from sigcat.adapter.ros2.plan import MethodService, NodePlan, Publisher, Subscription, Taken, WorkspacePlan
+from sigcat.adapter.text_filters import c_string
 from sigcat.integration.ros2.model import QualityOfService
 
 
@@ -50,7 +50,7 @@ def _duration(milliseconds: float) -> str:
 
 
 def _advertised(publisher: Publisher) -> str:
-    arguments = ["*this", "topics_", string(publisher.topic), quality(publisher.quality), "receiving_"]
+    arguments = ["*this", "topics_", c_string(publisher.topic), quality(publisher.quality), "receiving_"]
     made = f"std::make_unique<CountingPublisher<{short(publisher.message)}>>"
     return f"{publisher.member}_publisher_ =\n  " + call(made, arguments, levels=2)
 
@@ -64,7 +64,7 @@ def _subscribed(subscription: Subscription, node: NodePlan) -> str:
     if any(each.wakes for each in subscription.takes):
         body = text([scope("", [body]), "clock_->wake();"])
     arguments = [
-        f"*this, topics_, {string(subscription.topic)},",
+        f"*this, topics_, {c_string(subscription.topic)},",
         f"{quality(subscription.quality)}, receiving_,",
         head,
     ]
@@ -125,7 +125,7 @@ def _offered(each: MethodService, qos: str) -> str:
 
 def _service(member: str, type_: str, name: str, handler: str, qos: str) -> str:
     return f"""{member} = create_service<{type_}>(
-  {string(name)},
+  {c_string(name)},
   [this](
     const std::shared_ptr<{type_}::Request> request,
     std::shared_ptr<{type_}::Response> response) {{{handler}(*request, *response);}},
@@ -134,7 +134,7 @@ def _service(member: str, type_: str, name: str, handler: str, qos: str) -> str:
 
 def _used(each: MethodService, qos: str) -> str:
     made = f"{each.member}_client_ = create_client<{short(each.service)}>"
-    return call(made, [string(each.topic), qos, "answering_"])
+    return call(made, [c_string(each.topic), qos, "answering_"])
 
 
 def _disconnect(node: NodePlan) -> str:

@@ -1,10 +1,10 @@
 """What a node tells people."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import Call
 from sigcat.adapter.ros2.cpp.layout import call, function, indented, literal, scope
 from sigcat.adapter.ros2.cpp.names import LOCK, report_name, times_name
 from sigcat.adapter.ros2.plan import Monitor, NodePlan
+from sigcat.adapter.text_filters import c_string
 
 
 def tell_function(node: NodePlan) -> str:
@@ -25,7 +25,7 @@ def tell_function(node: NodePlan) -> str:
         "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();",
         "const std::string node = unique_name(get_node_base_interface()->get_fully_qualified_name());",
         *(_error(each) for each in node.monitors),
-        *(call("told.status.push_back", [call("call_status", ["node", string(step.interface), report_name(node, step)], ")", 3)])
+        *(call("told.status.push_back", [call("call_status", ["node", c_string(step.interface), report_name(node, step)], ")", 3)])
           for step in node.steps),
         _SCHEDULING if node.priority is not None else scope("if (!scheduling_problem.empty())", [_SCHEDULING]),
         "topics_.tell(node, told.status);\npublisher->publish(told);",
@@ -42,7 +42,7 @@ def _error(monitor: Monitor) -> str:
     name, diagnostic = monitor.error.named.name, monitor.diagnostic
     error, counts = f"error.{name}", f"stored.{name}"
     members = [
-        string(monitor.interface),
+        c_string(monitor.interface),
         literal(diagnostic.message, 4),
         f"DiagnosticStatus::{diagnostic.level}",
         f"static_cast<ErrorState>({error}.state)",

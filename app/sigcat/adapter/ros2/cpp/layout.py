@@ -3,7 +3,7 @@
 import textwrap
 from collections.abc import Iterable, Sequence
 
-from sigcat.adapter.core.identifiers import string
+from sigcat.adapter.text_filters import AnyText, c_strings, comment_rows
 
 WIDEST = 100
 _STEP = "  "
@@ -34,10 +34,9 @@ def scope(head: str, body: Iterable[str], end: str = "}") -> str:
     return text([f"{head} {{" if head else "{", indented(text(body)), end])
 
 
-def comment(words: str, mark: str = "//", levels: int = 0) -> str:
+def comment(words: AnyText, levels: int = 0) -> str:
     """A comment, on as many lines as it needs."""
-    width = WIDEST - len(mark) - 1 - levels * len(_STEP)
-    return "\n".join(f"{mark} {row}" for row in textwrap.wrap(words, width)) if words else ""
+    return "\n".join(comment_rows(words, "//", WIDEST - levels * len(_STEP)))
 
 
 def call(head: str, arguments: Sequence[str], end: str = ");", levels: int = 1) -> str:
@@ -66,15 +65,9 @@ def any_of(conditions: Sequence[str], head: str = "if (", end: str = ") {", leve
     return f"{head}\n{_STEP}" + f" ||\n{_STEP}".join(conditions) + end.removesuffix(" {") + "\n{"
 
 
-def literal(words: str, levels: int = 3) -> str:
+def literal(words: AnyText, levels: int = 3) -> str:
     """A text as a literal, on as many lines as it needs, where it stands so many levels in."""
-    room = WIDEST - levels * len(_STEP) - 4
-    rows = (
-        textwrap.wrap(words, room - 4, drop_whitespace=False, break_on_hyphens=False)
-        if len(string(words)) > room
-        else []
-    )
-    return "\n".join(string(row) for row in rows or [words])
+    return "\n".join(c_strings(words, WIDEST - levels * len(_STEP) - 4))
 
 
 _BREAKS = ("(", ", ", " = ")

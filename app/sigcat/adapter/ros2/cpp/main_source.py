@@ -2,6 +2,7 @@
 
 from sigcat.adapter.ros2.cpp.names import copyright_line
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import c_string
 
 
 def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -12,7 +13,7 @@ def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
 #include <exception>
 #include <memory>
 
-#include "{workspace.name}/{node.stem}.hpp"
+#include {c_string(f"{workspace.name}/{node.stem}.hpp")}
 #include "rclcpp/rclcpp.hpp"
 
 int main(int argc, char * argv[])
@@ -26,7 +27,7 @@ int main(int argc, char * argv[])
     executor.add_node(node->get_node_base_interface());
     executor.spin();
   }} catch (const std::exception & error) {{
-    RCLCPP_FATAL(rclcpp::get_logger("{node.name}"), "%s", error.what());
+    RCLCPP_FATAL(rclcpp::get_logger({c_string(node.name)}), "%s", error.what());
     result = EXIT_FAILURE;
   }}
   rclcpp::shutdown();

@@ -4,7 +4,9 @@ import re
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call, WireType
+from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import comment
 from sigcat.names import snake_case
 
 LOCK = "const std::lock_guard<std::mutex> lock(core_mutex_);"
@@ -20,7 +22,7 @@ def guard(workspace: WorkspacePlan, stem: str) -> str:
 
 def copyright_line(workspace: WorkspacePlan) -> str:
     """Whose code it is, as the package says."""
-    return f"// Copyright {workspace.package.maintainer}. License: {workspace.package.license}."
+    return f"// {comment(rights(workspace.package))}"
 
 
 def header_of(interface: InterfaceType) -> str:

@@ -1,11 +1,10 @@
 """The source of a node."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.calls import call_functions
 from sigcat.adapter.ros2.cpp.connections import connection_functions
 from sigcat.adapter.ros2.cpp.diagnostics import tell_function
-from sigcat.adapter.ros2.cpp.layout import function, indented, spaced, text
+from sigcat.adapter.ros2.cpp.layout import comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.methods import method_functions
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, header_of, times_name
 from sigcat.adapter.ros2.cpp.node_header import messages_of
@@ -14,6 +13,7 @@ from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
 from sigcat.adapter.ros2.cpp.tables import symbol_tables
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import c_format, c_string
 
 _CORE = "// The core of the function: what it is made of stays in this file."
 _STATE = "const rclcpp_lifecycle::State & state"
@@ -24,7 +24,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole source."""
     return spaced([
         copyright_line(workspace),
-        f'#include "{workspace.name}/{node.stem}.hpp"',
+        f"#include {c_string(f'{workspace.name}/{node.stem}.hpp')}",
         _includes(node, workspace),
         text([
             f"namespace {workspace.name}\n{{\n",
@@ -45,7 +45,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         publish_function(node),
         *method_functions(node),
         tell_function(node),
-        f"}}  // namespace {workspace.name}",
+        f"}}  {comment(f'namespace {workspace.name}')}",
         f'#include "rclcpp_components/register_node_macro.hpp"\n\nRCLCPP_COMPONENTS_REGISTER_NODE({workspace.name}::{node.type})',
     ]) + "\n"  # fmt: skip
 
@@ -63,7 +63,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     headers.append(node.core.header_file)
     return spaced([
         "\n".join(f"#include <{each}>" for each in sorted(standard)),
-        "\n".join(f'#include "{each}"' for each in sorted(set(headers))),
+        "\n".join(f"#include {c_string(each)}" for each in sorted(set(headers))),
     ])  # fmt: skip
 
 
@@ -84,7 +84,7 @@ def _core(node: NodePlan) -> str:
         _CORE,
         f"struct {node.type}::Core\n{{",
         indented(spaced([
-            function("Core()", [f"if (is_held.exchange(true)) {{\n  constexpr char kOnce[] =\n    {string(once)};\n  throw std::runtime_error(kOnce);\n}}"]),
+            function("Core()", [f"if (is_held.exchange(true)) {{\n  constexpr char kOnce[] =\n    {c_string(once)};\n  throw std::runtime_error(kOnce);\n}}"]),
             "~Core() {is_held = false;}\nCore(const Core &) = delete;\nCore & operator=(const Core &) = delete;",
             text([f"{prefix} & adapter = {prefix}_Instance;", parameters, "static inline std::atomic<bool> is_held{false};"]),
         ])),
@@ -96,7 +96,7 @@ def _constructor(node: NodePlan) -> str:
     kind = "rclcpp::CallbackGroupType::MutuallyExclusive"
     return text([
         f"{node.type}::{node.type}(const rclcpp::NodeOptions & options)",
-        f": LifecycleNode({string(node.name)}, options),",
+        f": LifecycleNode({c_string(node.name)}, options),",
         indented(text([
             "core_(std::make_unique<Core>()),",
             f"receiving_(create_callback_group({kind}, false)),",
@@ -139,7 +139,7 @@ def _configured(node: NodePlan) -> str:
 """ if node.is_stored else ""  # fmt: skip
     return f"""set_clock();
 {storage}if (!initialize()) {{
-  RCLCPP_ERROR(get_logger(), "the initialization of {node.core.function} has failed");
+  RCLCPP_ERROR(get_logger(), {c_format(f"the initialization of {node.core.function} has failed")});
   return CallbackReturn::FAILURE;
 }}
 advertise();

@@ -3,10 +3,10 @@
 import math
 from typing import Any
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import call, function, literal, scope
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, table
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import AnyText, c_string
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
 AS = {
@@ -37,7 +37,7 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
         words = f"Policy of the thread that runs the calls, with priority {node.priority}."
         descriptor = _described(words, "one of other, fifo, rr", 3)
         fixed = call("fixed", [descriptor], ")", 2)
-        found.append(_declaration("std::string", "scheduling_policy", string(node.policy), fixed))
+        found.append(_declaration("std::string", "scheduling_policy", c_string(node.policy), fixed))
         found.append('check_policy(get_parameter("scheduling_policy").as_string());')
     if node.is_stored:
         words = f"Folder of what the node keeps; $ROS_HOME/{workspace.name} or ~/.ros/{workspace.name} if empty."
@@ -46,14 +46,14 @@ def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     return found
 
 
-def _described(words: str, constraints: str, levels: int) -> str:
+def _described(words: AnyText, constraints: AnyText, levels: int) -> str:
     """A descriptor, on one line if it fits."""
     arguments = [literal(words, levels + 1), *([literal(constraints, levels + 1)] if constraints else [])]
     return call("described", arguments, ")", levels)
 
 
 def _declaration(cpp: str, name: str, default: str, descriptor: str) -> str:
-    return call(f"declare_parameter<{cpp}>", [string(name), default, descriptor])
+    return call(f"declare_parameter<{cpp}>", [c_string(name), default, descriptor])
 
 
 def cpp_type(parameter: NodeParameter) -> str:
@@ -95,7 +95,7 @@ def _value(value: Any, element: str) -> str:
         return "true" if value else "false"
     if element == "integer":
         return "INT64_MIN" if value == -(2**63) else f"int64_t{{{int(value)}}}"
-    return f"std::string({string(value)})" if element == "string" else _double(value)
+    return f"std::c_string({c_string(value)})" if element == "string" else _double(value)
 
 
 def _double(value: float) -> str:
@@ -109,7 +109,7 @@ def _double(value: float) -> str:
 
 
 def _checked(node: NodePlan) -> str:
-    names = ",\n  ".join(string(each.name) for each in node.settable)
+    names = ",\n  ".join(c_string(each.name) for each in node.settable)
     return f"""const std::vector<std::string> names = {{
   {names}}};
 const rcl_interfaces::msg::SetParametersResult result = set(get_parameters(names));
@@ -127,7 +127,7 @@ def _set(node: NodePlan) -> str:
     if len(known) > len(node.settable):  # the start values of the others are known by then
         asks = f"!is_initialized_ || {asks}"
     takes = [
-        scope(f"if (name == {string(each.name)})", [f"is_taken = {_taken(each)};"])
+        scope(f"if (name == {c_string(each.name)})", [f"is_taken = {_taken(each)};"])
         for each in node.settable
     ]  # fmt: skip
     return function(f"rcl_interfaces::msg::SetParametersResult {node.type}::set(\n  const std::vector<rclcpp::Parameter> & parameters)", [
@@ -164,6 +164,6 @@ def initial_parameters(node: NodePlan) -> list[str]:
     for each in node.parameters:
         name = each.parameter.named.name
         text_table = f"{table(name)}, " if each.symbols else ""
-        got = f"get_parameter({string(each.name)}).{AS[each.type]}()"
+        got = f"get_parameter({c_string(each.name)}).{AS[each.type]}()"
         found.append(call("start_with", [f"{text_table}{got}", default_of(each), f"stored.{name}"]))
     return found

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.core.plan import CorePlan, Parameter
 from sigcat.adapter.ros2.cpp.layout import function, scope
 from sigcat.adapter.ros2.plan import NodePlan
+from sigcat.adapter.text_filters import c_string
 
 
 class StoredLeaf(NamedTuple):
@@ -49,7 +49,7 @@ def _load(node: NodePlan) -> str:
         "storage.load();",
         f"{core}_Stored stored{{}};",
         'stored.has_cycle = storage.read("ignition_cycle", stored.ignition_cycle);',
-        *(f"storage.read_counts({string(each.error.named.name)}, stored.{each.error.named.name});" for each in node.monitors),
+        *(f"storage.read_counts({c_string(each.error.named.name)}, stored.{each.error.named.name});" for each in node.monitors),
         *(_read(each, node) for each in node.learned),
         scope("if (!storage.is_good())", ["storage.set_aside();", f"stored = {core}_Stored{{}};"]),
         "return stored;",
@@ -58,7 +58,9 @@ def _load(node: NodePlan) -> str:
 
 def _read(parameter: Parameter, node: NodePlan) -> str:
     place = f"stored.{parameter.named.name}"
-    reads = [f"storage.read({string(leaf.key)}, {place}.value{leaf.place})" for leaf in stored_leaves(parameter, node)]
+    reads = [
+        f"storage.read({c_string(leaf.key)}, {place}.value{leaf.place})" for leaf in stored_leaves(parameter, node)
+    ]
     if len(reads) == 1:
         return f"{place}.is_there = {reads[0]};"
     return "\n".join(
@@ -69,7 +71,7 @@ def _read(parameter: Parameter, node: NodePlan) -> str:
 def _store(node: NodePlan) -> str:
     return function(f"void store(const {node.core.type_name}_Stored & stored, Storage & storage)", [
         'storage.write("ignition_cycle", stored.ignition_cycle);',
-        *(f"storage.write_counts({string(each.error.named.name)}, stored.{each.error.named.name});" for each in node.monitors),
+        *(f"storage.write_counts({c_string(each.error.named.name)}, stored.{each.error.named.name});" for each in node.monitors),
         *(_written(each, node) for each in node.learned),
         "storage.save();",
     ])  # fmt: skip
@@ -78,6 +80,6 @@ def _store(node: NodePlan) -> str:
 def _written(parameter: Parameter, node: NodePlan) -> str:
     place = f"stored.{parameter.named.name}"
     writes = [
-        f"storage.write({string(leaf.key)}, {place}.value{leaf.place});" for leaf in stored_leaves(parameter, node)
+        f"storage.write({c_string(leaf.key)}, {place}.value{leaf.place});" for leaf in stored_leaves(parameter, node)
     ]
     return scope(f"if ({place}.is_there)", writes)

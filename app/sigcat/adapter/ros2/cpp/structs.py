@@ -1,8 +1,9 @@
 """Structs of messages and of the core, copied member by member."""
 
-from sigcat.adapter.ros2.cpp.layout import WIDEST, function, indented, spaced, text
+from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
+from sigcat.adapter.text_filters import c_string
 
 
 def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -12,13 +13,13 @@ def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         [node.core.header_file, f"{workspace.name}/values.hpp", *(header_of(pair.message) for pair in node.structs)]
     )
     return spaced([
-        f"{copyright_line(workspace)}\n//\n// Structs that {node.name} takes and gives, between messages and the core.",
+        text([copyright_line(workspace), "//", comment(f"Structs that {node.name} takes and gives, between messages and the core.")]),
         f"#ifndef {name}\n#define {name}",
-        "\n".join(f'#include "{each}"' for each in headers),
+        "\n".join(f"#include {c_string(each)}" for each in headers),
         f"namespace {workspace.name}\n{{",
         *(part for pair in node.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
-        f"}}  // namespace {workspace.name}",
-        f"#endif  // {name}",
+        f"}}  {comment(f'namespace {workspace.name}')}",
+        f"#endif  {comment(name)}",
     ]) + "\n"  # fmt: skip
 
 

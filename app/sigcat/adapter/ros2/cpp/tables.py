@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import indented, text
 from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodePlan, Symbol
+from sigcat.adapter.text_filters import c_string
 
 
 def symbol_tables(node: NodePlan) -> list[str]:
@@ -24,5 +24,5 @@ def _texts(node: NodePlan) -> Iterator[tuple[str, tuple[Symbol, ...]]]:
 
 
 def _table(name: str, symbols: tuple[Symbol, ...]) -> str:
-    rows = ",\n".join(f"{{{string(each.text)}, {each.number}}}" for each in symbols)
+    rows = ",\n".join(f"{{{c_string(each.text)}, {each.number}}}" for each in symbols)
     return text([f"constexpr Symbol {name}[] = {{", indented(rows), "};"])

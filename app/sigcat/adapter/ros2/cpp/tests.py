@@ -1,9 +1,9 @@
 """Tests of the package, which `colcon test` runs: the life of each node, its parameters, lock-step, what it keeps."""
 
-from sigcat.adapter.core.identifiers import string
 from sigcat.adapter.ros2.cpp.layout import spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, header_of
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.text_filters import c_string, docstring_text, python_string
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -28,7 +28,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     return spaced([
         "#include <gtest/gtest.h>\n#include <unistd.h>",
         "\n".join(f"#include <{each}>" for each in standard),
-        "\n".join(f'#include "{each}"' for each in sorted(headers)),
+        "\n".join(f"#include {c_string(each)}" for each in sorted(headers)),
     ])  # fmt: skip
 
 
@@ -52,12 +52,12 @@ protected:
   }}
 
   const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-    ("test_{node.stem}_" + std::to_string(getpid()));
+    ({c_string(f"test_{node.stem}_")} + std::to_string(getpid()));
 }};"""
 
 
 def _life(node: NodePlan) -> str:
-    file = f'folder_ / "{node.name}.txt"'
+    file = f"folder_ / {c_string(f'{node.name}.txt')}"
     kept = f"""
   EXPECT_TRUE(std::filesystem::exists({file}));""" if node.is_stored else ""  # fmt: skip
     return f"""TEST_F({node.type}Test, GoesThroughItsLife)
@@ -104,7 +104,7 @@ def _refused(parameter: NodeParameter) -> str:
     assert parameter.high is not None
     beyond = f"{parameter.high + 1}" if parameter.type == "double" else f"int64_t{{{int(parameter.high) + 1}}}"
     beyond = beyond if "." in beyond or "int64" in beyond else f"{beyond}.0"
-    name = string(parameter.name)
+    name = c_string(parameter.name)
     return f"""  const auto {parameter.name}_before = node->get_parameter({name});
   EXPECT_FALSE(node->set_parameter(rclcpp::Parameter({name}, {beyond})).successful);
   EXPECT_EQ(node->get_parameter({name}), {parameter.name}_before);"""
@@ -112,14 +112,14 @@ def _refused(parameter: NodeParameter) -> str:
 
 def _lock_step(node: NodePlan) -> str:
     cycles = [step.cycle for step in node.steps if step.cycle]
-    return _LOCK_STEP.format(type=node.type, name=node.name, cycle=min(cycles, default=10**7))
+    return _LOCK_STEP.format(type=node.type, service=c_string(f"/{node.name}/step"), cycle=min(cycles, default=10**7))
 
 
 _LOCK_STEP = """TEST_F({type}Test, RunsInLockStep)
 {{
   const auto node = make_node();
   const auto caller = std::make_shared<rclcpp::Node>("caller");
-  const auto client = caller->create_client<srv::Step>("/{name}/step");
+  const auto client = caller->create_client<srv::Step>({service});
   rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
   executor.add_node(node->get_node_base_interface());
   executor.add_node(caller->get_node_base_interface());
@@ -156,15 +156,16 @@ _LOCK_STEP = """TEST_F({type}Test, RunsInLockStep)
 
 
 def _stored(node: NodePlan) -> str:
+    file = c_string(f"{node.name}.txt")
     return f"""TEST_F({node.type}Test, StartsWithoutABrokenFile)
 {{
   std::filesystem::create_directories(folder_);
-  std::ofstream(folder_ / "{node.name}.txt") << "nothing that it wrote\\n";
+  std::ofstream(folder_ / {file}) << "nothing that it wrote\\n";
   const auto node = make_node();
   EXPECT_EQ(node->configure().id(), State::PRIMARY_STATE_INACTIVE);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "{node.name}.txt.broken"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / {c_string(f"{node.name}.txt.broken")}));
   EXPECT_EQ(node->cleanup().id(), State::PRIMARY_STATE_UNCONFIGURED);
-  std::ifstream file(folder_ / "{node.name}.txt");
+  std::ifstream file(folder_ / {file});
   std::string line;
   EXPECT_TRUE(std::getline(file, line));
   EXPECT_EQ(line, "sigcat 1");
@@ -173,8 +174,13 @@ def _stored(node: NodePlan) -> str:
 
 def launch_test(workspace: WorkspacePlan) -> str:
     """The launch file brings every node to its active state."""
-    nodes = ", ".join(repr(f"{workspace.namespace.rstrip('/')}/{node.name}") for node in workspace.nodes)
-    return _LAUNCH.format(package=workspace.name, nodes=nodes)
+    nodes = ", ".join(python_string(f"{workspace.namespace.rstrip('/')}/{node.name}") for node in workspace.nodes)
+    return _LAUNCH.format(
+        package=docstring_text(workspace.name),
+        name=python_string(workspace.name),
+        launch=python_string(f"launch/{workspace.name}.launch.py"),
+        nodes=nodes,
+    )
 
 
 _LAUNCH = '''"""The launch file brings every node of {package} to its active state."""
@@ -197,7 +203,7 @@ import pytest
 import rclpy
 
 NODES = ({nodes},)
-LAUNCH = 'launch/{package}.launch.py'
+LAUNCH = {launch}
 HOME = TemporaryDirectory()
 """Where the nodes keep what they store: not where those of the user do."""
 
@@ -205,7 +211,7 @@ HOME = TemporaryDirectory()
 @pytest.mark.launch_test
 def generate_test_description():
     """Launch all nodes."""
-    path = os.path.join(get_package_share_directory('{package}'), LAUNCH)
+    path = os.path.join(get_package_share_directory({name}), LAUNCH)
     source = PythonLaunchDescriptionSource(path)
     return LaunchDescription([
         SetEnvironmentVariable('ROS_HOME', HOME.name),

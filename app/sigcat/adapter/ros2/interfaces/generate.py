@@ -3,6 +3,7 @@
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.ros2.interfaces.message_text import message_text, service_text
 from sigcat.adapter.ros2.package_xml import package_xml
+from sigcat.adapter.text_filters import cmake_argument
 from sigcat.integration.ros2.model import InterfacePackage
 
 
@@ -31,7 +32,7 @@ def _depends(package: InterfacePackage) -> list[tuple[str, str]]:
 
 def _cmake(package: InterfacePackage, files: list[str]) -> str:
     found = "".join(f"find_package({name} REQUIRED)\n" for name in package.dependencies)
-    listed = "".join(f'  "{name}"\n' for name in files)
+    listed = "".join(f'  "{cmake_argument(name)}"\n' for name in files)
     others = f"  DEPENDENCIES {' '.join(package.dependencies)}\n" if package.dependencies else ""
     return f"""cmake_minimum_required(VERSION 3.16)
 project({package.name})

@@ -14,13 +14,12 @@ from sigcat.adapter.ros2.python.names import (
     exploded,
     function,
     imports,
-    pieces,
     python_names,
-    sentence,
     suite,
-    text,
     typed,
 )
+from sigcat.adapter.text_filters import AnyText, python_string, python_strings
+from sigcat.function.document.text import sentence
 
 
 def core_type(core: CorePlan) -> str:
@@ -132,16 +131,18 @@ def _class(node: NodePlan) -> Lines:
 
 def _attributes(node: NodePlan) -> Lines:
     core = node.core
-    learned = [f"{text(each.named.name)}: {text(node.stored_keys[each.variable])}" for each in node.learned]
+    learned = [
+        f"{python_string(each.named.name)}: {python_string(node.stored_keys[each.variable])}" for each in node.learned
+    ]
     return joined([
         lines(f"""
-            function = {text(core.function)}
-            package = {text(node.package)}
-            library = {text(f"{node.name}_core")}
+            function = {python_string(core.function)}
+            package = {python_string(node.package)}
+            library = {python_string(f"{node.name}_core")}
             declarations = DECLARATIONS
-            digest = {text(digest(core))}
+            digest = {python_string(digest(core))}
         """),
-        exploded("structs = (", map(text, struct_names(core))),
+        exploded("structs = (", map(python_string, struct_names(core))),
         exploded("calls = (", (_call(each.name, each.interface, each.deadline.most if each.deadline else None) for each in core.steps))
         if core.steps else (),
         (Line("errors = ("), *(row for monitor in _monitors(node) for row in monitor), Line(")")) if core.errors else (),
@@ -150,7 +151,7 @@ def _attributes(node: NodePlan) -> Lines:
 
 
 def _call(name: str, interface: str, longest: int | None) -> str:
-    return f"Call({text(name)}, {text(interface)}{f', longest={longest}' if longest is not None else ''})"
+    return f"Call({python_string(name)}, {python_string(interface)}{f', longest={longest}' if longest is not None else ''})"
 
 
 def _monitors(node: NodePlan) -> Iterator[Lines]:
@@ -158,15 +159,15 @@ def _monitors(node: NodePlan) -> Iterator[Lines]:
         name, told = monitor.error.named.name, monitor.diagnostic
         yield tuple(Line(f"    {row.text}") for row in (
             Line("Error("),
-            Line(f"    {text(name)}, {text(monitor.interface)},"),
+            Line(f"    {python_string(name)}, {python_string(monitor.interface)},"),
             *_argument(told.message), Line(f"    is_mild={told.level == 'WARN'},"),
             Line("),"),
         ))  # fmt: skip
 
 
-def _argument(value: str) -> Lines:
+def _argument(value: AnyText) -> Lines:
     """A text as an argument, in pieces if it is long."""
-    *before, last = [f"    {piece}" for piece in pieces(value, WIDEST - 20)]
+    *before, last = [f"    {piece}" for piece in python_strings(value, WIDEST - 20)]
     return tuple(Line(row) for row in (*before, f"{last},"))
 
 
@@ -182,9 +183,9 @@ def _taken(core: CorePlan) -> Iterator[tuple[str, WireType, str]]:
 def _receiver(name: str, wire: WireType, comment: str, core: CorePlan) -> Lines:
     given = "value"
     if wire.length is not None:
-        given = f"self._array({text(wire.c)}, value, {wire.length})"
+        given = f"self._array({python_string(wire.c)}, value, {wire.length})"
     elif wire.is_struct:
-        given = f"self._struct({text(wire.c)}, value)"
+        given = f"self._struct({python_string(wire.c)}, value)"
     takes = f"self._lib.{core.type_name}_Receive_{name}"
     arguments = (f"value: {typed(wire, is_sequence=True)}", "t: int")
     body = (
@@ -198,7 +199,7 @@ def _receiver(name: str, wire: WireType, comment: str, core: CorePlan) -> Lines:
 def _methods(core: CorePlan) -> Iterator[Lines]:
     names = method_names(core)
     for method in core.methods:
-        name, call = names[method.named.name], text(method.named.name)
+        name, call = names[method.named.name], python_string(method.named.name)
         if method.is_offered:
             given = _dictionary(method)
             yield function(f"method_{name}", [f"{own}: Any" for own in argument_names(method, is_request=True).values()],
@@ -215,7 +216,7 @@ def _methods(core: CorePlan) -> Iterator[Lines]:
 
 def _dictionary(method: Method) -> str:
     own = argument_names(method, is_request=True)
-    return f"{{{', '.join(f'{text(each.name)}: {own[each.name]}' for each in method.arguments)}}}"
+    return f"{{{', '.join(f'{python_string(each.name)}: {own[each.name]}' for each in method.arguments)}}}"
 
 
 def _told(core: CorePlan) -> Iterator[Lines]:

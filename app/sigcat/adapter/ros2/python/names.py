@@ -10,6 +10,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines
 from sigcat.adapter.core.identifiers import unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireType
+from sigcat.adapter.text_filters import AnyText, comment_rows, docstring_text, python_string
 from sigcat.names import camel_case, snake_case
 
 WIDEST = 99
@@ -31,54 +32,33 @@ def class_name(function: str) -> str:
     return camel_case(function)
 
 
-def text(value: str) -> str:
-    """A text as a literal with single quotes; with double ones where that saves escapes."""
-    return repr(value)
-
-
-def pieces(value: str, room: int) -> list[str]:
-    """A text as literals that stand one behind the other."""
-    found, rest = [], value
-    while len(text(rest)) > room:
-        at = rest.rfind(" ", 1, room - 10) + 1 or room - 10
-        found.append(text(rest[:at]))
-        rest = rest[at:]
-    return [*found, text(rest)]
-
-
 def number(value: object) -> str:
     """A number, or a list of numbers or texts, as a literal."""
     if isinstance(value, list | tuple):
         return f"[{', '.join(number(each) for each in value)}]"
-    return text(value) if isinstance(value, str) else _float(value) if isinstance(value, float) else repr(value)
+    return (
+        python_string(value) if isinstance(value, str) else _float(value) if isinstance(value, float) else repr(value)
+    )
 
 
 def _float(value: float) -> str:
-    return repr(value) if isfinite(value) else f"float('{value}')"
+    return repr(value) if isfinite(value) else f"float({python_string(str(value))})"
 
 
-def docstring(summary: str, more: Sequence[str] = ()) -> Lines:
+def docstring(summary: str, more: Sequence[AnyText] = ()) -> Lines:
     """A docstring: on one line if it fits, else with its summary on the second one."""
-    safe = [_documented(each) for each in (summary, *more)]
-    if not more and len(safe[0]) <= WIDEST - 14:
-        return (Line(f'"""{safe[0]}"""'),)
-    parts = [tuple(Line(row) for row in textwrap.wrap(each, WIDEST - 8, break_long_words=False)) for each in safe]
+    safe = docstring_text(summary)
+    if not more and len(safe) <= WIDEST - 14:
+        return (Line(f'"""{safe}"""'),)
+    texts = (safe, *map(docstring_text, more))
+    parts = [tuple(Line(row) for row in textwrap.wrap(each, WIDEST - 8, break_long_words=False)) for each in texts]
     rows = joined((*part, Line("")) for part in parts)[:-1]
     return (Line('"""'), *rows, Line('"""'))
 
 
-def _documented(written: str) -> str:
-    return written.replace("\\", "\\\\").replace('"""', "'''").rstrip('"')
-
-
-def sentence(written: str) -> str:
-    """A text with the full stop that a docstring wants."""
-    return written if written.rstrip().endswith((".", "!", "?")) else f"{written.rstrip()}."
-
-
-def commented(written: str) -> Lines:
+def commented(text: AnyText) -> Lines:
     """A comment, on as many lines as it needs."""
-    return tuple(Line(f"# {row}") for row in textwrap.wrap(written, WIDEST - 10, break_long_words=False))
+    return tuple(map(Line, comment_rows(text, "#", WIDEST - 8)))
 
 
 def suite(head: str, *body: Lines) -> Lines:

@@ -29,12 +29,11 @@ from sigcat.adapter.ros2.python.names import (
     function,
     imports,
     number,
-    pieces,
-    sentence,
     sorted_imports,
     suite,
-    text,
 )
+from sigcat.adapter.text_filters import AnyText, python_string, python_strings
+from sigcat.function.document.text import sentence
 from sigcat.integration.ros2.model import QualityOfService
 from sigcat.names import snake_case
 
@@ -100,7 +99,7 @@ def _class(node: NodePlan) -> Lines:
     core = node.core
     more = [sentence(core.description)] if core.description else []
     priority = lines(f"priority = {node.priority}") if node.priority is not None else ()
-    policy = lines(f"policy = {text(node.policy)}") if node.policy != "other" else ()
+    policy = lines(f"policy = {python_string(node.policy)}") if node.policy != "other" else ()
     return suite(f"class {node.type}(FunctionNode):", between([
         docstring(f"The node of {core.function}.", more),
         (*priority, *policy),
@@ -119,7 +118,7 @@ def _class(node: NodePlan) -> Lines:
 def _init(node: NodePlan) -> Lines:
     return function("__init__", ("**options: Any",), "None", "Make the core, and declare the parameters.",
                     lines(f"self.core = {core_type(node.core)}()"),
-                    lines(f"super().__init__({text(node.name)}, self.core, {_class_of(node.step_service)}, **options)"))  # fmt: skip
+                    lines(f"super().__init__({python_string(node.name)}, self.core, {_class_of(node.step_service)}, **options)"))  # fmt: skip
 
 
 # -- parameters ---------------------------------------------------------------------------------------------------
@@ -144,7 +143,7 @@ def _declared(parameter: NodeParameter) -> Lines:
     ])  # fmt: skip
     return (
         Line("self.declare("),
-        Line(f"    {text(parameter.name)},"),
+        Line(f"    {python_string(parameter.name)},"),
         Line(f"    {number(parameter.default)},"),
         *indented(suite("ParameterDescriptor(", descriptor)),
         Line("    ),"),
@@ -152,8 +151,8 @@ def _declared(parameter: NodeParameter) -> Lines:
     )
 
 
-def _described(name: str, value: str) -> Lines:
-    found = pieces(value, WIDEST - 20)
+def _described(name: str, value: AnyText) -> Lines:
+    found = python_strings(value, WIDEST - 20)
     if len(found) == 1 and len(found[0]) + len(name) < WIDEST - 20:
         return lines(f"{name}={found[0]},")
     return (Line(f"{name}=("), *(Line(f"    {piece}") for piece in found), Line("),"))
@@ -170,14 +169,14 @@ def _range(parameter: NodeParameter) -> str:
 
 
 def _core_parameters(node: NodePlan) -> Lines:
-    entries = [f"{text(each.parameter.named.name)}: {_parameter_value(each)}" for each in node.parameters]
+    entries = [f"{python_string(each.parameter.named.name)}: {_parameter_value(each)}" for each in node.parameters]
     return function("core_parameters", ("value_of: Callable[[str], Any]",), "Dict[str, Any]",
                     "Answer the parameters of the core, from those of the node.",
                     (Line("return {"), *(Line(f"    {each},") for each in entries), Line("}")))  # fmt: skip
 
 
 def _parameter_value(parameter: NodeParameter) -> str:
-    value = f"value_of({text(parameter.name)})"
+    value = f"value_of({python_string(parameter.name)})"
     if parameter.symbols:
         table = _table(parameter.symbols)
         if parameter.type.endswith("_array"):
@@ -187,7 +186,7 @@ def _parameter_value(parameter: NodeParameter) -> str:
 
 
 def _table(symbols: Iterable[Symbol]) -> str:
-    return f"{{{', '.join(f'{text(each.text)}: {each.number}' for each in symbols)}}}"
+    return f"{{{', '.join(f'{python_string(each.text)}: {each.number}' for each in symbols)}}}"
 
 
 # -- topics -------------------------------------------------------------------------------------------------------
@@ -197,28 +196,28 @@ def _create_topics(node: NodePlan) -> Lines:
     body = joined([
         *(_subscribed(each) for each in node.subscriptions),
         *(_advertised(each) for each in node.publishers),
-        *(call("self.offer(", (_class_of(each.service), text(each.topic), f"self._serve_{each.member}")) for each in node.offered),
-        *(call(f"self._client_{each.member} = self.use(", (_class_of(each.service), text(each.topic))) for each in node.used),
+        *(call("self.offer(", (_class_of(each.service), python_string(each.topic), f"self._serve_{each.member}")) for each in node.offered),
+        *(call(f"self._client_{each.member} = self.use(", (_class_of(each.service), python_string(each.topic))) for each in node.used),
     ]) or lines("pass")  # fmt: skip
     return function("create_topics", (), "None", "Create subscriptions, publishers, services and clients.", body)
 
 
 def _subscribed(subscription: Subscription) -> Lines:
-    arguments = [_class_of(subscription.message), text(subscription.topic), _quality(subscription.quality)]
+    arguments = [_class_of(subscription.message), python_string(subscription.topic), _quality(subscription.quality)]
     arguments.append(f"self._take_{subscription.member}")
     arguments += ["wakes=True"] if any(each.wakes for each in subscription.takes) else []
     return exploded("self.take(", arguments)
 
 
 def _advertised(publisher: Publisher) -> Lines:
-    arguments = (_class_of(publisher.message), text(publisher.topic), _quality(publisher.quality))
+    arguments = (_class_of(publisher.message), python_string(publisher.topic), _quality(publisher.quality))
     return exploded(f"self._send_{publisher.member} = self.give(", arguments)
 
 
 def _quality(quality: QualityOfService) -> str:
-    given = [text(quality.reliability), text(quality.durability), f"depth={quality.depth}"]
+    given = [python_string(quality.reliability), python_string(quality.durability), f"depth={quality.depth}"]
     given += [f"deadline={quality.deadline:g}"] if quality.deadline is not None else []
-    given += [f"liveliness={text(quality.liveliness)}"] if quality.liveliness != "automatic" else []
+    given += [f"liveliness={python_string(quality.liveliness)}"] if quality.liveliness != "automatic" else []
     given += [f"lease={quality.lease_duration:g}"] if quality.lease_duration is not None else []
     return f"quality({', '.join(given)})"
 
@@ -234,7 +233,7 @@ def _take(subscription: Subscription, node: NodePlan) -> Lines:
 def _taken(taken: Taken, node: NodePlan) -> Lines:
     value, is_array = f"message.{taken.field}", taken.wire.length is not None
     if taken.symbols:
-        pairs = [(text(each.text), str(each.number)) for each in taken.symbols]
+        pairs = [(python_string(each.text), str(each.number)) for each in taken.symbols]
         value = _looked_up(value, pairs, str(taken.nameless), is_array=is_array)
     elif taken.numbers:
         value = _looked_up(value, [(str(one), str(other)) for one, other in taken.numbers], None, is_array=is_array)
@@ -301,7 +300,7 @@ def _member(given: Given, node: NodePlan) -> str:
 def _filled(given: Given, value: str, node: NodePlan) -> Iterator[Lines]:
     yield commented(given.comment)
     if given.symbols:
-        pairs = [(str(each.number), text(each.text)) for each in given.symbols]
+        pairs = [(str(each.number), python_string(each.text)) for each in given.symbols]
         texts = _looked_up(value, pairs, "''", is_array=given.wire.length is not None)
         yield lines(f"message.{given.field} = {texts}")
         if given.number_field:
@@ -327,12 +326,12 @@ def _handed_over(given: Given, value: str, node: NodePlan) -> Iterator[Lines]:
 def _conversions(pair: StructPair, node: NodePlan) -> Iterator[Lines]:
     """Functions between a message and what the core takes and gives."""
     stem, items = _stem(pair), list(zip(pair.members, pair.struct.fields, strict=True))
-    taken = [f"{text(member.name)}: {_struct_value(f'message.{field}', _wire(member.c, member.length, node), node)}"
+    taken = [f"{python_string(member.name)}: {_struct_value(f'message.{field}', _wire(member.c, member.length, node), node)}"
              for field, member in items]  # fmt: skip
     yield suite(f"def _{stem}_of(message: {_class_of(pair.message)}) -> Dict[str, Any]:",
                 docstring(f"Answer a {pair.message.name} as the core takes it."),
                 (Line("return {"), *(Line(f"    {each},") for each in taken), Line("}")))  # fmt: skip
-    given = [f"{field}={_message_value(f'value[{text(member.name)}]', _wire(member.c, member.length, node), node)}"
+    given = [f"{field}={_message_value(f'value[{python_string(member.name)}]', _wire(member.c, member.length, node), node)}"
              for field, member in items]  # fmt: skip
     yield suite(f"def _{stem}_message(value: Dict[str, Any]) -> {_class_of(pair.message)}:",
                 docstring(f"Answer a {pair.message.name} that the core has given."),
@@ -392,18 +391,19 @@ def _argument(value: str, field: ArgumentField, node: NodePlan) -> str:
 
 
 def _result(field: ArgumentField, node: NodePlan) -> str:
-    return _message_value(f"results[{text(field.argument.name)}]", field.argument.value.wire, node)
+    return _message_value(f"results[{python_string(field.argument.name)}]", field.argument.value.wire, node)
 
 
 def _request(service: MethodService, node: NodePlan) -> Lines:
     name = method_names(node.core)[service.method.named.name]
     arguments = "arguments" if service.request else "_"
     filled = [
-        f"request.{each.field} = {_message_value(f'arguments[{text(each.argument.name)}]', each.argument.value.wire, node)}"
+        f"request.{each.field} = {_message_value(f'arguments[{python_string(each.argument.name)}]', each.argument.value.wire, node)}"
         for each in service.request
     ]
     results = [
-        f"{text(each.argument.name)}: {_argument(f'response.{each.field}', each, node)}" for each in service.response
+        f"{python_string(each.argument.name)}: {_argument(f'response.{each.field}', each, node)}"
+        for each in service.response
     ]
     is_ok = f"bool(response.{service.success})" if service.success else "True"
     body = joined([

@@ -3,7 +3,8 @@
 from sigcat.adapter.core.c.lines import Lines, lines
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.ros2.python.names import docstring, text
+from sigcat.adapter.ros2.python.names import docstring
+from sigcat.adapter.text_filters import python_string
 from sigcat.names import snake_case
 
 _DEPENDENCIES = (
@@ -33,16 +34,16 @@ def setup_py(workspace: WorkspacePlan) -> Lines:
     """setup.py, with an executable for each node."""
     name = package_name(workspace)
     scripts = "".join(
-        f"            {text(f'{node.executable} = {name}.{node.stem}:main')},\n" for node in workspace.nodes
+        f"            {python_string(f'{node.executable} = {name}.{node.stem}:main')},\n" for node in workspace.nodes
     )
     return lines(f"""
 from setuptools import find_packages, setup
 
-package_name = {text(name)}
+package_name = {python_string(name)}
 
 setup(
     name=package_name,
-    version={text(workspace.package.version)},
+    version={python_string(workspace.package.version)},
     packages=find_packages(exclude=['test']),
     package_data={{package_name: ['py.typed']}},
     data_files=[
@@ -51,10 +52,10 @@ setup(
     ],
     install_requires=['setuptools', 'cffi'],
     zip_safe=False,
-    maintainer={text(workspace.package.maintainer)},
-    maintainer_email={text(workspace.package.email)},
-    description={text(f"{workspace.application} in Python.")},
-    license={text(workspace.package.license)},
+    maintainer={python_string(workspace.package.maintainer)},
+    maintainer_email={python_string(workspace.package.email)},
+    description={python_string(f"{workspace.application} in Python.")},
+    license={python_string(workspace.package.license)},
     tests_require=['pytest'],
     entry_points={{
         'console_scripts': [

@@ -1,0 +1,201 @@
+"""Rooms that write files of other languages put values into comments and strings through `text_filters` alone.
+
+The test reads their source: in each text that is put together, it looks where the values stand.
+"""
+
+import ast
+import re
+import string
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+import sigcat
+from sigcat.adapter import text_filters
+
+SOURCE = Path(sigcat.__file__).parent
+ROOMS = ("adapter", "comparison", "players", "runs")
+SHIPPED = re.compile(r"/support(_of_humble)?/")
+"""Files that are copied as they are."""
+FILTERS = {
+    *(
+        name
+        for name, value in vars(text_filters).items()
+        if callable(value) and value.__module__ == text_filters.__name__
+    ),
+    "commented",  # each wraps rows of comments as its language is laid out
+    "dumps",
+    "escape",
+}
+NUMBERS = re.compile(r"[\d.,]*[dgfeXx]|,")
+"""Format specifications of numbers."""
+PICTURES = {"comparison/report/drawing.py", "runs/recording/svg_file.py"}
+"""Files whose attributes are positions, which they have computed."""
+AS_THEY_ARE = {
+    "setting": "a name of CMake, made of a function's",
+    "base": "the same in ${}",
+    "swc.core.code_setting": "the same",
+    "component.core.code_setting": "the same",
+    "_anchor(each)": "made of a heading of ours",
+    "_anchor(section)": "the same",
+    "cell.tone": "one of three words",
+    "doubled": "a cell, with its quotation marks doubled",
+    "symbol": "in a message to the user",
+    "values": "behind `/**:`, which is a key of YAML",
+    "body": "the same",
+}
+"""Values that stand in comments and strings as they are, and why that is safe."""
+
+
+class Part(NamedTuple):
+    """A piece of a text that is put together: what it says, or the value that stands there."""
+
+    text: str
+    value: ast.expr | None = None
+    is_number: bool = False
+
+
+def files() -> list[Path]:
+    found = [path for room in ROOMS for path in (SOURCE / room).rglob("*.py")]
+    return sorted(path for path in found if not SHIPPED.search(path.as_posix()) and path.name != "text_filters.py")
+
+
+def texts(tree: ast.AST) -> Iterator[list[Part]]:
+    """Texts that a module puts together: f-strings, sums and templates that are formatted."""
+    constants = {
+        target.id: node.value.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            yield list(_joined(node))
+        elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            yield [part for each in _added(node) for part in each]
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "format":
+            template = node.func.value
+            text = template.value if isinstance(template, ast.Constant) else constants.get(getattr(template, "id", ""))
+            if isinstance(text, str):
+                yield list(_formatted(text, {each.arg: each.value for each in node.keywords if each.arg}))
+
+
+def _joined(node: ast.JoinedStr) -> Iterator[Part]:
+    for each in node.values:
+        if isinstance(each, ast.FormattedValue):
+            spec = "".join(
+                str(part.value) for part in getattr(each.format_spec, "values", ()) if isinstance(part, ast.Constant)
+            )
+            yield Part("", each.value, bool(NUMBERS.fullmatch(spec)))
+        elif isinstance(each, ast.Constant):
+            yield Part(str(each.value))
+
+
+def _added(node: ast.expr) -> Iterator[list[Part]]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        yield from _added(node.left)
+        yield from _added(node.right)
+    elif isinstance(node, ast.JoinedStr):
+        yield list(_joined(node))
+    else:
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str)
+        yield [Part(node.value) if is_text else Part("", node)]  # type: ignore[attr-defined]
+
+
+def _formatted(text: str, given: Mapping[str, ast.expr]) -> Iterator[Part]:
+    for before, name, spec, _ in string.Formatter().parse(text):
+        yield Part(before)
+        if name is not None:
+            yield Part("", given.get(name), bool(NUMBERS.fullmatch(spec or "")))
+
+
+_OPENS = re.compile(r"""/\*|(?<!:)//|(?:^|(?<=\n)|(?<=  ))\#(?=\ )|"|(?<![\w.\])])'""", re.VERBOSE)
+_CLOSES = {"/*": r"\*/", "//": r"\n", "#": r"\n", '"': r'(?<!\\)"|\n', "'": r"(?<!\\)'|\n"}
+
+
+def inside(parts: Sequence[Part]) -> Iterator[ast.expr]:
+    """Values that stand in a comment or in a string."""
+    opened: str | None = None
+    for part in parts:
+        if part.value is not None:
+            if opened and not part.is_number:
+                yield part.value
+            continue
+        text = part.text
+        while match := re.search(_CLOSES[opened] if opened else _OPENS, text):
+            opened = None if opened else match[0]
+            text = text[match.end() :]
+
+
+def is_filtered(value: ast.expr, known: Mapping[str, list[ast.expr]]) -> bool:
+    """Whether a filter has made it, or it stands in the source. `known` are the values of variables of the module."""
+    if isinstance(value, ast.Constant) or ast.unparse(value) in {*FILTERS, *AS_THEY_ARE}:
+        return True
+    if isinstance(value, ast.Call):
+        name = value.func.attr if isinstance(value.func, ast.Attribute) else getattr(value.func, "id", "")
+        return name in FILTERS or (name in ("join", "map") and is_filtered(value.args[0], known))
+    if isinstance(value, ast.Name):
+        return value.id in known and all(is_filtered(each, {}) for each in known[value.id])
+    parts = _values_of(value)
+    return bool(parts) and all(is_filtered(each, known) for each in parts)
+
+
+def _values_of(value: ast.expr) -> list[ast.expr]:
+    if isinstance(value, ast.IfExp):
+        return [value.body, value.orelse]
+    if isinstance(value, ast.JoinedStr):
+        return [part.value for part in _joined(value) if part.value]
+    return [value.elt] if isinstance(value, ast.GeneratorExp) else []
+
+
+def variables(tree: ast.AST) -> Mapping[str, list[ast.expr]]:
+    found: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            found.setdefault(node.targets[0].id, []).append(node.value)
+    return {name: values for name, values in found.items() if name not in AS_THEY_ARE}
+
+
+def bypasses(source: str) -> list[str]:
+    """Values of a module that stand in a comment or a string as they are."""
+    tree = ast.parse(source)
+    known = variables(tree)
+    found = [value for parts in texts(tree) for value in inside(parts) if not is_filtered(value, known)]
+    return sorted({f"{value.lineno}: {ast.unparse(value)}" for value in found})
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'f"/* {name} */"', 'f"int a; // {name}"', """f'x = "{name}";'""", 'f"# {name}\\n"', """'"' + name + '"'""",
+        """'set(A "{x}")'.format(x=name)""", """TEMPLATE = '/* {x} */'\nTEMPLATE.format(x=name)""", """f"a = '{name}'\"""",
+        'text = name.upper()\nf"/* {text} */"',
+    ],
+)  # fmt: skip
+def test_a_value_that_bypasses_the_filters_is_found(source: str) -> None:
+    assert len(bypasses(source)) == 1
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'f"{name} x; /* known */"', 'f"/* {comment(name)} */ {name}"', 'f"{c_string(name)}, {name}"', 'f"\\"{number:d}\\""',
+        'text = comment(name)\nf"/* {text} */"', 'f"{name}://{name}"',
+    ],
+)  # fmt: skip
+def test_a_value_that_goes_through_a_filter_is_not_found(source: str) -> None:
+    assert bypasses(source) == []
+
+
+@pytest.mark.parametrize("path", files(), ids=lambda path: str(path.relative_to(SOURCE)))
+def test_values_stand_in_comments_and_strings_through_filters_alone(path: Path) -> None:
+    assert path.relative_to(SOURCE).as_posix() in PICTURES or bypasses(path.read_text()) == []
+
+
+@pytest.mark.parametrize("path", files(), ids=lambda path: str(path.relative_to(SOURCE)))
+def test_nobody_else_takes_the_characters_of_a_text(path: Path) -> None:
+    nodes = ast.walk(ast.parse(path.read_text()))
+    assert [node.lineno for node in nodes if isinstance(node, ast.Attribute) and node.attr == "raw"] == []
