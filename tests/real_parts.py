@@ -53,6 +53,15 @@ KINDS = (
         ),
     ),
     Kind(
+        "attacks in the text of documents",
+        ("tests/adapter/test_hostile_text.py",),
+        (
+            "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[0-autosar-classic]",
+            "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[2-ros2]",
+            "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[10-autosar-adaptive]",
+        ),
+    ),
+    Kind(
         "every page in a browser",
         ("tests/web/in_browser",),
         (

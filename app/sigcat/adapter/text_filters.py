@@ -1,7 +1,7 @@
 """Filters through which values of documents reach generated files: one for each place that a file has for text.
 
-Each takes any text and returns what is harmless in its place: it neither ends there nor begins anything else. Characters that
-nobody sees, or that change the order in which others are read, become an escape, or their number: `[U+202E]`.
+Each takes any text and returns text that is harmless in its place: it does not end the place, and begins nothing else in it. Invisible
+characters, and those that change the reading direction, become an escape or their number: `[U+202E]`.
 """
 
 import json

@@ -123,18 +123,25 @@ def _wrapped(line: Line) -> Lines:
         return _wrapped_comment(line)
     code, mark, comment = line.text.partition(" /* ")
     indent = " " * (len(code) - len(code.lstrip()))
-    is_directive = code.lstrip().startswith("#") or code.endswith("\\")
-    if len(line.text) <= WIDEST or is_directive or code.lstrip().startswith("*"):
+    if len(line.text) <= WIDEST or code.lstrip().startswith(("#", "*", "//")) or code.endswith("\\"):
         return (line,)
     if mark and code.strip():
         return (Line(f"{indent}/* {comment}"), *_wrapped(line._replace(text=code)))
     for sign in _BREAKS:
-        at = code.rfind(sign, len(indent) + 1, WIDEST - len(sign.rstrip()))
+        at = _outside_of_strings(code, sign, len(indent) + 1)
         if at > len(indent) + 20:
             cut = at + (len(sign) - 1 if sign in (", ", " = ") else 1 if sign == "(" else 0)
             rest = Line(f"{indent}    {code[cut:].lstrip()}", line.source)
             return (Line(code[:cut].rstrip(), line.source), *_wrapped_rest(rest, indent))
     return (line,)
+
+
+def _outside_of_strings(code: str, sign: str, start: int) -> int:
+    """Where the last sign is that a line has room for. A string has no quotation mark inside."""
+    at = code.rfind(sign, start, WIDEST - len(sign.rstrip()))
+    while at >= 0 and code.count('"', 0, at) % 2:
+        at = code.rfind(sign, start, at)
+    return at
 
 
 def _wrapped_comment(line: Line) -> Lines:

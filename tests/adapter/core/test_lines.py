@@ -1,0 +1,32 @@
+"""Long lines of C are broken between words of code, and nowhere else."""
+
+from clang.cindex import Index, TokenKind
+
+from sigcat.adapter.core.c.lines import WIDEST, Line, wrapped
+from sigcat.adapter.text_filters import block_comment, c_string
+
+HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8
+
+
+def kinds(text: str) -> list[TokenKind]:
+    """Kinds of the tokens of a line, as it is broken."""
+    source = "\n".join(line.text for line in wrapped([Line(text)]))
+    unit = Index.create().parse("a.cpp", unsaved_files=[("a.cpp", source)])
+    return [token.kind for token in unit.get_tokens(extent=unit.cursor.extent)]
+
+
+def test_a_line_is_broken_between_words():
+    text = f"value = first({', '.join(['second'] * 30)});"
+    assert max(len(line.text) for line in wrapped([Line(text)])) <= WIDEST
+
+
+def test_a_string_stays_whole():
+    found = kinds(f"value = first(second, {c_string(HOSTILE)}, third);")
+    assert found.count(TokenKind.LITERAL) == 1
+    assert found.count(TokenKind.IDENTIFIER) == 4
+
+
+def test_a_comment_stays_one():
+    assert kinds(f"// {'evil(' * 60}") == [TokenKind.COMMENT]
+    assert kinds(block_comment(HOSTILE)) == [TokenKind.COMMENT]
+    assert kinds(f"first = second; {block_comment(HOSTILE)}").count(TokenKind.COMMENT) == 1
