@@ -10,14 +10,14 @@ HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8
 
 def kinds(text: str) -> list[TokenKind]:
     """Kinds of the tokens of a line, as it is broken."""
-    source = "\n".join(line.text for line in wrapped([Line(text)]))
+    source = "\n".join(line.text for line in wrapped((Line(text),)))
     unit = Index.create().parse("a.cpp", unsaved_files=[("a.cpp", source)])
     return [token.kind for token in unit.get_tokens(extent=unit.cursor.extent)]
 
 
 def test_a_line_is_broken_between_words():
     text = f"value = first({', '.join(['second'] * 30)});"
-    assert max(len(line.text) for line in wrapped([Line(text)])) <= WIDEST
+    assert max(len(line.text) for line in wrapped((Line(text),))) <= WIDEST
 
 
 def test_a_string_stays_whole():
