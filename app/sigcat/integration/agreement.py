@@ -85,3 +85,13 @@ def _in_value(
                 message.replace("a error", "an error").replace("a interface", "an interface"),
                 did_you_mean(value, names) or "Integrate the functions again.",
             )
+
+
+def argument_counts(functions: Sequence[FunctionJson]) -> Mapping[str, frozenset[tuple[int, int]]]:
+    """How many arguments and results the methods of a name have."""
+    found: dict[str, frozenset[tuple[int, int]]] = {}
+    for function in functions:
+        for _, _, method in methods(function):
+            counts = (len(method.inputs), len(method.outputs))
+            found[method.name] = found.get(method.name, frozenset()) | {counts}
+    return found

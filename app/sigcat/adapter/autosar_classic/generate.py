@@ -6,6 +6,7 @@ from sigcat.adapter.autosar_classic.code.derive import derive
 from sigcat.adapter.autosar_classic.code.generate import generate as generate_components
 from sigcat.adapter.autosar_classic.test_rte.generate import generate as generate_test_rte
 from sigcat.adapter.files import GeneratedFile, within
+from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
@@ -24,7 +25,8 @@ def generate(
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_CLASSIC, "autosar-classic")
     cores = source_cores(functions)
-    plan = derive(model, cores)
+    with placed_in(data, name, limits):
+        plan = derive(model, cores)
     return (
         *within("arxml", generate_arxml(model, release)),
         *within("core", files_of(cores)),

@@ -2,6 +2,7 @@
 
 from sigcat import codes
 from sigcat.adapter.files import GeneratedFile, within
+from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.ros2.bringup.generate import bringup_files
 from sigcat.adapter.ros2.cpp.generate import cpp_files
 from sigcat.adapter.ros2.derive import derive
@@ -24,7 +25,8 @@ def generate(data: bytes, name: str, limits: Limits, release: str | None) -> tup
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_ROS2, "ros2")
     cores = source_cores(functions)
-    workspace = derive(model, cores, release or DEFAULT_RELEASE)
+    with placed_in(data, name, limits):
+        workspace = derive(model, cores, release or DEFAULT_RELEASE)
     (interfaces,) = model.interface_packages or ()
     return (
         *bringup_files(workspace, model),

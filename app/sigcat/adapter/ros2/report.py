@@ -100,10 +100,8 @@ def _of_node(node: RosNode, package: str, model: Ros2Integration) -> Iterator[En
         ("safety reaction", node.conditions),
     ):  # fmt: skip
         for each in listed:
-            message = getattr(each, "message", "")  # of an error its text, which is in no message
-            yield from _entries(
-                node, kind, each, {**places, "interfaces": f"{message}.msg" if isinstance(message, str) else ""}
-            )
+            message = getattr(each, "message", "") if kind == "status" else ""
+            yield from _entries(node, kind, each, {**places, "interfaces": f"{message}.msg"})
 
 
 def _ending(node: RosNode, model: Ros2Integration) -> str:

@@ -2,9 +2,11 @@
 
 from collections.abc import Iterator
 
+from sigcat import codes
 from sigcat.adapter.core.plan import WireStruct, WireType
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import InterfaceType, StructPair
+from sigcat.errors import InputRefused
 from sigcat.integration.ros2.model import Message
 from sigcat.integration.ros2.services import CLIENT, SERVER
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
@@ -45,6 +47,10 @@ def _add(
     message: Message, struct: WireStruct, found: dict[str, StructPair], known: dict[str, WireStruct], package: str,
     context: NodeContext,
 ) -> None:  # fmt: skip
+    if len(message.fields) != len(struct.fields):
+        told = f"The message {message.name} must have the {len(struct.fields)} members of its struct, not {len(message.fields)}."
+        finding = codes.NOT_WRITABLE_AS_ROS2.finding(told, pointer="/InterfacePackageList/0/Messages")
+        raise InputRefused("The integration cannot become packages.", (finding,))
     for field, member in zip(message.fields, struct.fields, strict=True):
         if member.c in known:
             _add(context.messages[_element(field.datatype)], known[member.c], found, known, package, context)

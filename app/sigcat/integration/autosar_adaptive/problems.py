@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from sigcat.function.document.document import Pointer
+from sigcat.integration.agreement import argument_counts
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
     EVENTS,
@@ -49,6 +50,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     yield from _names((((*at, i), item.executable) for i, item in enumerate(model.components)), "executable")
     for index, component in enumerate(model.components):
         yield from _in_component(component, (*at, index), types)
+    yield from _method_arguments(model)
     yield from _names(_storage_interfaces(model), "storage interface")
     yield from _identifiers(model)
     yield from _versions(model)
@@ -130,6 +132,21 @@ def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[P
         yield from _word((*at, "Fields", index), field.word, field.name, types)
     for index, event in enumerate(services.events):
         yield from _word((*at, "Events", index), event.datatype, event.name, types)
+
+
+def _method_arguments(model: IntegrationModel) -> Iterator[Problem]:
+    """Methods have as many arguments and results as in the functions that offer or use them."""
+    counts = argument_counts(model.functions or ())
+    for index, component in enumerate(model.components):
+        for number, interface in enumerate(component.services):
+            for position, services in enumerate(interface.services):
+                at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number, "ServiceList", position)
+                for place, method in enumerate(services.methods):
+                    own = (len(method.inputs or ()), len(method.outputs or ()))
+                    names = {use.method.name for use in method.uses or ()} & counts.keys()
+                    if any(own not in counts[name] for name in names):
+                        message = f"{method.name} must have the arguments and results that it has in its functions."
+                        yield Problem((*at, "Methods", place), message, "Integrate the functions again.")
 
 
 def _word(pointer: Pointer, word: str, owner: str, types: set[str]) -> Iterator[Problem]:

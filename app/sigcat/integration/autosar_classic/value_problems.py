@@ -96,6 +96,13 @@ def _listed(value: list[Any], shape: _Shape, element: _Shape, at: Pointer) -> It
         yield from _value(each, element, (*at, index))
 
 
+_INTEGERS: Mapping[str, tuple[int, int]] = {
+    "boolean": (0, 1),
+    **{f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)},
+    **{f"sint{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)},
+}
+
+
 def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Problem]:
     for name in value.keys() ^ shape.members.keys():
         what = "is not one" if name in value else "is missing"
@@ -120,13 +127,8 @@ def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
 
 def _range(base: str) -> tuple[float, float]:
     """Smallest and largest value of a platform type; of another type those of the largest."""
-    if base == "boolean":
-        return 0, 1
-    if base.startswith("uint"):
-        return 0, 2 ** int(base.removeprefix("uint")) - 1
-    if base.startswith("sint"):
-        half = 2 ** (int(base.removeprefix("sint")) - 1)
-        return -half, half - 1
+    if base in _INTEGERS:
+        return _INTEGERS[base]
     largest = _LARGEST_FLOAT.get(base, _LARGEST_FLOAT["float64"])
     return -largest, largest
 

@@ -6,6 +6,7 @@ from math import isfinite
 from typing import Any
 
 from sigcat.function.document.document import Pointer
+from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.model import (
@@ -18,6 +19,7 @@ from sigcat.integration.ros2.model import (
     Ros2Integration,
     RosNode,
     RosParameter,
+    RosService,
 )
 from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
 from sigcat.integration.ros2.settings import EMAIL, NAMESPACE
@@ -44,6 +46,7 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
     for index, nodes in enumerate(model.node_packages or ()):
         yield from _package(nodes, ("NodePackageList", index))
         yield from _nodes(nodes, ("NodePackageList", index))
+    counts = argument_counts(model.functions or ())
     for index, communication in enumerate(model.communications):
         at: Pointer = ("CommunicationList", index)
         for number, topic in enumerate(communication.topics):
@@ -56,6 +59,14 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
             below = (*at, "ROSServiceList", number)
             yield from _is(service.name, _TOPIC, (*below, "ServiceName"), "name of a service")
             yield from _is(service.service, _INTERFACE, (*below, "ServiceType"), "type of a service")
+            if (len(service.request), len(service.response)) not in counts.get(service.method, _any_count(service)):
+                message = f"{service.name} must have the arguments and results of {service.method}."
+                yield Problem(below, message, "Integrate the functions again.")
+
+
+def _any_count(service: RosService) -> frozenset[tuple[int, int]]:
+    """What fits where no function has the method, which is told elsewhere."""
+    return frozenset(((len(service.request), len(service.response)),))
 
 
 def _is(text: str, form: re.Pattern[str], at: Pointer, what: str) -> Iterator[Problem]:

@@ -17,6 +17,7 @@ from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.core.c.lines import Lines, wrapped
 from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
@@ -41,7 +42,8 @@ def generate(
     rule = codes.NOT_WRITABLE_AS_ARXML
     functions = source_functions(model.functions, data, name, limits, rule, "autosar-adaptive")
     cores = source_cores(functions)
-    application = derive(model, cores)
+    with placed_in(data, name, limits):
+        application = derive(model, cores)
     return (
         *within("arxml", arxml),
         *within("core", files_of(cores)),

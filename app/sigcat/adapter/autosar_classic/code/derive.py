@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from sigcat import codes
+from sigcat.adapter.autosar_classic.code.disagreements import disagreements
 from sigcat.adapter.autosar_classic.code.ends import SwcContext, received, sent
 from sigcat.adapter.autosar_classic.code.operations import method_ends
 from sigcat.adapter.autosar_classic.code.plan import (
@@ -29,6 +30,8 @@ def derive(model: ClassicIntegration, cores: SourceCores) -> ClassicPlan:
         raise InputRefused("The integration cannot become software components.", tuple(found))
     types = rte_types(model)
     swcs = tuple(_swc(SwcContext(model, each, *cores[each.function], types)) for each in model.components)
+    if told := dict.fromkeys(finding for at, swc in enumerate(swcs) for finding in disagreements(swc, at)):
+        raise InputRefused("The integration cannot become software components.", tuple(told))
     return ClassicPlan(model.info.name, swcs, types)
 
 

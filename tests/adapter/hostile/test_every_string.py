@@ -1,0 +1,93 @@
+"""Every string of every document is free text, or of a type that refuses what a language interprets.
+
+What becomes of free text is tested with the parsers of the languages, in tests/adapter/test_hostile_text.py.
+"""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from pydantic import BaseModel
+
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.field_types import FREE
+from sigcat.function.document.text import Text
+from sigcat.function.document.unfit_texts import string_fields, typed_strings
+from sigcat.function.function_json.model import FunctionJson
+from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.ros2.model import Ros2Integration
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.platform import Options
+from sigcat.platforms.table import PLATFORMS
+from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION_JSON, document, strings
+from tests.adapter.test_hostile_text import words_of_xml
+
+MODELS: dict[str, type[BaseModel]] = {
+    FUNCTION_JSON: FunctionJson,
+    "autosar-adaptive": IntegrationModel,
+    "autosar-classic": ClassicIntegration,
+    "ros2": Ros2Integration,
+}
+EVIL = "EVIL_code"
+PAYLOADS = (
+    f"x */ {EVIL}; /*", f'x"; {EVIL}; "', f"x'; {EVIL}; '", "x\\", f"x\n{EVIL}", f"x\r{EVIL}", f"]]><{EVIL}/>", f"${{{EVIL}}}", f"$({EVIL})",
+    f"#) {EVIL}(", f'"""\n{EVIL}\n"""', f"x ??/\n{EVIL}", f"x\0{EVIL}", f"x\u202e{EVIL}", f"x\u2066{EVIL}", f"x\u2028{EVIL}", f"`{EVIL}`",
+    f"<script>{EVIL}</script>", f"x; {EVIL}", f"$<{EVIL}:x>", f"@{EVIL}@", f"x // {EVIL}\n", f"%s {{0}} #{EVIL}", f"x {EVIL} " * 1_000,
+)  # fmt: skip
+
+
+def read(kind: str) -> BaseModel:
+    return MODELS[kind].model_validate(json.loads(document(kind)), by_name=False)
+
+
+def other_strings(value: Any, at: Pointer = ()) -> Iterator[tuple[Pointer, str]]:
+    """Pointers of free text, and of words that a model lists one by one."""
+    if isinstance(value, Text):
+        yield at, "free"
+    elif isinstance(value, str):
+        yield at, "listed"
+    elif isinstance(value, tuple | list):
+        for index, item in enumerate(value):
+            yield from other_strings(item, (*at, index))
+    elif isinstance(value, dict):
+        for key, item in value.items():
+            yield from other_strings(item, (*at, key))
+    elif isinstance(value, BaseModel):
+        typed = {field.name for field in string_fields(type(value)) if field.values is not None}
+        for name, info in type(value).model_fields.items():
+            inner = getattr(value, name)
+            if name not in typed or not isinstance(inner, str | tuple | list | dict):
+                yield from other_strings(inner, (*at, info.alias or name))
+
+
+@pytest.mark.parametrize("kind", DOCUMENTS)
+def test_each_string_is_free_text_or_has_a_type(kind):
+    model = read(kind)
+    known = {each.pointer for each in typed_strings(model)} | {pointer for pointer, _ in other_strings(model)}
+    assert {pointer for pointer, _ in strings(json.loads(document(kind)))} <= known
+
+
+@pytest.mark.parametrize("payload", PAYLOADS, ids=ascii)
+@pytest.mark.parametrize("kind", DOCUMENTS)
+def test_no_field_with_a_type_takes_a_payload(kind, payload):
+    grammars = {each.grammar for each in typed_strings(read(kind)) if each.grammar is not FREE}
+    assert len(grammars) > 10
+    assert [grammar.expected for grammar in grammars if grammar.accepts(payload)] == []
+
+
+@pytest.mark.parametrize("kind", PLATFORMS)
+def test_what_a_document_only_keeps_is_text_in_arxml_at_most(kind):
+    whole = json.loads(document(kind))
+    if "Provenance" in whole:
+        whole["Provenance"] = [{"Generator": PAYLOADS[0], "Kept": PAYLOADS[1], "Deep": {"Keys": PAYLOADS[6]}}]
+    for function in whole["SourceFunctionList"]:
+        for definition in function["Provenance"]["Definitions"]:
+            definition["Attributes"] = {"description": PAYLOADS[0], "Kept": PAYLOADS[1]}
+    for generator in PLATFORMS[kind].generators:
+        options = Options(bench=generator.has_bench)
+        for file in generator.generate(json.dumps(whole).encode(), "a.json", DEFAULT_LIMITS, options):
+            if EVIL.encode() in file.data:
+                assert file.name.endswith(".arxml")
+                assert not [word for word in words_of_xml(file) if EVIL in word]
