@@ -188,7 +188,7 @@ def _full_name(function: CFunction, group: Group) -> str:
 def _headers(group: Group, interface: Interface, declarations: Declarations) -> Iterator[str]:
     """Headers that declare the calls and the values, without those that these include."""
     places = [each.place.file for each in group.functions]
-    if not group.owner and not interface.objects:
+    if not group.owner and not interface.arguments:
         places += [each.place.file for each in _declared_values(interface, declarations)]
     wanted = [path for path in dict.fromkeys(places) if Path(path).suffix.lower() in HEADERS]
     within = {each for path in wanted for each in declarations.all_included(path) if each != path}

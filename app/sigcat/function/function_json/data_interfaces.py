@@ -1,5 +1,6 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import (
@@ -89,6 +90,7 @@ class Signal(WireModel):
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     timeout_start: str | None = own(
         "TimeoutStart",
@@ -171,6 +173,7 @@ class DataQueue(WireModel):
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     timeout_start: str | None = own("TimeoutStart", "As in a signal.")
     timeout_value: str | None = own("TimeoutValue", "As in a signal.")
@@ -225,6 +228,7 @@ class ParameterInterface(WireModel):
     factor: str | None = own("Factor", "As in a signal.")
     offset: str | None = own("Offset", "As in a signal.", unit=PHYSICAL)
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     key: str | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
     storage: str | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")

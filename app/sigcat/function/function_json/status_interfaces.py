@@ -1,5 +1,6 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
@@ -43,6 +44,7 @@ class ErrorInterface(WireModel):
         "StatusVariable", "Expression of the C code that holds the state of the error, written before a call."
     )
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     reset: str | None = own(
         "Reset",
         "What the error has to wait for: Restart, or the name of a signal that the function consumes and that is not 0 "
@@ -61,6 +63,7 @@ class SafetyReaction(WireModel):
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
     variable: str | None = own("Variable", "Expression of the C code that holds the condition, written before a call.")
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     initial: str | None = own("Initial", "Condition before any is known: one of the enumeration; INACTIVE if absent.")
     timeout: str | None = own(
         "Timeout", "Longest time between two values from outside, as a number in a text.", unit="ms"
@@ -78,6 +81,7 @@ class ModeInterface(WireModel):
     vss_path: str | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
     variable: str | None = own("Variable", "Expression of the C code that holds the mode.")
     defined_by: str | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     initial: str | None = own("Initial", "Mode before the first one is received; the first of `Modes` if absent.")
     unknown_action: str | None = own(
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."

@@ -120,7 +120,8 @@ def _code(draft: Draft) -> Iterator[str]:
     if project.interface.objects:
         yield "  objects:"
     for each in project.interface.objects:
-        keys = {"name": each.name, "type": each.type, "member": each.member or None}
+        by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
+        keys = {"name": each.name, "type": each.type, "member": each.member or None, "definedBy": by_adapter}
         yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 

@@ -145,6 +145,7 @@ def _keys(value: Value, name: str, own: str) -> dict[str, Any]:
         "name": own if own != name else None,
         "variable": value.expression,
         "definedBy": "adapter" if value.defined_by == "adapter" else None,
+        "cType": value.c_type or None,
         "datatype": f"{value.datatype}{'[]' if value.length else ''}" if factor is not None else None,
         "factor": factor,
         "offset": value.remark.offset if factor is not None else None,

@@ -58,6 +58,7 @@ class Signal(NamedTuple):
             "name": self.name,
             "variable": value.expression,
             "definedBy": "adapter" if value.defined_by == "adapter" else None,
+            "cType": value.c_type or None,
             "datatype": f"{value.datatype}{'[]' if value.length else ''}",
             "unit": self.unit,
             "factor": remark.factor if is_scaled else None,

@@ -36,6 +36,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         variable=item.variable,
         status_variable=item.status_variable,
         defined_by=word(item.defined_by),
+        c_type=item.c_type,
         reset=_reset(item.reset, context),
     )
     return Part(made, Origin(at, written(item, at)))
@@ -60,6 +61,7 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolv
         vss_path=node.path,
         variable=item.variable,
         defined_by=word(item.defined_by),
+        c_type=item.c_type,
         initial=item.initial,
         timeout=plain_text(item.timeout),
     )

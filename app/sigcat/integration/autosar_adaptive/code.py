@@ -4,6 +4,7 @@ from typing import TypeVar
 
 from pydantic import BaseModel
 
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
@@ -27,6 +28,7 @@ class ParameterCode(WireModel):
     factor: str | None = own("Factor", "Scaling in the code: physical value = stored value × factor + offset.")
     offset: str | None = own("Offset", "Offset of the scaling.")
     defined_by: str | None = own("DefinedBy", "Function or Adapter: whose code defines the variable.")
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", "Members of the struct in C.", strict=False)
     key: str | None = own("Key", "Key under which the value is stored.")
     storage: str | None = own("Storage", "Key-value storage that holds it.")

@@ -73,9 +73,10 @@ def _kind_in_c(scope: Scope) -> Lines:
         #define {generic} _Generic
         #endif
         #if defined({generic})
-        #define {kind}(value) {generic}((value), _Bool: 4, float: 3, double: 3, long double: 3, \\
-            signed char: 2, short: 2, int: 2, long: 2, long long: 2, unsigned char: 1, unsigned short: 1, \\
-            unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
+        #define {kind}(value) {generic}((value), \\
+            _Bool: 4, float: 3, double: 3, long double: 3, \\
+            signed char: 2, short: 2, int: 2, long: 2, long long: 2, \\
+            unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
         #else
         #define {kind}(value) 0
         #endif
@@ -101,15 +102,16 @@ def _agreement(scope: Scope) -> Lines:
     return lines(f"""
         /* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
         #define {scope.constant("AGREES")}(from, to, is_wider) \\
-            (({kind}(from) == 0) || ({kind}(to) == 0) || ({kind}(from) == {kind}(to)) || \\
+            (({kind}(from) == 0) || ({kind}(to) == 0) || \\
+             ({kind}(from) == {kind}(to)) || \\
              (({kind}(from) == 1) && ({kind}(to) == 2) && (is_wider)))
     """)
 
 
 _MACROS = {
     "WHOLE": ("variable", "{kind}(variable) != 3", "variable_must_be_an_integer", '#variable " must be an integer, not a floating-point number"'),
-    "HOLDS": ("variable, type", "({size}(variable) >= sizeof(type)) && {agrees}((type)0, variable, {size}(variable) > sizeof(type))", "variable_must_not_be_narrower_than_declared", '#variable " must be " #type'),
-    "FITS": ("variable, type", "({size}(variable) <= sizeof(type)) && {agrees}(variable, (type)0, {size}(variable) < sizeof(type))", "variable_must_not_be_wider_than_declared", '#variable " must be " #type'),
+    "HOLDS": ("variable, type", "({size}(variable) >= sizeof(type)) && \\\n        {agrees}((type)0, variable, {size}(variable) > sizeof(type))", "variable_must_not_be_narrower_than_declared", '#variable " must be " #type'),
+    "FITS": ("variable, type", "({size}(variable) <= sizeof(type)) && \\\n        {agrees}(variable, (type)0, {size}(variable) < sizeof(type))", "variable_must_not_be_wider_than_declared", '#variable " must be " #type'),
     "HAS": ("variable, count", "sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_as_many_elements_as_declared", '#variable " must have " #count " elements"'),
     "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_at_least_as_many_elements_as_declared", '#variable " must have at least " #count " elements"'),
 }  # fmt: skip
