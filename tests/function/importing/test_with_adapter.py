@@ -56,7 +56,14 @@ TYPED_EXTERNS = {
     "Drive.c": '#include "Drive.h"\nfloat AccReq;\nvoid Drive_initialize(void) {}\nvoid Drive_step(void) '
     "{ AccReq = Enabled + Vol + Md + Gear + In.a + In.b[1] + Acc[2] + Flags[3] + Count + VehSpd; }\n",
 }
-SHAPES = {"globals": GLOBALS, "externs": EXTERNS, "externs with types": TYPED_EXTERNS, "pointers": POINTERS, "arguments": ARGUMENTS, "class": CLASS}
+SHAPES = {
+    "globals": GLOBALS,
+    "externs": EXTERNS,
+    "externs with types": TYPED_EXTERNS,
+    "pointers": POINTERS,
+    "arguments": ARGUMENTS,
+    "class": CLASS,
+}
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -80,14 +87,14 @@ def define_what_is_to_be_chosen(file: Path) -> None:
     file.write_text(text.replace("define:\n", f"define:\n  data:\n{branch}{signals}") if signals else text)
 
 
-ENTRY = (
-    r"path: (Vehicle\.TODO\.\w+)\n(?: +(?:role|name|variable|definedBy|cType): .*\n)+ +datatype: (\S+)\n(?: +values: \{(.*)\})?"
-)
+ENTRY = r"path: (Vehicle\.TODO\.\w+)\n(?: +(?:role|name|variable|definedBy|cType): .*\n)+ +datatype: (\S+)\n(?: +values: \{(.*)\})?"
 
 
 def defined(path: str, datatype: str, values: str) -> str:
     size = {"Acc": 3, "Flags": 4, "b": 2}.get(path.rpartition(".")[2], 0)
-    keys = f", allowed: [{', '.join(re.findall('[A-Z_]+', values))}]" if values else f", arraysize: {size}" if size else ""
+    keys = (
+        f", allowed: [{', '.join(re.findall('[A-Z_]+', values))}]" if values else f", arraysize: {size}" if size else ""
+    )
     kind = "string" if values else datatype
     return f"    {path}: {{datatype: '{kind}'{keys}, asil: QM, description: A signal of the test.}}\n"
 

@@ -79,8 +79,8 @@ def _names(kind: Any) -> list[str]:
             break
         names.append(qualified(declaration))
         kind = declaration.underlying_typedef_type
-    spelled = _unqualified(kind.spelling)
-    return names if "(" in spelled else [*names, spelled]
+    spelled = next((each for each in (kind.spelling, kind.get_canonical().spelling) if "(" not in each), "")
+    return [*names, _unqualified(spelled)] if spelled else names
 
 
 def written_type(kind: Any) -> str:
