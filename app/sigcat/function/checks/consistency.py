@@ -12,6 +12,7 @@ from sigcat.function.checks.error_references import check_error_references
 from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
 from sigcat.function.checks.supervision import check_supervision
+from sigcat.function.checks.times import check_times
 from sigcat.function.checks.types import check_types
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.model import FunctionJson
@@ -25,6 +26,7 @@ def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()
     yield from check_supervision(function, known_errors)
     yield from check_error_references(function, known_errors)
     yield from check_modes(function)
+    yield from check_times(function)
     yield from check_types(function)
     yield from check_code(function)
     yield from check_elements(function)

@@ -1,8 +1,14 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
+import math
+from typing import Any
+
+from pydantic import field_serializer, model_validator
+
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
 
 
@@ -25,9 +31,13 @@ class ErrorInterface(WireModel):
         "Ignition cycles after which the error is confirmed; 0 if they do not count.",
         unit="ignition cycles",
     )
-    maturation_time: Integer = described(
+    maturation_time: Number = described(
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
     )
+    maturation_time_nanoseconds: Integer | None = own(
+        "MaturationTimeNs", "The maturation time, where it is not whole milliseconds; `MaturationTime` is rounded up then.",
+        unit="ns",
+    )  # fmt: skip
     severity: str = described("Severity", "What the error leads to.")
     reset_time: Number | None = described(
         "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
@@ -50,6 +60,16 @@ class ErrorInterface(WireModel):
         "What the error has to wait for: Restart, or the name of a signal that the function consumes and that is not 0 "
         "while the reset condition holds. If absent, the error is reset when it is no longer present.",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _exact(cls, data: Any) -> Any:
+        return exact_time(data, "maturation_time", "MaturationTime")
+
+    @field_serializer("maturation_time")
+    def _published(self, time: float) -> int:
+        """The published schema has whole milliseconds only."""
+        return math.ceil(time)
 
 
 class SafetyReaction(WireModel):

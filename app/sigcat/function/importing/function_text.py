@@ -8,6 +8,7 @@ from sigcat.asil import Level, rank
 from sigcat.catalogue.near_signals import PLACEHOLDER
 from sigcat.function.c_project.declarations import Place
 from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.function_json.duration import whole_nanoseconds
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
 from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
@@ -71,12 +72,8 @@ def to_do(draft: Draft) -> Iterator[str]:
         yield f"choose {unchosen} path{'s' if unchosen > 1 else ''} (those with {PLACEHOLDER})."
     for call in draft.project.calls:
         if call.kind == "step" and cycle_time(call) is None and _last_name(call, draft.project) not in draft.known:
-            told = (
-                f"must be whole milliseconds, not {call.cycle_time:g} ms"
-                if call.cycle_time
-                else "the code does not tell"
-            )
-            yield f"give the cycle time of {call_name(call, draft)}, which {told}; {ASSUMED_CYCLE} ms is assumed."
+            why = "is not whole nanoseconds" if call.cycle_time else "the code does not tell"
+            yield f"give the cycle time of {call_name(call, draft)}, which {why}; {ASSUMED_CYCLE} ms is assumed."
     without_unit = sum(bool(signal.catalogue_unit and not signal.unit) for signal in draft.signals)
     if without_unit:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
@@ -92,10 +89,12 @@ def to_do(draft: Draft) -> Iterator[str]:
     yield "describe the function, and give each entry its ASIL: QM is assumed."
 
 
-def cycle_time(call: Call) -> int | None:
-    """Time in whole milliseconds from one call to the next; None if the code tells no such time."""
+def cycle_time(call: Call) -> float | int | None:
+    """Time in ms from one call to the next; None if the code tells no time of whole nanoseconds."""
     time = call.cycle_time
-    return int(time) if time and time == int(time) else None
+    if not time or whole_nanoseconds(time) is None:
+        return None
+    return int(time) if time == int(time) else time
 
 
 def _code(draft: Draft) -> Iterator[str]:

@@ -10,7 +10,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Safe
 from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.function.resolving.interfaces import asil_of, integer_of, interface_node, number_of, text_of, texts_of
+from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
 from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, written
 
@@ -27,7 +27,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         dependencies=(yield from texts_of(node, "dependency", at)),
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
-        maturation_time=(yield from integer_of(node, "maturationTime", at)) or 0,
+        maturation_time=(yield from number_of(node, "maturationTime", at)) or 0,
         severity=text_of(node, "severity") or "",
         reset_time=(yield from number_of(node, "resetTime", at)),
         reset_condition=text_of(node, "resetCondition"),
