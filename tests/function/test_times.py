@@ -59,7 +59,7 @@ def test_whole_nanoseconds_pass_lint_and_go_through_function_json(cycle, time, f
 
 
 def nanoseconds(part, key):
-    return part.get(f"{key}Ns", (part.get(key) or 0) * 10**6)
+    return part.get(f"{key}Nanoseconds", (part.get(key) or 0) * 10**6)
 
 
 @pytest.mark.parametrize(("cycle", "time"), [("0.0000005", "1"), ("10", "0.0000001"), ("10", "1.0e+13")])
@@ -73,16 +73,18 @@ def test_other_times_are_found_where_they_are_written(cycle, time, file, capsys)
 def test_nanoseconds_that_contradict_milliseconds_are_found(file, tmp_path, capsys):
     built = tmp_path / "f.json"
     main(["function", "build", str(file("0.0625", "1")), "-o", str(built)])
-    built.write_text(built.read_text().replace('"CycletimeNs": 62500', '"Cycletime": 2, "CycletimeNs": 62500'))
+    built.write_text(
+        built.read_text().replace('"CycletimeNanoseconds": 62500', '"Cycletime": 2, "CycletimeNanoseconds": 62500')
+    )
     assert main(["function", "validate", str(built)]) == 1
-    assert "`Cycletime` must be the time of `CycletimeNs`, 0.0625 ms" in capsys.readouterr().out
+    assert "`Cycletime` must be the time of `CycletimeNanoseconds`, 0.0625 ms" in capsys.readouterr().out
 
 
 def test_a_cycle_of_milliseconds_is_written_as_given_by_hand(file, tmp_path):
     built = tmp_path / "f.json"
     main(["function", "build", str(file("0.0625", "1")), "-o", str(built)])
     edited = tmp_path / "edited.json"
-    edited.write_text(built.read_text().replace('"CycletimeNs": 62500', '"Cycletime": 0.0625'))
+    edited.write_text(built.read_text().replace('"CycletimeNanoseconds": 62500', '"Cycletime": 0.0625'))
     assert main(["generate", "core", str(edited), "-o", str(tmp_path)]) == 0
     assert "UINT64_C(62500)" in (tmp_path / "Motor_adapter.c").read_text()
 

@@ -56,6 +56,11 @@ def _add_code_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the package libclang)")
     group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
     group.add_argument(
+        "--define-under",
+        metavar="PATH",
+        help="define the signals that the catalogue does not have below this branch, such as Vehicle.Pump",
+    )
+    group.add_argument(
         "-D",
         "--define",
         action="append",
@@ -126,8 +131,8 @@ def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
     from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
 
-    if not arguments.from_c and (arguments.model or arguments.define):
-        raise UsageError("--model and --define are about C code: name its folder with --from-c")
+    if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
+        raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
     folder = arguments.output or arguments.from_c or Path(arguments.name)
     file = folder / "function.yaml"
@@ -151,7 +156,14 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
 
     catalogue = read_tree(arguments)
     made = import_code(
-        arguments.name, arguments.from_c, folder, catalogue, schema, arguments.model or "", arguments.define
+        arguments.name,
+        arguments.from_c,
+        folder,
+        catalogue,
+        schema,
+        arguments.model or "",
+        arguments.define,
+        arguments.define_under or "",
     )
     for finding in made.findings:
         print(finding.line_of_text, file=sys.stderr)

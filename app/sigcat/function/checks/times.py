@@ -1,6 +1,7 @@
 """Times: an adapter counts them in whole nanoseconds, from 0 to some thirty years."""
 
 from collections.abc import Iterator
+from decimal import Decimal
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
@@ -17,11 +18,20 @@ def check_times(function: FunctionJson) -> Iterator[Problem]:
         if number is None:  # its form is checked elsewhere
             continue
         if not 0 <= number <= LONGEST_MILLISECONDS:
-            message = f"`{pointer[-1]}` must be from 0 to {LONGEST_MILLISECONDS:,} ms, not {time} ms."
+            message = f"{_key(pointer, subject)} must be from 0 to {LONGEST_MILLISECONDS:,} ms, not {_plain(time)} ms."
             yield Problem(codes.VALUE_UNFIT, pointer, message, subject=subject)
         elif whole_nanoseconds(number) is None:
-            message = f"`{pointer[-1]}` must be whole nanoseconds, not {time} ms."
+            message = f"{_key(pointer, subject)} must be whole nanoseconds, not {_plain(time)} ms."
             yield Problem(codes.VALUE_UNFIT, pointer, message, "Write at most six decimals.", subject)
+
+
+def _key(pointer: Pointer, subject: Subject) -> str:
+    """The time as the catalogue calls it, or as Function JSON does."""
+    return f"`{(*subject.attributes, pointer[-1])[0]}`"
+
+
+def _plain(time: float | str | None) -> str:
+    return time if isinstance(time, str) else f"{Decimal(repr(time)):f}"
 
 
 def _times(function: FunctionJson) -> Iterator[tuple[Pointer, float | str | None, Subject]]:

@@ -45,22 +45,22 @@ def whole_nanoseconds(time: float) -> int | None:
 
 
 def exact_time(data: Any, field: str, key: str) -> Any:
-    """A part of Function JSON with a time in ms that is exact, `key`, and in ns where it is not whole milliseconds, `keyNs`.
+    """A part of Function JSON with a time in ms that is exact, `key`, and in ns where it is not whole milliseconds, `keyNanoseconds`.
 
     `field` is the name of the time in Python, that of the nanoseconds has `_nanoseconds` behind it.
     """
     if not isinstance(data, Mapping):
         return data
-    exact, time = data.get(f"{key}Ns", data.get(f"{field}_nanoseconds")), data.get(key, data.get(field))
+    exact, time = data.get(f"{key}Nanoseconds", data.get(f"{field}_nanoseconds")), data.get(key, data.get(field))
     others = {name: value for name, value in data.items() if name not in (field, f"{field}_nanoseconds")}
     if _is_number(exact):
         milliseconds = _plain(exact / NANOSECONDS)
         if time not in (None, milliseconds, math.ceil(milliseconds)):
-            raise unfit(f"`{key}` must be the time of `{key}Ns`, {milliseconds:g} ms, or absent.", key)
+            raise unfit(f"`{key}` must be the time of `{key}Nanoseconds`, {milliseconds:g} ms, or absent.", key)
         return {**others, key: milliseconds}
     if not _is_number(time):
         return data
-    rest = {} if time == int(time) else {f"{key}Ns": whole_nanoseconds(time)}
+    rest = {} if time == int(time) else {f"{key}Nanoseconds": whole_nanoseconds(time)}
     return {**others, key: _plain(time), **rest}
 
 

@@ -55,7 +55,9 @@ class Runnable(WireModel):
     run_type: str = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
     cycle_time: Number | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
     cycle_time_nanoseconds: Integer | None = own(
-        "CycletimeNs", "The cycle time, where it is not whole milliseconds; `Cycletime` is absent then.", unit="ns"
+        "CycletimeNanoseconds",
+        "The cycle time, where it is not whole milliseconds; `Cycletime` is absent then.",
+        unit="ns",
     )
     stack_size: str | None = described(
         "StackSize", "Stack that the call needs, as a number in a text.", default=None, unit="bytes"

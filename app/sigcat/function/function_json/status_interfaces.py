@@ -35,7 +35,7 @@ class ErrorInterface(WireModel):
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
     )
     maturation_time_nanoseconds: Integer | None = own(
-        "MaturationTimeNs", "The maturation time, where it is not whole milliseconds; `MaturationTime` is rounded up then.",
+        "MaturationTimeNanoseconds", "The maturation time, where it is not whole milliseconds; `MaturationTime` is rounded up then.",
         unit="ns",
     )  # fmt: skip
     severity: str = described("Severity", "What the error leads to.")

@@ -1,6 +1,6 @@
 """The text of a function.yaml: every entry with the line of the code that it comes from."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -33,6 +33,8 @@ class Draft(NamedTuple):
     """Last names of the scheduling interfaces that the catalogue has for the function already."""
     errors: tuple[str, ...] = ()
     """Interface names of the errors that the catalogue has for the function."""
+    data: Mapping[str, Mapping[str, Any]] = {}
+    """Signals that the function defines, and branches above them, by path."""
 
 
 def function_text(draft: Draft) -> str:
@@ -154,8 +156,13 @@ def _define(draft: Draft) -> Iterator[str]:
     parameters = [each for each in draft.parameters if each.definition]
     named = [(_last_name(call, draft.project), call) for call in draft.project.calls]
     calls = [each for each in named if each[0] not in draft.known]
-    if parameters or calls:
+    if parameters or calls or draft.data:
         yield "define:"
+    if draft.data:
+        yield "  data:"
+    for path, definition in draft.data.items():
+        yield f"    {path}:"
+        yield from (entry(6, key, value) for key, value in definition.items())
     if parameters:
         yield "  parameters:"
     for parameter in parameters:

@@ -14,6 +14,7 @@ from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.scaffold import checked_name, checked_schema
 from sigcat.function.function_file import check_function
 from sigcat.function.importing.function_text import Draft, function_text, to_do
+from sigcat.function.importing.own_signals import checked_branch, defined_under
 from sigcat.function.importing.parameters import parameters_of
 from sigcat.function.importing.signals import Role, Signal, signals_of
 from sigcat.real_path import real_path
@@ -38,9 +39,15 @@ def import_code(
     schema: str,
     model: str = "",
     definitions: Sequence[str] = (),
+    branch: str = "",
 ) -> Imported:
-    """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused."""
+    """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused.
+
+    Signals that are not certain to be in the catalogue are defined below `branch`, if there is one.
+    """
     checked_name(name)
+    if branch:
+        checked_branch(branch, catalogue)
     checked_schema(schema)
     project = read_project(folder, name, model, definitions)
     signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model))
@@ -50,6 +57,9 @@ def import_code(
     errors = tuple(interface_name(node.path) for node in _of_function(name, "Error", catalogue).values())
     draft = Draft(name, project, signals, parameters, _below(folder, target), schema, scheduled, errors)
     draft = _checked(draft, catalogue)
+    if branch:
+        defined, data = defined_under(branch, name, draft.signals, catalogue)
+        draft = draft._replace(signals=defined, data=data)
     return Imported(function_text(draft), _summary(draft), tuple(to_do(draft)), _shown(project, folder))
 
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Any, Literal, NamedTuple
 
 from sigcat.asil import Level, level_of
@@ -97,7 +98,13 @@ def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model
             yield _chosen(signal, node)
         else:
             path = _free(placeholder(root, _meant(value, model)), placeholder(root, name), used)
-            yield signal.to_be_chosen(path, tuple(one.node.path for one in near[:_SHOWN]), why)
+            yield signal.to_be_chosen(path, _proposed(near, signal.unit), why)
+
+
+def _proposed(near: Sequence[Near], unit: str) -> tuple[str, ...]:
+    """Signals that share a whole word with the name, or the unit with the code."""
+    found = (one.node for one in near if one.shares_word or (unit and one.node.values.get("unit") == unit))
+    return tuple(node.path for node in islice(found, _SHOWN))
 
 
 def _chosen(signal: Signal, node: Node) -> Signal:

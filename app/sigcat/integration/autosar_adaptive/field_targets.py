@@ -58,7 +58,7 @@ _ERROR: dict[str, FieldTarget | str] = {
     **{
         field: f"Error/{field}"
         for field in (
-            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "MaturationTimeNs", "Severity", "ResetTime",
+            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "MaturationTimeNanoseconds", "Severity", "ResetTime",
             "ResetCondition", "AsilLevel", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset",
         )
     },
@@ -78,7 +78,7 @@ _MODE: dict[str, FieldTarget | str] = {
     },
 }  # fmt: skip
 _CALL: dict[str, FieldTarget | str] = {
-    "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNs": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
+    "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNanoseconds": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
     "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has entries of its own"),
     **{

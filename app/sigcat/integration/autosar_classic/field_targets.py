@@ -62,7 +62,7 @@ _ERROR: _Targets = {
     "Severity": "DiagnosticEvents/Severity", "OccurenceCountLimit": "DiagnosticEvents/OccurrenceCountLimit",
     "IgnitionCountLimit": "DiagnosticEvents/IgnitionCountLimit",
     "MaturationTime": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
-    "MaturationTimeNs": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
+    "MaturationTimeNanoseconds": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
     "Dependancy": FieldTarget("Ports", "a required port for each error of another component; the core decides"),
     **_core("ResetTime", "ResetCondition", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset"),
 }  # fmt: skip
@@ -78,7 +78,7 @@ _MODE: _Targets = {
 }  # fmt: skip
 _CALL: _Targets = {
     "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
-    "Cycletime": "Events/Period", "CycletimeNs": "Events/Period", "ExecOffset": "Events/Offset",
+    "Cycletime": "Events/Period", "CycletimeNanoseconds": "Events/Period", "ExecOffset": "Events/Offset",
     "EventList": FieldTarget("Events", "a data received event for each, of the runnable that takes what comes"),
     "DebounceDelay": FieldTarget("SourceFunctionList", "the core debounces; a timing event at each tick asks it"),
     "StackSize": "{runnable}/StackSize and MemorySections",

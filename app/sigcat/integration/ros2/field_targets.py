@@ -99,7 +99,7 @@ _ERROR: Targets = {
     "OccurenceCountLimit": "{status}: OccurenceCountLimit",
     "IgnitionCountLimit": FieldTarget("{status}: IgnitionCountLimit", "each configuring begins a cycle"),
     "MaturationTime": "{status}: MaturationTime",
-    "MaturationTimeNs": "{status}: MaturationTime",
+    "MaturationTimeNanoseconds": "{status}: MaturationTime",
     "Severity": "{status}: Severity and Level",
     "ResetTime": "{status}: ResetTime",
     "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, for people"),
@@ -124,7 +124,7 @@ _CALL: Targets = {
     "Description": _VERBATIM,
     "Runtype": "{schedule}: Trigger",
     "Cycletime": "{schedule}: Period",
-    "CycletimeNs": "{schedule}: Period",
+    "CycletimeNanoseconds": "{schedule}: Period",
     "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
     "PrevRunnable": FieldTarget("{schedule}: After", "a call of the same node; the life cycle runs init first"),
     "ExecOffset": "{schedule}: Offset",
@@ -146,7 +146,7 @@ _TRANSITIONS: Targets = {
     **_CALL_IN_C,
     **{
         field: FieldTarget("ComponentList", "a transition runs when it is asked for, in the thread of the service")
-        for field in ("Cycletime", "CycletimeNs", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
+        for field in ("Cycletime", "CycletimeNanoseconds", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
                       "Watchdog", "SupervisionType", "PrevRunnable", "EventList", "Description", "VssPath")
     },
     "Name": "{schedule}: Runnables",
