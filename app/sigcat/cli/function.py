@@ -25,6 +25,7 @@ def add_parser(commands: Actions) -> None:
     actions = parser.add_subparsers(title="actions", metavar="ACTION")
     _add_new(actions)
     _add_build(actions)
+    _add_update(actions)
     _add_overlay(actions)
     _add_validate(actions)
 
@@ -79,6 +80,21 @@ def _add_build(actions: Actions) -> None:
     _add_file_and_output(building)
     add_tree_options(building)
     building.set_defaults(run=build)
+
+
+def _add_update(actions: Actions) -> None:
+    updating = actions.add_parser(
+        "update",
+        help="merge C code that was generated again into a function.yaml",
+        description=(
+            "List and apply what variables are new, gone and changed in C or C++ code since its function.yaml was made. "
+            "What was written by hand stays, comments too; paths, units, ranges and times are kept."
+        ),
+    )
+    updating.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    _add_code_options(updating)
+    add_tree_options(updating)
+    updating.set_defaults(run=update)
 
 
 def _add_overlay(actions: Actions) -> None:
@@ -171,6 +187,33 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
     for line in made.to_do:
         print(f"To do: {line}", file=sys.stderr)
     return made.text
+
+
+def update(arguments: argparse.Namespace) -> int:
+    """Merge the code into the file, and say what changed. Raises UsageError, InputRefused."""
+    from sigcat.function.importing.merge_code import merge_code
+
+    if not arguments.from_c:
+        raise UsageError("name the folder of the C code with --from-c")
+    data = arguments.file.read_bytes()
+    merged = merge_code(
+        data,
+        arguments.file,
+        arguments.from_c,
+        read_tree(arguments),
+        arguments.model or "",
+        arguments.define,
+        arguments.define_under or "",
+    )
+    for finding in merged.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    for line in merged.told:
+        print(line)
+    if merged.text.encode() != data.removeprefix(b"\xef\xbb\xbf"):
+        write_text(merged.text, arguments.file)
+    elif not merged.told:
+        print("nothing changed")
+    return 0
 
 
 def overlay(arguments: argparse.Namespace) -> int:

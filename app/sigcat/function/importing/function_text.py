@@ -145,7 +145,11 @@ def _from(place: Place, draft: Draft) -> str:
 
 
 def _at(place: Place, draft: Draft) -> str:
-    return f"{_below(draft.folder, place.file)}:{place.line}"
+    return _in(draft.folder, place)
+
+
+def _in(folder: str, place: Place) -> str:
+    return f"{_below(folder, place.file)}:{place.line}"
 
 
 # -- what the function defines ------------------------------------------------------------------------------------
@@ -161,20 +165,30 @@ def _define(draft: Draft) -> Iterator[str]:
     if draft.data:
         yield "  data:"
     for path, definition in draft.data.items():
-        yield f"    {path}:"
-        yield from (entry(6, key, value) for key, value in definition.items())
+        yield from data_definition(path, definition)
     if parameters:
         yield "  parameters:"
     for parameter in parameters:
-        place = _from(parameter.value.place, draft)
-        yield f"    {scalar(parameter.name)}:{place} {parameter.value.type_name}"
-        yield from (comment(6, note) for note in parameter.notes)
-        yield from (entry(6, key, value) for key, value in parameter.definition.items())
+        yield from parameter_definition(parameter, draft)
     if calls:
         yield "  scheduling:"
     for name, call in calls:
         yield f"    {name}:"
         yield from (entry(6, key, value) for key, value in _schedule(call, draft).items())
+
+
+def data_definition(path: str, definition: Mapping[str, Any]) -> Iterator[str]:
+    """A signal, or a branch above it."""
+    yield f"    {path}:"
+    yield from (entry(6, key, value) for key, value in definition.items())
+
+
+def parameter_definition(parameter: ParameterEntry, draft: Draft) -> Iterator[str]:
+    """A parameter with its default."""
+    place = _from(parameter.value.place, draft)
+    yield f"    {scalar(parameter.name)}:{place} {parameter.value.type_name}"
+    yield from (comment(6, note) for note in parameter.notes)
+    yield from (entry(6, key, value) for key, value in parameter.definition.items())
 
 
 def _schedule(call: Call, draft: Draft) -> dict[str, Any]:
@@ -228,32 +242,34 @@ def _components(draft: Draft) -> Iterator[str]:
         if call.returns and call.kind == "init":
             yield f"{entry(8, 'success', 0)}  # assumed"
         if call.kind == "step":
-            yield from _data([each for each in draft.signals if _is_of(each.value.key, call, steps)], draft)
+            yield from data_lines([each for each in draft.signals if is_of(each.value.key, call, steps)], draft)
             if call is steps[0] and draft.errors:
                 yield entry(8, "errors", draft.errors)
-            yield from _parameters([each for each in draft.parameters if _is_of(each.value.key, call, steps)])
+            yield from parameter_lines([each for each in draft.parameters if is_of(each.value.key, call, steps)])
 
 
-def _is_of(key: str, call: Call, steps: Sequence[Call]) -> bool:
+def is_of(key: str, call: Call, steps: Sequence[Call]) -> bool:
     """Whether a step uses a value; the first one has what none of several is known to use."""
     using = [step for step in steps if key in step.use.used or key in step.use.written]
     return call in using[:1] if using else call is steps[0]
 
 
-def _data(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
+def data_lines(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
+    """The entries of a call's data."""
     if signals:
         yield "        data:"
     for signal in signals:
-        yield from (comment(10, line) for line in _said_of(signal, draft))
+        yield from (comment(10, line) for line in said_of(signal, draft.folder))
         yield f"          - path: {scalar(signal.path)}"
         yield from (entry(12, key, value) for key, value in signal.keys.items())
 
 
-def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
+def said_of(signal: Signal, folder: str) -> Iterator[str]:
+    """What the code says of a signal, the line of the code first."""
     value, remark = signal.value, signal.value.remark
     count = f"[{value.length}]" if value.length else ""
     said = f" {remark.text}" if remark.text else ""
-    yield f"{_at(value.place, draft)} {value.type_name}{count}{said}"
+    yield f"{_in(folder, value.place)} {value.type_name}{count}{said}"
     if signal.near:
         yield f"Near: {', '.join(signal.near)}"
     if signal.why:
@@ -264,7 +280,8 @@ def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
         yield f"No unit of the catalogue: {remark.unit}"
 
 
-def _parameters(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
+def parameter_lines(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
+    """The entries of a call's parameters."""
     listed = list(parameters)
     if listed:
         yield "        parameters:"

@@ -29,11 +29,14 @@ class ParameterEntry(NamedTuple):
 
 
 def parameters_of(
-    values: Iterable[Value], vocabulary: Vocabulary, known: Mapping[str, Node]
+    values: Iterable[Value], vocabulary: Vocabulary, known: Mapping[str, Node], names: Iterable[str] = ()
 ) -> Iterator[ParameterEntry]:
-    """An entry for each parameter that can be set. `known` are those of the function in the catalogue, by last name."""
+    """An entry for each parameter that can be set. `known` are those of the function in the catalogue, by last name.
+
+    `names` are those that others have already.
+    """
     settable = [value for value in values if not value.is_const]
-    taken, said = set[str](), set[str]()
+    taken, said = {name.lower() for name in names}, set[str]()
     for value, own in zip(settable, unique_names(settable), strict=True):
         name = free_name(
             f"Is{starting_with_letter(own)}" if value.datatype == "boolean" else starting_with_letter(own), taken

@@ -82,11 +82,13 @@ class Signal(NamedTuple):
         return self.to_be_chosen(placeholder(root, self.name), (self.path,), why)
 
 
-def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str) -> Iterator[Signal]:
-    """A signal for each value, in order."""
+def signals_of(
+    values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str, paths: Collection[str] = ()
+) -> Iterator[Signal]:
+    """A signal for each value, in order; `paths` are those of others."""
     known = NearSignals(catalogue)
     root = catalogue.roots[0].path if catalogue.roots else "Vehicle"
-    used: set[str] = set()
+    used = set(paths)
     names = unique_names([value for _, value in values])
     for (role, value), name in zip(values, names, strict=True):
         near = known.near(_meant(value, model), _COMPARED)
