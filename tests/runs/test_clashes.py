@@ -67,6 +67,17 @@ def test_a_macro_that_the_declaration_means_is_no_cause(tmp_path, capsys):
     assert "'speed'" not in capsys.readouterr().err
 
 
+def test_a_variable_of_another_kind_is_told_at_the_line_of_the_interface(tmp_path, capsys):
+    file = project(tmp_path, "")
+    for name in ("fan.h", "fan.c"):
+        code = tmp_path / name
+        code.write_text(code.read_text().replace("float speed", "int speed"))
+    assert main(["simulate", str(file), "--duration", "0.1"]) == 1
+    said = capsys.readouterr().err
+    assert "function.yaml:13:" in said
+    assert "speed must be float" in said
+
+
 @pytest.mark.parametrize("name", ["clock", "own_clock", "reception", "entered", "t", "time_out"])
 def test_a_variable_with_any_name_is_not_shadowed(name, tmp_path):
     assert main(["generate", "core", str(project(tmp_path, "", name)), "-o", str(tmp_path)]) == 0
