@@ -1,4 +1,4 @@
-"""A header that replaces names of the generated code is told as the cause, at its line; names of the code shadow nothing."""
+"""A header that replaces names of the generated code is reported at its line; names of the code shadow nothing."""
 
 import subprocess
 

@@ -207,11 +207,11 @@ def update(arguments: argparse.Namespace) -> int:
     )
     for finding in merged.findings:
         print(finding.line_of_text, file=sys.stderr)
-    for line in merged.told:
+    for line in merged.report:
         print(line)
     if merged.text.encode() != data.removeprefix(b"\xef\xbb\xbf"):
         write_text(merged.text, arguments.file)
-    elif not merged.told:
+    elif not merged.report:
         print("nothing changed")
     return 0
 

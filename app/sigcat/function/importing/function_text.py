@@ -265,7 +265,7 @@ def data_lines(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
 
 
 def said_of(signal: Signal, folder: str) -> Iterator[str]:
-    """What the code says of a signal, the line of the code first."""
+    """Comments on a signal: first its line in the code."""
     value, remark = signal.value, signal.value.remark
     count = f"[{value.length}]" if value.length else ""
     said = f" {remark.text}" if remark.text else ""

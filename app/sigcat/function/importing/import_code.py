@@ -65,7 +65,7 @@ def draft_of(
     paths: Collection[str] = (),
     parameter_names: Collection[str] = (),
 ) -> Draft:
-    """What goes into the function.yaml for a project. Paths and names are those that its file has already."""
+    """The draft of the function.yaml for a project. Paths and names are those that its file has already."""
     signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model, paths))
     known = _of_function(name, "Parameter", catalogue)
     parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary, known, parameter_names))

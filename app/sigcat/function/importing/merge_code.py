@@ -41,10 +41,10 @@ _BOM = "\ufeff"
 
 
 class Merged(NamedTuple):
-    """The text of a function.yaml after a merge, and what is to be told of it."""
+    """The text of a function.yaml after a merge, and a line for each change."""
 
     text: str
-    told: tuple[str, ...]
+    report: tuple[str, ...]
     findings: tuple[Finding, ...]
 
 
@@ -59,7 +59,7 @@ class _Entry(NamedTuple):
 
 
 class _Known(NamedTuple):
-    """What the code has now."""
+    """The present code."""
 
     project: CodeProject
     values: Mapping[str, tuple[str, Value]]
@@ -99,8 +99,8 @@ def merge_code(
     merged = read_declaration(text.encode(), str(file))
     if merged.declaration is None:
         raise InputRefused(f"{file} cannot be updated: what it would become has errors.", merged.findings)
-    told = (*gone, *changed, *_told_new(draft), *_told_of_calls(declaration, project, draft))
-    return Merged(text, told, shown(project, folder))
+    report = (*gone, *changed, *_new_entries(draft), *_calls_and_sources(declaration, project, draft))
+    return Merged(text, report, shown(project, folder))
 
 
 def _definitions(declaration: Declaration) -> list[str]:
@@ -165,12 +165,12 @@ def _entries(root: Node | None) -> Iterator[_Entry]:
 
 def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
     """Without the entries of variables that are gone, one after the other: each moves those behind it."""
-    told: list[str] = []
+    report: list[str] = []
     while found := next((each for each in _entries(_root(text)) if known.is_gone(each.variable)), None):
         path = text_of(value_at(found.node, "path")) or ""
-        told.append(f"gone: {found.variable} ({path})")
+        report.append(f"gone: {found.variable} ({path})")
         text = _without(text, found, path)
-    return text, tuple(told)
+    return text, tuple(report)
 
 
 def _without(text: str, entry: _Entry, path: str) -> str:
@@ -196,7 +196,7 @@ def _owner(root: Node | None, listed: SequenceNode, kind: str) -> Node:
 
 
 def _without_definition(text: str, kind: str, name: str) -> str:
-    """What nothing refers to any more is not defined either."""
+    """Remove a definition that nothing refers to any more."""
     root = _root(text)
     define = value_at(root, "define")
     definitions = value_at(define, kind)
@@ -217,21 +217,21 @@ def _without_definition(text: str, kind: str, name: str) -> str:
 def _with_changes(text: str, known: _Known, catalogue: Catalogue, folder: str) -> tuple[str, tuple[str, ...]]:
     root, whole = _root(text), Text(text)
     edits: list[Edit] = []
-    told: list[str] = []
+    report: list[str] = []
     for entry in _entries(root):
         if entry.variable not in known.values:
             continue
         role, value = known.values[entry.variable]
         if (role == "parameter") != (entry.kind == "parameters"):
-            told.append(f"kept: {entry.variable} is {role} in the code; move it by hand")
+            report.append(f"kept: {entry.variable} is {role} in the code; move it by hand")
             continue
         changes = _changes(entry, role, value, root, catalogue)
         for node, key, before, now in changes:
             edits += whole.set_value(node, key, now, "variable" if node is entry.node else "datatype")
-            told.append(f"changed: {entry.variable}: {key} {_word(before)} → {_word(now)}")
-        told += _kept(entry, value)
+            report.append(f"changed: {entry.variable}: {key} {_word(before)} → {_word(now)}")
+        report += _kept(entry, value)
         edits += _comment(entry, value, whole, folder)
-    return edited(text, edits), tuple(dict.fromkeys(told))
+    return edited(text, edits), tuple(dict.fromkeys(report))
 
 
 _Change = tuple[Node, str, Any, Any]
@@ -239,7 +239,7 @@ _Change = tuple[Node, str, Any, Any]
 
 
 def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
-    """What the code says otherwise: types and scales are those of the code."""
+    """Differences in types and scales, where the code decides."""
     node = entry.node
     if entry.kind == "data" and text_of(value_at(node, "role")) != role:
         yield node, "role", text_of(value_at(node, "role")), role
@@ -261,7 +261,7 @@ def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogu
 
 
 def _datatypes(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
-    """Of the entry, or where the file defines the interface."""
+    """Differences in the datatype of the entry, or of the definition in the file."""
     now = f"{value.datatype}{'[]' if value.length else ''}"
     path = text_of(value_at(entry.node, "path")) or ""
     defined = value_at(root, "define", entry.kind, path)
@@ -332,7 +332,7 @@ def _word(value: Any) -> str:
     return "none" if value is None else inline(value)
 
 
-# -- what is told -------------------------------------------------------------------------------------------------
+# -- the report ---------------------------------------------------------------------------------------------------
 
 
 def _in_place(text: str, draft: Draft) -> str:
@@ -346,13 +346,13 @@ def _in_place(text: str, draft: Draft) -> str:
     return text
 
 
-def _told_new(draft: Draft) -> Iterator[str]:
+def _new_entries(draft: Draft) -> Iterator[str]:
     yield from (f"new: {each.value.expression} ({each.path})" for each in draft.signals)
     yield from (f"new: {each.value.expression} ({each.keys['path']})" for each in draft.parameters)
 
 
-def _told_of_calls(declaration: Declaration, project: CodeProject, draft: Draft) -> Iterator[str]:
-    """What is to be changed by hand: calls, and sources that the file does not name."""
+def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Draft) -> Iterator[str]:
+    """Calls and sources that the file does not name: a person adds them."""
     known = {call.symbol or call.interface for each in declaration.components for call in each.runnables}
     yield from (f"kept: the call {call.symbol} is not in the file" for call in project.calls if _is_new(call, known))
     listed = {Path(each).as_posix() for each in (declaration.code.sources if declaration.code else ())}

@@ -56,13 +56,13 @@ def inline(value: Any) -> str:
 
 
 class Text:
-    """A text of YAML, with what is to be changed in it."""
+    """A text of YAML that is changed at its nodes."""
 
     def __init__(self, text: str) -> None:
         self._text = text
 
     def end_of(self, node: Node) -> int:
-        """Where a node ends, without the space and the comments behind it."""
+        """Return the end of a node, without the space and the comments behind it."""
         if isinstance(node, SequenceNode | MappingNode) and not node.flow_style and node.value:
             last = node.value[-1]
             return self.end_of(last[1] if isinstance(last, tuple) else last)

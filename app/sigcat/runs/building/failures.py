@@ -51,7 +51,7 @@ def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[C
 
 
 def _causes(said: Said, members: Sequence[Member]) -> Iterator[Finding]:
-    """What headers define otherwise, if generated code does not compile: it explains all errors there."""
+    """Names that headers replace, if generated code does not compile: these explain all errors there."""
     one = said.compilation
     if one is None or one.member is None or not one.source.stem.endswith(("_adapter", "_driver")):
         return
