@@ -138,7 +138,7 @@ static void CoreAcc_Adapter_Suspend(CoreAcc_Adapter_Error *error)
 }
 
 /* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
-static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *clock, const CoreAcc_Adapter_Reception *reception,
+static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *own_clock, const CoreAcc_Adapter_Reception *reception,
     uint64_t entered,
     uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
 {
@@ -146,17 +146,17 @@ static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *clock, const CoreAcc_Ad
     const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
 
     if ((is_there || !starts_with_first) && ((t - last) > time_out)) {
-        clock->is_late = true;
-        clock->count = reception->count;
-    } else if (clock->is_late && ((reception->count - clock->count) >= recovery)) {
-        clock->is_late = false;
+        own_clock->is_late = true;
+        own_clock->count = reception->count;
+    } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
+        own_clock->is_late = false;
     } else {
         /* as before */
     }
-    if (clock->is_late) {
-        clock->verdict = CORE_ACC_ADAPTER_PRESENT;
+    if (own_clock->is_late) {
+        own_clock->verdict = CORE_ACC_ADAPTER_PRESENT;
     } else {
-        clock->verdict = is_there ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED;
+        own_clock->verdict = is_there ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED;
     }
 }
 
